@@ -2,16 +2,19 @@
 
 #include "app/widgets/habits/place_beside.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
-#include <QEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QToolButton>
 
 namespace suffuse {
 
@@ -44,6 +47,26 @@ void focusFirstField(QDialog &dialog)
             return w->setFocus(Qt::TabFocusReason);
 }
 
+/// Presses a dialog's button that has the keyboard. Qt would press the dialog's default button for those that may not
+/// become it, which are those that Return in a field must not press, and for tool buttons.
+bool pressFocused(QObject *watched, const QKeyEvent &key)
+{
+    const bool isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    const bool plain = !(key.modifiers() & ~Qt::KeypadModifier);
+    auto *button = qobject_cast<QAbstractButton *>(watched);
+    if (!isReturn || !plain || !button || !button->hasFocus() || !qobject_cast<QDialog *>(button->window()))
+        return false;
+    if (auto *tool = qobject_cast<QToolButton *>(button); tool && tool->popupMode() == QToolButton::InstantPopup) {
+        tool->showMenu();
+        return true;
+    }
+    const auto *push = qobject_cast<QPushButton *>(button);
+    if (!qobject_cast<QToolButton *>(button) && (!push || push->autoDefault() || push->isDefault()))
+        return false;
+    button->click();
+    return true;
+}
+
 class HouseRules : public QObject {
 public:
     using QObject::QObject;
@@ -60,6 +83,10 @@ public:
                 event->ignore(); // Qt then goes on to the parent, which may scroll
                 return true;
             }
+            break;
+        case QEvent::KeyPress:
+            if (pressFocused(watched, *static_cast<QKeyEvent *>(event)))
+                return true;
             break;
         case QEvent::Show:
             if (auto *dialog = qobject_cast<QDialog *>(watched);

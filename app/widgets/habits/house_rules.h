@@ -5,7 +5,8 @@ namespace suffuse {
 
 /// Installs the rules, in all windows. The wheel changes no value and no tab that lacks the keyboard focus, and gives
 /// the focus to nothing; it scrolls the area around instead. Dialogs open in the middle of their window, wholly on its
-/// screen (place_beside.h), with the keyboard in their first field. Needs a QApplication; may be called again.
+/// screen (place_beside.h), with the keyboard in their first field, and Return presses their button that has the
+/// keyboard. Needs a QApplication; may be called again.
 void installHouseRules();
 
 } // namespace suffuse

@@ -17,10 +17,12 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcutEvent>
+#include <QSignalSpy>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 using namespace suffuse;
@@ -150,6 +152,14 @@ NumberField *fieldCalled(QWidget &root, const QString &name)
         if (field->accessibleName() == name && field->isVisible())
             return field;
     return nullptr;
+}
+
+/// Shows a dialog, which is not deleted when it closes, and waits until it has the keyboard.
+bool open(QDialog &dialog)
+{
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    return QTest::qWaitFor([&dialog] { return QApplication::activeWindow() == &dialog; });
 }
 
 /// The fields of a dialog that take a text as a whole. Those of spin boxes and of paths do not.
@@ -462,9 +472,7 @@ private slots:
                 const PaintingPtr before = s.editor().document().snapshot();
                 const int steps = s.steps();
                 const std::unique_ptr<QDialog> dialog = maker.make(s.window);
-                dialog->setAttribute(Qt::WA_DeleteOnClose, false);
-                dialog->show();
-                QVERIFY(QTest::qWaitForWindowActive(dialog.get()));
+                QVERIFY(open(*dialog));
                 const QList<QLineEdit *> fields = entriesOf(*dialog);
                 count = fields.size();
                 if (fields.isEmpty())
@@ -496,9 +504,7 @@ private slots:
         for (const DialogMaker &maker : allDialogs())
             for (qsizetype i = 0, count = 1; i < count; ++i) {
                 const std::unique_ptr<QDialog> dialog = maker.make(s.window);
-                dialog->setAttribute(Qt::WA_DeleteOnClose, false);
-                dialog->show();
-                QVERIFY(QTest::qWaitForWindowActive(dialog.get()));
+                QVERIFY(open(*dialog));
                 const QList<QLineEdit *> fields = entriesOf(*dialog);
                 count = fields.size();
                 if (fields.isEmpty())
@@ -523,6 +529,38 @@ private slots:
         QVERIFY2(tried.contains("recolour: Hex") && tried.contains("vary: Hue") && tried.contains("reshape: Values") &&
                      tried.contains("along: Start") && tried.contains("new: Width"),
                  qPrintable(tried.join(", ")));
+    }
+
+    /// Return presses the button that has the keyboard, not the one that Return presses elsewhere.
+    void returnPressesTheButtonInFocus()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QStringList tried;
+        for (const DialogMaker &maker : allDialogs()) {
+            const std::unique_ptr<QDialog> dialog = maker.make(s.window);
+            QVERIFY(open(*dialog));
+            for (QAbstractButton *button : dialog->findChildren<QAbstractButton *>()) {
+                const bool isPressed = qobject_cast<QPushButton *>(button) || qobject_cast<QToolButton *>(button);
+                if (!isPressed || !button->isVisible() || !button->isEnabled() ||
+                    !(button->focusPolicy() & Qt::TabFocus))
+                    continue;
+                const QString text = button->text().isEmpty() ? button->accessibleName() : button->text();
+                const QString name = QString(maker.name) + ": " + QString(text).remove('&');
+                button->disconnect(SIGNAL(clicked(bool))); // it is not tried what it does
+                const QSignalSpy clicks(button, &QAbstractButton::clicked);
+                for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+                    button->setFocus(Qt::TabFocusReason);
+                    QTest::keyClick(button, key);
+                }
+                QVERIFY2(clicks.count() == 2 && dialog->isVisible(), qPrintable(name));
+                tried << name;
+            }
+            dialog->reject();
+        }
+        for (const char *name :
+             {"export: Browse…", "export: Save…", "vary: Roll Again", "along: Constant", "brush: Close"})
+            QVERIFY2(tried.contains(name), qPrintable(QString(name) + " – " + tried.join(", ")));
     }
 
     void f6WalksAllPanels()
