@@ -8573,6 +8573,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::VaryDialog</name>
     <message>
+        <source>Vary at Random</source>
+        <translation>Zufällig abwandeln</translation>
+    </message>
+    <message>
         <source>Vary</source>
         <translation>Abwandeln</translation>
     </message>

@@ -8524,6 +8524,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::VaryDialog</name>
     <message>
+        <source>Vary at Random</source>
+        <translation>随机变化</translation>
+    </message>
+    <message>
         <source>Vary</source>
         <translation>随机变化</translation>
     </message>

@@ -22,7 +22,7 @@ VaryDialog::VaryDialog(Editor &editor, QWidget *parent)
     : QDialog(parent), m_editor(editor), m_before(editor.document().painting()), m_selection(editor.selection()),
       m_amounts(commands::storedVariation())
 {
-    setWindowTitle(tr("Vary"));
+    setWindowTitle(tr("Vary at Random"));
     m_amounts.seed = QRandomGenerator::global()->generate();
     m_form = new QFormLayout(this);
     addField(&VaryAmounts::diffusion, specOf(Quantity::Diffusion).name,

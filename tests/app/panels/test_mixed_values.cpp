@@ -598,6 +598,8 @@ private slots:
         const int steps = s.steps();
         {
             VaryDialog dialog(s.editor(), &s.window);
+            const QString command = s.window.action(Command::VaryStrokes).text();
+            QCOMPARE(dialog.windowTitle() + QStringLiteral("…"), QString(command).remove('&'));
             QVERIFY(!(s.painting() == *before)); // it shows at once
             QCOMPARE(s.steps(), steps);
             const Painting first = s.painting();
