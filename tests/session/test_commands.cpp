@@ -64,6 +64,21 @@ private slots:
             QVERIFY(!action->objectName().isEmpty() && !action->text().isEmpty());
     }
 
+    void nothingIsSelectedShownOrUnlockedWhereNothingIs()
+    {
+        OpenPainting open;
+        open.editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        for (const bool painted : {false, true}) {
+            if (painted)
+                addStroke(open.editor);
+            table.update();
+            for (const Command command : {Command::InvertSelection, Command::UnlockAll, Command::ShowAll})
+                QCOMPARE(table[command].isEnabled(), painted);
+        }
+    }
+
     /// Groups dissolve, and paint dries once and for all, where there is a group, and paint that is wetted again.
     void whatHasNothingToDoIsDisabled()
     {

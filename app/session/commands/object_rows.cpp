@@ -47,6 +47,7 @@ void addSelectingRows(Commands &table, Editor &editor)
     table
         .add(InvertSelection, "invertSelection", Commands::tr("In&vert Selection"), "",
              {QKeySequence(Commands::tr("Ctrl+Shift+I")), QKeySequence(Commands::tr("!"))})
+        .when(anyStrokes(editor))
         .runs([&editor] { commands::invertSelection(editor); });
     table
         .add(SameColour, "sameColour", Commands::tr("&Colour"), "", {},
@@ -91,13 +92,14 @@ void addGroupRows(Commands &table, Editor &editor)
         .when(selected)
         .runs([&editor] { commands::lockSelected(editor); });
     table.add(UnlockAll, "unlockAll", Commands::tr("U&nlock All"), "unlock", key(Commands::tr("Ctrl+Alt+2")))
+        .when(anyStrokes(editor))
         .runs([&editor] { commands::unlockAllStrokes(editor); });
     table.add(HideStrokes, "hide", Commands::tr("&Hide"), "eye-off", key(Commands::tr("Ctrl+3")))
         .when(selected)
         .runs([&editor] { commands::hideSelected(editor); });
-    table.add(ShowAll, "showAll", Commands::tr("Sho&w All"), "eye", key(Commands::tr("Ctrl+Alt+3"))).runs([&editor] {
-        commands::showAllStrokes(editor);
-    });
+    table.add(ShowAll, "showAll", Commands::tr("Sho&w All"), "eye", key(Commands::tr("Ctrl+Alt+3")))
+        .when(anyStrokes(editor))
+        .runs([&editor] { commands::showAllStrokes(editor); });
 }
 
 bool anySelectedStroke(const Document &document, const std::function<bool(const Stroke &)> &predicate)

@@ -10,6 +10,7 @@
 #include "app/panels/timeline/timeline_panel.h"
 #include "app/session/commands/commands.h"
 #include "app/session/commands/selection_commands.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/open_painting.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/habits/place_beside.h"
@@ -185,6 +186,7 @@ void Docks::addSelectingRows()
     table
         .add(SelectAll, "selectAll", Commands::tr("Select &All"), "",
              QKeySequence::keyBindings(QKeySequence::SelectAll))
+        .when(anyStrokes(m_place.open.editor))
         .runs([this] {
             if (m_strokes->isSearching() && m_strokes->isAncestorOf(QApplication::focusWidget()))
                 m_strokes->selectFound(); // all of what is to be seen there

@@ -33,6 +33,16 @@ private slots:
 
     void init() { settings::store().clear(); }
 
+    void nothingCanBeSelectedInAnEmptyPainting()
+    {
+        Session s;
+        QVERIFY(s.painting().strokes.empty());
+        QVERIFY(!s.window.action(Command::SelectAll).isEnabled());
+        s.paintLine({100, 100}, {300, 120});
+        s.editor().laterChanges().flush();
+        QVERIFY(s.window.action(Command::SelectAll).isEnabled());
+    }
+
     void roughPaintIsTheRealPaint()
     {
         bench::PaintingOptions options;
