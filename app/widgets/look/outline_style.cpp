@@ -137,7 +137,8 @@ void OutlineStyle::drawControl(ControlElement element, const QStyleOption *optio
     const auto *bar = qstyleoption_cast<const QStyleOptionToolBar *>(option);
     const auto *entry = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
     const QRect &area = option->rect;
-    if (isDarkTheme() && element == CE_ToolBar && bar && widget && qobject_cast<QMainWindow *>(widget->parentWidget())) {
+    if (isDarkTheme() && element == CE_ToolBar && bar && widget &&
+        qobject_cast<QMainWindow *>(widget->parentWidget())) {
         painter->fillRect(area, option->palette.color(QPalette::Window));
         const bool lies = bar->state & State_Horizontal;
         const QRect edge = lies ? QRect(area.left(), area.bottom(), area.width(), 1)
@@ -151,6 +152,17 @@ void OutlineStyle::drawControl(ControlElement element, const QStyleOption *optio
     } else {
         QProxyStyle::drawControl(element, option, painter, widget);
     }
+}
+
+QSize OutlineStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
+                                     const QWidget *widget) const
+{
+    constexpr int room = 4; // logical pixels above and below
+    const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    const auto *entry = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
+    const bool isHeading = type == CT_MenuItem && entry && !entry->text.isEmpty() &&
+                           entry->menuItemType == QStyleOptionMenuItem::Separator;
+    return isHeading ? size + QSize(0, 2 * room) : size;
 }
 
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,

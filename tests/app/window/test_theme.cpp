@@ -59,6 +59,33 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
     }
 
+    void headingsOfMenusHaveRoom()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            QMenu menu;
+            QAction *heading = menu.addSection("Heading"), *entry = menu.addAction("Entry");
+            menu.ensurePolished();
+            const QImage picture = menu.grab().toImage();
+            const QRect area = menu.actionGeometry(heading);
+            QVERIFY(menu.actionGeometry(entry).top() > area.bottom());
+            // Below the frame there is nothing but ground above the heading's letters.
+            const double ratio = picture.devicePixelRatio();
+            const int top = int((area.top() + 1) * ratio);
+            const QRgb ground = picture.pixel(int(2 * ratio), top);
+            const auto hasInk = [&](int y) {
+                for (int x = int((area.left() + 5) * ratio); x < int((area.left() + 40) * ratio); ++x)
+                    if (picture.pixel(x, y) != ground)
+                        return true;
+                return false;
+            };
+            int above = 0;
+            while (above < int((area.height() - 1) * ratio) && !hasInk(top + above))
+                ++above;
+            QVERIFY2(above >= 4 * ratio && above < (area.height() - 1) * ratio, qPrintable(QString::number(above)));
+        }
+    }
+
     void toolTipsAndOpenMessagesFollow()
     {
         QToolTip::setPalette(QPalette(Qt::yellow)); // as some platforms give them one
