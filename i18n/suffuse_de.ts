@@ -969,6 +969,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>  Segment %1 nimmt weg: φ %2, Anteil %3
 </translation>
     </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

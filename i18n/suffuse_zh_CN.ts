@@ -963,6 +963,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>  线段 %1 吸走：φ %2，占比 %3
 </translation>
     </message>
+    <message>
+        <source>untitled</source>
+        <translation>未命名</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

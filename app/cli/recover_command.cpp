@@ -28,9 +28,10 @@ QJsonObject jsonOf(const LostDocument &document)
 
 QString textOf(const LostDocument &document)
 {
+    const QString name = document.name().isEmpty() ? QCoreApplication::translate("Cli", "untitled") : document.name();
     return QStringLiteral("%1  %2  %3, %4\n")
         .arg(
-            document.id(), document.lastChange().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), document.name(),
+            document.id(), document.lastChange().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), name,
             QCoreApplication::translate("Cli", "%n stroke(s)", nullptr, int(document.content.painting.strokes.size())));
 }
 

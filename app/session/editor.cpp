@@ -43,11 +43,10 @@ Microseconds latestBirth(const Painting &painting, const std::vector<StrokeId> &
     return latest;
 }
 
-QString recoveredName(const QString &name)
+QString recoveredPattern()
 {
     //: name of a document that was brought back after a crash
-    const QString pattern = Editor::tr("%1 (recovered)");
-    return name.endsWith(pattern.section(QStringLiteral("%1"), 1)) ? name : pattern.arg(name);
+    return Editor::tr("%1 (recovered)");
 }
 
 } // namespace
@@ -248,9 +247,13 @@ void Editor::noteDrawn(const Edit &edit)
 
 QString Editor::displayName() const
 {
-    if (!m_filePath.isEmpty())
-        return QFileInfo(m_filePath).fileName();
-    return m_untitledName.isEmpty() ? tr("Untitled") : m_untitledName;
+    const QString own = ownName(), name = own.isEmpty() ? tr("Untitled") : own;
+    return m_isRecovered && m_filePath.isEmpty() ? recoveredPattern().arg(name) : name;
+}
+
+QString Editor::ownName() const
+{
+    return m_filePath.isEmpty() ? m_untitledName : QFileInfo(m_filePath).fileName();
 }
 
 Canvas Editor::usualCanvas()
@@ -284,9 +287,9 @@ std::vector<QString> Editor::open(OpenedFile file)
     const bool damaged = !document.losses.empty();
     Origin origin;
     if (damaged)
-        origin = {{}, recoveredName(QFileInfo(file.path).fileName()), file.path, {}, document.leftOut, true};
+        origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, document.leftOut, true, true};
     else if (canBeSavedAs(document.format))
-        origin = {file.path, {}, file.path, file.hash, document.leftOut, false};
+        origin = {file.path, {}, file.path, file.hash, document.leftOut};
     else
         origin.leftOut = document.leftOut;
     show(std::make_shared<const Painting>(std::move(document.painting)), origin);
@@ -330,7 +333,9 @@ void Editor::setKeepsHistory(bool keeps)
 void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
 {
     m_extras = {};
-    show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, {}, true});
+    const QString added = recoveredPattern().section(QStringLiteral("%1"), 1); // journals of earlier versions have it
+    const QString own = name.endsWith(added) ? name.chopped(added.size()) : name;
+    show(std::make_shared<const Painting>(std::move(painting)), {{}, own, suggestedPath, {}, {}, true, true});
 }
 
 SaveOrder Editor::orderFor(const QString &path)
@@ -435,6 +440,7 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_savedStep.set(!origin.modified);
     m_filePath = origin.path;
     m_untitledName = origin.name;
+    m_isRecovered = origin.recovered;
     m_suggestedPath = origin.suggestedPath;
     m_fileHash = origin.hash;
     m_keepsHistory = m_historyIsSaved = false;

@@ -109,6 +109,8 @@ public:
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
     QString displayName() const;
+    /// The name without what the program adds to it in its language; empty: untitled. Journals keep it.
+    QString ownName() const;
     /// What is here differs from what is on disk, undo steps that are to be kept or left out included. Also while it is
     /// being saved.
     bool isModified() const;
@@ -174,6 +176,7 @@ private:
         QByteArray hash;
         QString leftOut;
         bool modified = false;
+        bool recovered = false;
     };
     void show(PaintingPtr painting, const Origin &origin);
     void noteSaved(const SaveOutcome &outcome);
@@ -199,6 +202,7 @@ private:
     std::unique_ptr<ColourTarget> m_colourTarget;
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
+    bool m_isRecovered = false;
     QString m_suggestedPath;
     QByteArray m_fileHash;
     DocumentExtras m_extras; ///< but for the history, which is on the undo stack

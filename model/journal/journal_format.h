@@ -11,7 +11,7 @@ namespace suffuse {
 
 /// What a journal says about its document, besides the painting.
 struct JournalHead {
-    QString name;        ///< as the window shows it
+    QString name;        ///< of its file, or of the file that it was recovered from; empty if it has none
     QString path;        ///< the absolute path of its file; empty if it is untitled
     QByteArray fileHash; ///< SHA-256 of that file as it was last read or written; empty if unknown
     friend bool operator==(const JournalHead &, const JournalHead &) = default;

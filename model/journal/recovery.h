@@ -24,7 +24,7 @@ struct LostDocument {
     /// The name of the journal, for the command line.
     QString id() const;
     QDateTime lastChange() const { return QDateTime::fromMSecsSinceEpoch(content.lastChange); }
-    /// A name such as "flowers.suffuse", or "Untitled".
+    /// A name such as "flowers.suffuse"; empty: it has none.
     const QString &name() const { return content.head.name; }
 };
 

@@ -15,7 +15,7 @@ QString &journals()
 JournalHead headOf(const Editor &editor)
 {
     const QString &path = editor.filePath();
-    return {editor.displayName(), path.isEmpty() ? editor.suggestedPath() : path, editor.fileHash()};
+    return {editor.ownName(), path.isEmpty() ? editor.suggestedPath() : path, editor.fileHash()};
 }
 
 } // namespace

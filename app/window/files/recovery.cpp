@@ -80,9 +80,10 @@ void RecoveryDialog::fillList()
     for (const LostDocument &document : m_documents) {
         const QString &path = document.content.head.path;
         const QString folder = path.isEmpty() ? tr("not saved yet") : QFileInfo(path).absolutePath();
-        auto *item = new QTreeWidgetItem(
-            m_list, {document.name(), locale.toString(document.lastChange(), QLocale::ShortFormat),
-                     locale.toString(qulonglong(document.content.painting.strokes.size())), folder});
+        const QString name = document.name().isEmpty() ? Editor::tr("Untitled") : document.name();
+        auto *item = new QTreeWidgetItem(m_list, {name, locale.toString(document.lastChange(), QLocale::ShortFormat),
+                                                  locale.toString(qulonglong(document.content.painting.strokes.size())),
+                                                  folder});
         item->setIcon(0, pictureIcon({}, palette(), devicePixelRatioF()));
         item->setToolTip(3, path);
         item->setData(0, Qt::UserRole, document.id());

@@ -1,5 +1,7 @@
 // What a start offers after a crash: everything that was finished, once, and never what was saved or closed.
 #include "app/session/files/journal.h"
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "app/widgets/asking/messages.h"
 #include "app/window/files/recovery.h"
 #include "tests/app/selecting.h"
@@ -71,6 +73,41 @@ private slots:
         QCOMPARE(again.lost.size(), std::size_t(2));
         for (const LostDocument &document : again.lost)
             QCOMPARE(hashOf(document.content.painting), hashOf(lost.painting()));
+    }
+
+    /// What the program adds to names is said in the language of the moment, not in that of the crash.
+    void namesFollowTheLanguage()
+    {
+        const auto speak = [](const char *code) {
+            settings::setLanguage(code);
+            installTranslators();
+        };
+        const auto back = qScopeGuard([&] { speak("en"); });
+        Session named, untitled;
+        named.paintLine({200, 300}, {700, 350});
+        QVERIFY(named.window.saveTo(m_folder->filePath("flowers.suffuse")));
+        named.paintLine({200, 400}, {700, 450});
+        untitled.paintLine({200, 500}, {700, 550});
+        crash(named);
+        crash(untitled);
+        const Journals journals = findJournals(crashed());
+        QCOMPARE(journals.lost.size(), std::size_t(2));
+        Editor first, second;
+        for (const LostDocument &lost : journals.lost)
+            (lost.name().isEmpty() ? second : first)
+                .openRecovered(lost.content.painting, lost.name(), lost.content.head.path);
+        QCOMPARE(first.displayName(), QString("flowers.suffuse (recovered)"));
+        QCOMPARE(second.displayName(), QString("Untitled (recovered)"));
+        first.openRecovered(*first.document().painting(), first.ownName(), {}); // after another crash
+        speak("de");
+        QCOMPARE(first.displayName(), QString("flowers.suffuse (wiederhergestellt)"));
+        QCOMPARE(second.displayName(), QString("Unbenannt (wiederhergestellt)"));
+        QCOMPARE(first.ownName(), QString("flowers.suffuse"));
+        QVERIFY(second.ownName().isEmpty());
+        RecoveryDialog dialog(journals.lost);
+        QStringList listed{dialog.list()->topLevelItem(0)->text(0), dialog.list()->topLevelItem(1)->text(0)};
+        listed.sort();
+        QCOMPARE(listed, (QStringList{"Unbenannt", "flowers.suffuse"}));
     }
 
     /// Not only when it has rested for a while.
