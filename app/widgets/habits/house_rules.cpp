@@ -8,6 +8,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
@@ -15,6 +17,7 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QToolButton>
+#include <QTreeView>
 
 namespace suffuse {
 
@@ -45,6 +48,18 @@ void focusFirstField(QDialog &dialog)
         if (dialog.isAncestorOf(w) && isField(*w) && w->focusPolicy() & Qt::TabFocus && !w->focusProxy() &&
             w->isEnabled() && w->isVisibleTo(&dialog))
             return w->setFocus(Qt::TabFocusReason);
+}
+
+/// In Qt's own file dialog sizes, types and dates are as wide as some texts of long ago; names get what they leave.
+void fitColumns(const QFileDialog &dialog)
+{
+    const auto *files = dialog.findChild<QTreeView *>(QStringLiteral("treeView"));
+    if (!files) // the desktop's dialog
+        return;
+    QHeaderView &header = *files->header();
+    header.setResizeContentsPrecision(0); // what is seen; a folder may hold thousands of files
+    header.setSectionResizeMode(QHeaderView::ResizeToContents);
+    header.setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
 /// Presses a dialog's button that has the keyboard. Qt would press the dialog's default button for those that may not
@@ -93,6 +108,8 @@ public:
                 dialog && dialog->isWindow() && !event->spontaneous()) {
                 placeDialog(*dialog);
                 focusFirstField(*dialog);
+                if (const auto *files = qobject_cast<QFileDialog *>(dialog))
+                    fitColumns(*files);
             }
             break;
         default:

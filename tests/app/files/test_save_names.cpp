@@ -7,8 +7,10 @@
 #include "tests/app/session.h"
 
 #include <QFile>
+#include <QHeaderView>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTreeView>
 
 using namespace suffuse;
 
@@ -46,6 +48,41 @@ private slots:
         setMessageHooks(hooks);
     }
     void cleanupTestCase() { setMessageHooks({}); }
+
+    /// Size, type and date of files are shown as a whole; names get the room that is left.
+    void fileDialogsShowTheirColumns()
+    {
+        Session s;
+        QFile file(path("a painting.suffuse"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(113'890, 'a')) == 113'890);
+        file.close();
+        QStringList cutOff;
+        bool allWide = false;
+        int names = 0, beyond = 0;
+        whenAsked<QFileDialog>(this, m_answered, [&](QFileDialog &dialog) {
+            dialog.setViewMode(QFileDialog::Detail);
+            dialog.setDirectory(m_folder->path());
+            auto *tree = dialog.findChild<QTreeView *>(QStringLiteral("treeView"));
+            QAbstractItemView *view = tree;
+            const auto isWide = [&] {
+                cutOff.clear();
+                if (tree->model()->rowCount(tree->rootIndex()) == 0)
+                    return false;
+                for (int column = 1; column < tree->model()->columnCount(); ++column)
+                    if (!tree->isColumnHidden(column) && tree->columnWidth(column) < view->sizeHintForColumn(column))
+                        cutOff << tree->model()->headerData(column, Qt::Horizontal).toString();
+                return cutOff.isEmpty();
+            };
+            allWide = QTest::qWaitFor(isWide, waitMs); // a thread reads the folder
+            names = tree->columnWidth(0);
+            beyond = tree->header()->length() - tree->viewport()->width();
+            dialog.reject();
+        });
+        s.use(Command::Open);
+        QCOMPARE(m_answered, 1);
+        QVERIFY2(allWide, qPrintable(cutOff.join(", ")));
+        QVERIFY2(names >= 150 && beyond <= 0, qPrintable(QStringLiteral("%1, %2").arg(names).arg(beyond)));
+    }
 
     void endingsAreAppended_data()
     {
