@@ -1,5 +1,6 @@
 #include "app/widgets/habits/house_rules.h"
 
+#include "app/widgets/habits/dialog_scroll.h"
 #include "app/widgets/habits/place_beside.h"
 
 #include <QAbstractButton>
@@ -89,7 +90,10 @@ public:
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         switch (event->type()) {
-        case QEvent::Polish: // with this policy, Qt would give the focus before the wheel event reaches the widget
+        case QEvent::Polish:
+            if (auto *dialog = qobject_cast<QDialog *>(watched); dialog && dialog->isWindow())
+                scrollIfHigher(*dialog, roomFor(*dialog));
+            // With this policy, Qt would give the focus before the wheel event reaches the widget.
             if (auto *widget = qobject_cast<QWidget *>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
                 widget->setFocusPolicy(Qt::StrongFocus);
             break;

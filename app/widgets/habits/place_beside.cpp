@@ -23,6 +23,25 @@ QMargins frameOf(const QWidget &window)
                     framed.right() - inner.right(), framed.bottom() - inner.bottom());
 }
 
+/// The window over which a dialog opens; null: none.
+const QWidget *windowBehind(const QDialog &dialog)
+{
+    return dialog.parentWidget() ? dialog.parentWidget()->window() : nullptr;
+}
+
+const QScreen *screenOf(const QDialog &dialog)
+{
+    const QWidget *parent = windowBehind(dialog);
+    return parent ? parent->screen() : dialog.screen();
+}
+
+/// The dialog's own frame is not known before it is shown.
+QMargins frameOfDialog(const QDialog &dialog)
+{
+    const QWidget *parent = windowBehind(dialog);
+    return frameOf(parent && !parent->isFullScreen() ? *parent : dialog);
+}
+
 } // namespace
 
 QPoint placeBeside(QSize size, const QRect &what, const QRect &screen)
@@ -70,14 +89,20 @@ QRect placeOver(QSize size, const QRect &owner, const QRect &screen)
     return placeWithin(wish, screen);
 }
 
+QSize roomFor(const QDialog &dialog)
+{
+    const QScreen *screen = screenOf(dialog);
+    return screen ? screen->availableGeometry().marginsRemoved(frameOfDialog(dialog)).size() : QSize();
+}
+
 void placeDialog(QDialog &dialog)
 {
-    const QWidget *parent = dialog.parentWidget() ? dialog.parentWidget()->window() : nullptr;
-    const QScreen *screen = parent ? parent->screen() : dialog.screen();
+    const QWidget *parent = windowBehind(dialog);
+    const QScreen *screen = screenOf(dialog);
     if (!screen)
         return;
     const QRect room = screen->availableGeometry();
-    const QMargins frame = frameOf(parent && !parent->isFullScreen() ? *parent : dialog);
+    const QMargins frame = frameOfDialog(dialog);
     // The dialog's children have been polished just now. A dialog that grew after it is shown would be sent to the
     // place where Qt believes it to be, which is wrong while a window manager puts its frame around it: sometimes that
     // is the corner of the screen.

@@ -3,6 +3,7 @@
 
 #include <QPoint>
 #include <QRect>
+#include <QSize>
 
 class QDialog;
 class QWidget;
@@ -24,6 +25,9 @@ void moveBeside(QWidget &window, const QRect &what);
 /// The place of a dialog of this size, frame included: in the middle of `owner`, within `screen`, and no larger than
 /// the screen.
 QRect placeOver(QSize size, const QRect &owner, const QRect &screen);
+
+/// The size that a dialog's contents can have on its screen, beside the window's frame.
+QSize roomFor(const QDialog &dialog);
 
 /// Puts a dialog that is about to be shown over its parent's window, or into the middle of the screen if it has no
 /// parent. A dialog that has a place already keeps it as far as it lies on the screen.

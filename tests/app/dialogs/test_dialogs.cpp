@@ -4,11 +4,13 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/dialog_scroll.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/paper/canvas_section.h"
+#include "tests/app/all_dialogs.h"
 #include "tests/app/panel_bench.h"
 
 #include <QAction>
@@ -16,10 +18,14 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QKeySequenceEdit>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 
 using namespace suffuse;
 
@@ -32,6 +38,63 @@ private slots:
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
         qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
+    }
+
+    /// A laptop's fine screen is 384 logical pixels high, less title and task bar.
+    void dialogsFitOnLowScreens()
+    {
+        WaveSession s;
+        constexpr QSize room(683, 330);
+        int scrolled = 0;
+        for (const DialogMaker &maker : allDialogs()) {
+            const std::unique_ptr<QDialog> dialog = maker.make(s.window);
+            dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+            scrollIfHigher(*dialog, room);
+            dialog->show();
+            QVERIFY(QTest::qWaitFor([&] { return QApplication::activeWindow() == dialog.get(); }));
+            QVERIFY2(dialog->minimumSizeHint().height() <= room.height(), maker.name);
+            QVERIFY2(dialog->minimumSizeHint().width() <= room.width(), maker.name);
+            dialog->resize(room);
+            QCoreApplication::processEvents();
+            const auto isSeen = [&](const QWidget &widget) {
+                return dialog->rect().contains(QRect(widget.mapTo(dialog.get(), QPoint()), widget.size()));
+            };
+            for (const auto *box : dialog->findChildren<QDialogButtonBox *>())
+                QVERIFY2(box->isVisible() && isSeen(*box), maker.name);
+            // The keyboard brings into view what it comes to.
+            auto *area = dialog->findChild<QScrollArea *>(QString(), Qt::FindDirectChildrenOnly);
+            scrolled += area != nullptr;
+            for (int i = 0; area && i < 40; ++i) {
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+                const QWidget *focus = QApplication::focusWidget();
+                const QPoint middle = focus->mapTo(dialog.get(), focus->rect().center());
+                QVERIFY2(dialog->rect().contains(middle) && !focus->visibleRegion().isEmpty(),
+                         qPrintable(QString(maker.name) + ": " + focus->accessibleName()));
+            }
+            dialog->reject();
+        }
+        QVERIFY2(scrolled >= 4, qPrintable(QString::number(scrolled)));
+    }
+
+    void whatIsHigherThanTheScreenScrolls()
+    {
+        WaveSession s; // installs the rules
+        for (const int higher : {-300, 500}) {
+            const int screen = s.window.screen()->availableGeometry().height();
+            QDialog dialog(&s.window);
+            auto *column = new QVBoxLayout(&dialog);
+            auto *content = new QLineEdit(&dialog);
+            content->setMinimumHeight(screen + higher);
+            auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
+            column->addWidget(content);
+            column->addWidget(buttons);
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+            QVERIFY(dialog.frameGeometry().height() <= screen);
+            QVERIFY(dialog.rect().contains(QRect(buttons->mapTo(&dialog, QPoint()), buttons->size())));
+            QCOMPARE(dialog.findChild<QScrollArea *>() != nullptr, higher > 0);
+            QCOMPARE(dialog.focusWidget(), content);
+        }
     }
 
     void newCanvas()
@@ -208,7 +271,7 @@ private slots:
         for (const int size : {32, 256}) {
             const QImage image = applicationIcon().pixmap(QSize(size, size)).toImage();
             QCOMPARE(image.width(), size);
-            QCOMPARE(image.pixelColor(size * 3 / 4, size / 4).alpha(), 255);                  // paper
+            QCOMPARE(image.pixelColor(size * 3 / 4, size / 4).alpha(), 255);                 // paper
             QVERIFY(image.pixelColor(size * 114 / 256, size * 151 / 256).lightness() < 128); // the curve
         }
     }
