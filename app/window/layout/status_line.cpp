@@ -5,6 +5,7 @@
 #include "app/session/open_painting.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/habits/at_next_change.h"
+#include "app/widgets/look/elided_sentences.h"
 #include "app/widgets/look/section.h"
 
 #include <QLabel>
@@ -22,9 +23,9 @@ namespace {
 /// Draws a line of text that ends in "…" where there is no room for all of it.
 void drawElided(QPainter &painter, const QWidget &widget, const QRect &area, const QString &text)
 {
-    widget.style()->drawItemText(
-        &painter, area, Qt::AlignLeading | Qt::AlignVCenter | Qt::TextSingleLine, widget.palette(), true,
-        widget.fontMetrics().elidedText(text, Qt::ElideRight, area.width()), QPalette::WindowText);
+    widget.style()->drawItemText(&painter, area, Qt::AlignLeading | Qt::AlignVCenter | Qt::TextSingleLine,
+                                 widget.palette(), true, elidedSentences(text, widget.fontMetrics(), area.width()),
+                                 QPalette::WindowText);
 }
 
 /// A line that takes the room there is, so that another text need not be measured.

@@ -2,12 +2,15 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/habits/place_beside.h"
+#include "app/widgets/look/elided_sentences.h"
 #include "app/window/layout/window_layout.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 
+#include <QApplication>
 #include <QDataStream>
 #include <QDockWidget>
+#include <QFontMetrics>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMainWindow>
@@ -123,6 +126,27 @@ private slots:
         while (last > 0 && topOfInk(last) < 0)
             --last;
         return last > 0 && topOfInk(last) > image.height() / 2;
+    }
+
+    /// A hint that is too long ends behind a sentence, not within one.
+    void hintsAreCutBehindASentence()
+    {
+        const QFontMetrics metrics(QApplication::font());
+        const auto cut = [&](const QString &text, const QString &roomOf) {
+            return elidedSentences(text, metrics, metrics.horizontalAdvance(roomOf));
+        };
+        const QString text = "Drag: paint. Shift+drag: 1.5 times. Ctrl+click: colour of the picture.";
+        QCOMPARE(cut(text, text), text);
+        QCOMPARE(cut(text, "Drag: paint. Shift+drag: 1.5 times. Ctrl+cl"),
+                 QString("Drag: paint. Shift+drag: 1.5 times. …"));
+        QCOMPARE(cut(text, "Drag: paint. Shift+drag"), QString("Drag: paint. …"));
+        const QString wide = QStringLiteral("拖动绘画。右键打开调色板。按住 Ctrl 取颜色。");
+        QCOMPARE(cut(wide, QStringLiteral("拖动绘画。右键打开调色板。按住")),
+                 QStringLiteral("拖动绘画。右键打开调色板。…"));
+        // A long sentence is not left out for a short one.
+        const QString uneven = "Drag. Shift+drag from paint to paint: all that lies in between is taken";
+        const QString line = cut(uneven, "Drag. Shift+drag from paint to paint: all that");
+        QVERIFY2(line.startsWith("Drag. Shift+drag from paint") && line.endsWith(u'…'), qPrintable(line));
     }
 
     /// What the status bar has no room for is in the tool tip.
