@@ -21,6 +21,16 @@ inline int trials(int usual, int release)
     return isLongRun() ? release : usual;
 }
 
+/// Whether case `number` of a list has its turn: with sanitizers, which take ten times as long, each fifth has.
+inline bool isTried([[maybe_unused]] int number)
+{
+#ifdef SUFFUSE_SANITIZED
+    return isLongRun() || number % 5 == 0;
+#else
+    return true;
+#endif
+}
+
 /// SUFFUSE_SEED: several runs beside each other try different things.
 inline quint32 firstSeed()
 {

@@ -9,6 +9,7 @@
 #include "render/probe.h"
 #include "render/reference/style.h"
 #include "render/scene/scene.h"
+#include "tests/trials.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -47,9 +48,12 @@ class TestLift : public QObject {
 private slots:
     void washesOfEveryStyle()
     {
+        int number = 0;
         for (const Style &style : someStyles())
             for (const double spread : {1.5, 4.0, 9.0})
                 for (const double peak : {0.8, 3.0, 30.0}) {
+                    if (!isTried(++number))
+                        continue;
                     const Mix mix = spread > 4 ? Mix{MixMode::Beta, 0.8f} : Mix{};
                     Stroke s = liftedWash(style, spread, peak);
                     s.mix = mix;
@@ -92,6 +96,8 @@ private slots:
                                         PictureGrid::ofPicture(straight));
                     QVERIFY(scene.calm && !scene.small.empty());
                     const Paper paper = number % 3 ? Paper{} : Paper{PaperKind::Procedural, 5, 20, 0.8f, {}};
+                    if (!isTried(number + number / 5)) // not by fives alone: each fifth is turned
+                        continue;
                     compare(painting({s}, 96, 72, paper), number % 5 ? straight : turned,
                             nameOf(style) + ", spread " + QByteArray::number(spread) + ", peak " +
                                 QByteArray::number(peak) + ", number " + QByteArray::number(number));
