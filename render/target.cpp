@@ -18,8 +18,8 @@ namespace {
 
 /// Moves rows of `stride` values, `perPixel` of them a pixel, within a picture. What comes into view keeps what was
 /// there.
-template <class Value>
-void moveRows(std::vector<Value> &values, int width, int height, int perPixel, int dx, int dy)
+template <class Values>
+void moveRows(Values &values, int width, int height, int perPixel, int dx, int dy)
 {
     const auto kept = std::size_t(std::max(0, width - std::abs(dx)) * perPixel);
     const auto at = [&](int x, int y) {
@@ -28,7 +28,7 @@ void moveRows(std::vector<Value> &values, int width, int height, int perPixel, i
     const int rows = std::max(0, height - std::abs(dy)), fromX = std::max(0, -dx), fromY = std::max(0, -dy);
     for (int i = 0; i < rows; ++i) {
         const int y = fromY + (dy > 0 ? rows - 1 - i : i); // Rows that are still needed are not overwritten.
-        std::memmove(at(fromX + dx, y + dy), at(fromX, y), kept * sizeof(Value));
+        std::memmove(at(fromX + dx, y + dy), at(fromX, y), kept * sizeof(*values.data()));
     }
 }
 

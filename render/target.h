@@ -1,6 +1,7 @@
 // Where a renderer puts its pixels.
 #pragma once
 
+#include "render/pages.h"
 #include "render/view.h"
 
 #include <cstdint>
@@ -44,12 +45,13 @@ class FloatPicture : public Target {
 public:
     int width = 0;
     int height = 0;
-    std::vector<float> rgba; ///< width·height·4
+    Pixels<float> rgba; ///< width·height·4
 
     void resize(int w, int h) override
     {
         width = w, height = h;
-        rgba.assign(std::size_t(w) * h * 4, 0.0f);
+        rgba = {}; // Two pictures need not fit into memory.
+        rgba = Pixels<float>(std::size_t(w) * h * 4);
     }
     bool move(int dx, int dy) override;
     void store(const PixelRect &rect, const float *pixels, int stride) override;

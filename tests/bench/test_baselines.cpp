@@ -154,7 +154,8 @@ void TestBaselines::paperOnDeviceDrawsThePicture()
             QSKIP(qPrintable(QString("no CUDA device: %1").arg(QString::fromStdString(why))));
         FloatPicture onCpu;
         onCpu.resize(request.view.width, request.view.height);
-        onCpu.rgba = baseline::paperMethod(request, points, 0);
+        const std::vector<float> drawn = baseline::paperMethod(request, points, 0);
+        onCpu.rgba.assign(drawn.begin(), drawn.end());
         for (const auto &[kernel, polynomials] : {std::pair(PaperKernel::AsWritten, 0),
                                                   {PaperKernel::Port, 0},
                                                   {PaperKernel::Port, 1},

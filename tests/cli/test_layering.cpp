@@ -42,7 +42,11 @@ const QList<Rule> &rules()
         {"render/backends", {"model/", "render/"}, {"QtCore"}, {}},
         {"render/fallback_renderer", {"render/renderer.h", "render/fallback_renderer.h"}, {"QtCore"}, {}},
         // Finished pixels become bytes by the same vector instructions as they were made.
-        {"render/target.", {"model/", "render/target.h", "render/view.h", "render/cpu/kernels.h"}, {"QtCore"}, {}},
+        {"render/target.",
+         {"model/", "render/target.h", "render/pages.h", "render/view.h", "render/cpu/kernels.h"},
+         {"QtCore"},
+         {}},
+        {"render/pages.", {"render/pages.h"}, {}, {}},
         // What a pixel holds is told by the equations, not by what drew it.
         {"render/probe.", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
         {"render/threads/", {"render/threads/"}, {}, {"tbb"}},

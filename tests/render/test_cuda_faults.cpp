@@ -87,7 +87,7 @@ private slots:
     void everyCallMayFindMemoryFull()
     {
         Session whole = open({});
-        std::vector<std::vector<float>> expected;
+        std::vector<Pixels<float>> expected;
         drag<FloatPicture>(
             whole, [&](const RenderRequest &, const FloatPicture &picture) { expected.push_back(picture.rgba); });
         int survived = 0;
@@ -111,7 +111,7 @@ private slots:
     {
         constexpr std::size_t always = 0, memory = std::size_t(1) << 30;
         Session whole = open({}, memory, always), byHost = open({}, memory, SIZE_MAX);
-        std::vector<std::vector<float>> expected;
+        std::vector<Pixels<float>> expected;
         const auto keep = [&](const RenderRequest &, const FloatPicture &picture) { expected.push_back(picture.rgba); };
         drag<FloatPicture>(byHost, keep);
         for (int n = 0; n <= whole.device->calls(); ++n) {

@@ -38,7 +38,7 @@ private slots:
         for (const int count : {1, 2, 3, 20})
             for (const int threads : {1, 4}) {
                 std::mutex mutex;
-                std::map<std::size_t, std::vector<float>> frames;
+                std::map<std::size_t, Pixels<float>> frames;
                 const auto stats = renderSequence(renderers(count), m_request, m_moments, threads,
                                                   [&](std::size_t i, const FloatPicture &picture) {
                                                       const std::lock_guard lock(mutex);
@@ -52,6 +52,29 @@ private slots:
                     QVERIFY(frames[i] ==
                             test::render(*make(Backend::Cpu), m_request.painting, m_request.view, m_moments[i]).rgba);
             }
+    }
+
+    /// Only what changed since a thread's last picture is copied for it, whichever thread waited how long.
+    void likeSinglePicturesHoweverSlowlyTheyAreUsed()
+    {
+        std::vector<Microseconds> moments;
+        for (int i = 1; i <= 40; ++i)
+            moments.push_back(m_request.painting->end() * i / 40);
+        std::mutex mutex;
+        std::map<std::size_t, Pixels<float>> frames;
+        const auto stats =
+            renderSequence(renderers(1), m_request, moments, 5, [&](std::size_t i, const FloatPicture &picture) {
+                if (i % 7 == 0)
+                    QThread::msleep(20);
+                const std::lock_guard lock(mutex);
+                frames[i] = picture.rgba;
+                return Result<void>();
+            });
+        QVERIFY(stats);
+        QCOMPARE(frames.size(), moments.size());
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            QVERIFY(frames[i] ==
+                    test::render(*make(Backend::Cpu), m_request.painting, m_request.view, moments[i]).rgba);
     }
 
     void theFirstErrorEndsIt()
