@@ -13,8 +13,8 @@ struct SequenceStats {
     QString notice;                  ///< the first notice of a renderer
 };
 
-/// Draws `request` at each of the moments (its own time is not used). Each renderer takes a run of the moments, so that
-/// it evaluates only what changed. `use(i, picture)` gets the pictures while the next ones are drawn, up to `threads`
+/// Draws `request` at each of the moments (its own time is not used). Each renderer takes runs of moments, so that it
+/// evaluates only what changed. `use(i, picture)` gets the pictures while the next ones are drawn, up to `threads`
 /// at once on threads of their own. Its first error ends the work. So does `cancel`, with an empty error.
 Result<SequenceStats> renderSequence(const std::vector<std::unique_ptr<Renderer>> &renderers,
                                      const RenderRequest &request, const std::vector<Microseconds> &moments,
