@@ -10,6 +10,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <thread>
+#include <vector>
+
 namespace suffuse {
 
 namespace {
@@ -80,22 +84,33 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
 
 Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options)
 {
-    std::vector<std::unique_ptr<Renderer>> renderers;
-    RendererOptions one = options;
-    one.devices = 1;
-    for (int i = 0; i < options.devices || options.devices == allDevices; ++i) {
+    const bool onGpus = options.backend == Backend::Auto || options.backend == Backend::Cuda;
+    const int found = onGpus ? std::max(1, cudaDeviceCount()) : 1;
+    const int count = options.devices == allDevices ? found : std::clamp(options.devices, 1, found);
+    std::vector<Result<std::unique_ptr<Renderer>>> made;
+    for (int i = 0; i < count; ++i)
+        made.emplace_back(Error{});
+    const auto make = [&](int i) {
+        RendererOptions one = options;
+        one.devices = 1;
         one.firstDevice = i;
+        one.threads = std::max(1, Threads(options.threads).count() / count); // They work at the same time.
         if (i > 0)
-            one.backend = Backend::Cuda; // If there is no other GPU, this fails, and all have been found.
-        Result<std::unique_ptr<Renderer>> renderer = makeRenderer(one);
-        if (!renderer && i == 0)
-            return Error{renderer.error()};
-        if (!renderer)
-            break;
-        renderers.push_back(std::move(*renderer));
-        if (options.backend == Backend::Cpu || options.backend == Backend::Reference)
-            break;
+            one.backend = Backend::Cuda;
+        made[std::size_t(i)] = makeRenderer(one);
+    };
+    {
+        std::vector<std::jthread> others; // Each device takes its time to start.
+        for (int i = 1; i < count; ++i)
+            others.emplace_back(make, i);
+        make(0);
     }
+    if (!made.front())
+        return Error{made.front().error()};
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    for (Result<std::unique_ptr<Renderer>> &renderer : made)
+        if (renderer) // A device that does not start leaves its work to the others.
+            renderers.push_back(std::move(*renderer));
     return renderers;
 }
 

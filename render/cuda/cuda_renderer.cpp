@@ -269,6 +269,11 @@ QString whyNone(const cuda::Devices &devices)
     return devices.said.empty() ? reason : QStringLiteral("%1 (%2)").arg(reason, QString::fromStdString(devices.said));
 }
 
+int cudaDeviceCount()
+{
+    return cuda::findDevices().count;
+}
+
 Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options)
 {
     const cuda::Devices found = cuda::findDevices();

@@ -69,5 +69,7 @@ QString whyNone(const cuda::Devices &devices);
 /// Opens the devices that RendererOptions::devices asks for, as far as they can be opened. It fails with the reason if
 /// none can.
 Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options);
+/// GPUs that makeCudaRenderer can try; 0 where there is no driver.
+int cudaDeviceCount();
 
 } // namespace suffuse
