@@ -1,8 +1,10 @@
 // The CUDA renderer, the paper's kernels on the same device, the CPU renderer and the reference, in one run.
+#include "model/document/timelapse.h"
 #include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/bench/plan.h"
 #include "render/compare.h"
+#include "render/sequence.h"
 #include "tests/bench/cuda/paper_scene.h"
 
 #include <QCommandLineParser>
@@ -13,8 +15,12 @@
 #include <QJsonObject>
 #include <QTextStream>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <mutex>
+#include <thread>
 
 using namespace suffuse;
 
@@ -349,6 +355,108 @@ Result<void> repeats(const Case &c, const Options &options, Report &report)
     return {};
 }
 
+double secondsSince(const QElapsedTimer &timer)
+{
+    return double(timer.nsecsElapsed()) * 1e-9;
+}
+
+/// A picture of 32768 × 24576 pixels, which no memory need hold, in 48 parts that the devices take one after another;
+/// seconds from ready devices to the last part, as 8 bits in memory.
+Result<double> inParts(const std::vector<std::unique_ptr<Renderer>> &renderers, const PaintingPtr &painting)
+{
+    constexpr int columns = 8, rows = 6, side = 4096;
+    const Rect all = painting->canvas.area();
+    std::atomic<int> next = 0;
+    std::mutex mutex;
+    QString error;
+    const auto draw = [&](Renderer &renderer) {
+        Picture8 part;
+        for (int i = next++; i < columns * rows; i = next++) {
+            const double width = all.width() / columns, height = all.height() / rows;
+            RenderRequest request;
+            request.painting = painting;
+            request.time = painting->end();
+            request.view = View::ofArea(
+                Rect::of(all.left + i % columns * width, all.top + i / columns * height, width, height), side, side);
+            if (const auto stats = renderer.render(request, part); !stats || !renderer.notice().isEmpty()) {
+                const std::lock_guard lock(mutex);
+                error = stats ? renderer.notice() : stats.error();
+            }
+        }
+    };
+    QElapsedTimer timer;
+    timer.start();
+    {
+        std::vector<std::jthread> threads;
+        for (const auto &renderer : renderers)
+            threads.emplace_back([&] { draw(*renderer); });
+    }
+    return error.isEmpty() ? Result<double>(secondsSince(timer)) : Error{error};
+}
+
+/// 300 frames of 1920 × 1440 pixels; seconds from ready devices to the last frame, each as 8 bits in memory.
+Result<double> film(const std::vector<std::unique_ptr<Renderer>> &renderers, const PaintingPtr &painting)
+{
+    RenderRequest request;
+    request.painting = painting;
+    request.view = View::ofArea(painting->canvas.area(), 1920, 1440);
+    QElapsedTimer timer;
+    timer.start();
+    const auto drawn = renderSequence(renderers, request, timelapseMoments(*painting, {300, 0.5}), 0,
+                                      [](std::size_t, const FloatPicture &frame) {
+                                          thread_local Picture8 raw;
+                                          if (raw.width != frame.width)
+                                              raw.resize(frame.width, frame.height);
+                                          raw.store({0, 0, frame.width, frame.height}, frame.at(0, 0), frame.width);
+                                          return Result<void>();
+                                      });
+    return drawn ? Result<double>(secondsSince(timer)) : Error{drawn.error()};
+}
+
+/// The same by one device and by all, in turn, after a first time that is not counted; medians.
+Result<void> onSeveral(const QString &name,
+                       const std::function<Result<double>(const std::vector<std::unique_ptr<Renderer>> &)> &take,
+                       const Options &options, const Case &c, Report &report)
+{
+    std::vector<std::vector<std::unique_ptr<Renderer>>> made;
+    for (const int devices : {1, allDevices}) {
+        RendererOptions cuda;
+        cuda.backend = Backend::Cuda;
+        cuda.devices = devices;
+        auto renderers = makeRenderers(cuda);
+        if (!renderers)
+            return Error{renderers.error()};
+        made.push_back(std::move(*renderers));
+    }
+    std::map<std::size_t, std::vector<double>> seconds;
+    for (int run = -1; run < std::min(options.runs, 9); ++run)
+        for (const auto &renderers : made) {
+            const Result<double> took = take(renderers);
+            if (!took)
+                return Error{took.error()};
+            if (run >= 0)
+                seconds[renderers.size()].push_back(*took);
+        }
+    for (auto &[devices, times] : seconds)
+        report.facts.push_back(
+            {QStringLiteral("%1-%2-devices").arg(name).arg(devices), c.name, bench::timingOf(times).medianMs, "s"});
+    return {};
+}
+
+Result<void> several(const Case &c, const Options &options, Report &report)
+{
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    if (const Result<void> taken = onSeveral(
+            "32768x24576-in-parts", [&](const auto &renderers) { return inParts(renderers, *painting); }, options, c,
+            report);
+        !taken)
+        return taken;
+    return onSeveral(
+        "film", [&](const auto &renderers) { return film(renderers, *painting); }, options, c, report);
+}
+
 struct Group {
     const char *name;
     std::function<Result<void>(const Case &, const Options &, Report &)> take;
@@ -364,7 +472,8 @@ std::vector<Group> groups()
             {"live", [](const Case &, const Options &o, Report &r) { return liveStrokes(o, r); }, {"figure11f"}},
             {"cpu", againstCpu, sampleCases() + QStringList{"figure11f", "figure11f-2880", "spread-32-72"}},
             {"repeats", repeats, {"figure11f", "ink-landscape-1024", "still-life-512"}},
-            {"reference", againstReference, {"figure11f", "spread-32-72"}}};
+            {"reference", againstReference, {"figure11f", "spread-32-72"}},
+            {"several", several, {"figure11f", "still-life-1024"}}};
 }
 
 QString text(const Report &report)
@@ -429,7 +538,7 @@ int main(int argc, char *argv[])
     parser.addHelpOption();
     parser.addOptions(
         {{"json", "Prints an object with rows and facts."},
-         {"only", "Groups, with commas between: full, edits, live, cpu, repeats, reference.", "GROUPS"},
+         {"only", "Groups, with commas between: full, edits, live, cpu, repeats, reference, several.", "GROUPS"},
          {"paintings", "figure11f, figure11f-2880, spread-32-72, million; samples, as ink-landscape-1024.", "NAMES"},
          {"samples", "The samples' folder.", "FOLDER", samplesFolder()},
          {"runs", "Runs a row.", "N", "101"},
