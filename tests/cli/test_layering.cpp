@@ -26,8 +26,9 @@ const QList<Rule> &rules()
     static const QStringList below = {"model/", "undo/", "render/", "app/session/"};
     static const QStringList widgets = {"QtCore", "QtGui", "QtWidgets"};
     // A picture's parts know no backend, a backend no other one, and none the factory, which knows them all.
-    static const QStringList backends = {"render/backends", "render/fallback_renderer", "render/cpu/", "render/cuda/",
-                                         "render/reference/"};
+    static const QStringList backends = {
+        "render/backends", "render/fallback_renderer", "render/starting_renderer", "render/cpu/",
+        "render/cuda/",    "render/reference/"};
     static const auto allBut = [](const QString &own) {
         QStringList others = backends;
         others.removeAll(own);
@@ -40,7 +41,9 @@ const QList<Rule> &rules()
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
         {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}, backends},
         {"render/backends", {"model/", "render/"}, {"QtCore"}, {}},
-        {"render/fallback_renderer", {"render/renderer.h", "render/fallback_renderer.h"}, {"QtCore"}, {}},
+        {"render/fallback_renderer", {"render/replaced_renderer.h", "render/fallback_renderer.h"}, {"QtCore"}, {}},
+        {"render/starting_renderer", {"render/replaced_renderer.h", "render/starting_renderer.h"}, {"QtCore"}, {}},
+        {"render/replaced_renderer", {"render/renderer.h", "render/replaced_renderer.h"}, {"QtCore"}, {}},
         // Finished pixels become bytes by the same vector instructions as they were made.
         {"render/target.",
          {"model/", "render/target.h", "render/pages.h", "render/view.h", "render/cpu/kernels.h"},
