@@ -93,13 +93,14 @@ void Saver::save(SaveOrder order)
 {
     {
         const std::lock_guard lock(m_mutex);
-        const bool replaces =
-            !m_orders.empty() && m_orders.back().path == order.path && m_orders.back().isCopy == order.isCopy;
+        const bool replaces = !m_orders.empty() && m_orders.back().order.path == order.path &&
+                              m_orders.back().order.isCopy == order.isCopy;
+        const bool knowsAll = m_open == 0;
         if (replaces)
             m_orders.pop_back();
         else
             ++m_open;
-        m_orders.push_back(std::move(order));
+        m_orders.push_back({std::move(order), knowsAll});
     }
     m_wake.notify_one();
 }
@@ -111,10 +112,21 @@ void Saver::run()
         m_wake.wait(lock, [this] { return m_stop || !m_orders.empty(); });
         if (m_orders.empty())
             return;
-        const SaveOrder order = std::move(m_orders.front());
+        auto [order, knowsAll] = std::move(m_orders.front());
         m_orders.pop_front();
         lock.unlock();
+        QList<QByteArray> &states = m_states[order.path];
+        if (knowsAll)
+            states.clear();
+        if (!order.expected.isEmpty() && states.contains(order.expected) && states.back() != order.expected) {
+            order.isThere = false; // This was said of the earlier one.
+            order.expected = states.back();
+        }
+        if (states.isEmpty())
+            states.push_back(order.expected);
         const SaveOutcome outcome = carryOut(order);
+        if (outcome.isSaved())
+            states.push_back(outcome.hash);
         QMetaObject::invokeMethod(
             this,
             [this, outcome] {

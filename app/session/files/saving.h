@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -63,10 +64,18 @@ signals:
 private:
     void run();
 
+    struct Waiting {
+        SaveOrder order;
+        bool knowsAll = true; ///< whether the outcomes of all earlier orders had been told when it was given
+    };
+
     int m_open = 0; ///< orders without an outcome; used on the owner's thread only
     std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::deque<SaveOrder> m_orders;
+    std::deque<Waiting> m_orders;
+    /// Hashes of what each file has been since its outcomes were last told: an order that expects an earlier one does
+    /// not know yet what was written since, which is not another program's. Used on the thread only.
+    std::map<QString, QList<QByteArray>> m_states;
     bool m_stop = false;
     std::thread m_thread;
 };

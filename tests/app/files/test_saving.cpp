@@ -5,6 +5,7 @@
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
@@ -74,6 +75,29 @@ private slots:
         }
         QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
         QVERIFY(told.count() >= 1 && told.count() <= 5);
+        QCOMPARE(hashOf(*loadPainting(path("a.suffuse"))), hashOf(s.painting()));
+        QVERIFY(!s.window.isWindowModified());
+    }
+
+    /// A save that is ordered after another one was written, and before the window heard of that, expects the file as it
+    /// was: the window's own bytes are not another program's.
+    void theOwnSaveIsNotAnotherPrograms()
+    {
+        Session s;
+        for (int i = 0; i < 4; ++i)
+            s.paintLine({200, 100.0 + 100 * i}, {700, 120.0 + 100 * i});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        for (int i = 0; i < 3; ++i) {
+            const auto before = hashOfFile(path("a.suffuse"));
+            s.use(Command::Undo);
+            s.use(Command::Save);
+            QDeadlineTimer deadline(waitMs); // No event is handled meanwhile.
+            while (hashOfFile(path("a.suffuse")) == before && !deadline.hasExpired())
+                QThread::msleep(1);
+            QVERIFY2(!deadline.hasExpired(), qPrintable(QString::number(i)));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QCOMPARE(m_askedSaving, 0);
         QCOMPARE(hashOf(*loadPainting(path("a.suffuse"))), hashOf(s.painting()));
         QVERIFY(!s.window.isWindowModified());
     }
