@@ -3679,7 +3679,7 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Shift+V</translation>
     </message>
     <message>
-        <source>Rotate by 90° L&amp;eft</source>
+        <source>Rotate by &amp;90° Left</source>
         <translation>Um 90° nach lin&amp;ks drehen</translation>
     </message>
     <message>
@@ -3688,7 +3688,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Rotate by 90° R&amp;ight</source>
-        <translation>Um 90° nach &amp;rechts drehen</translation>
+        <translation>Um &amp;90° nach rechts drehen</translation>
     </message>
     <message>
         <source>Ctrl+]</source>
@@ -4452,6 +4452,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Put it on the selected strokes, with the same values all along</source>
         <translation>Gibt es den gewählten Strichen, mit denselben Werten von Anfang bis Ende</translation>
+    </message>
+    <message>
+        <source>Along th&amp;e Stroke…</source>
+        <translation>Entlang des St&amp;richs …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Set a value along the stroke: constant, as a ramp, or drawn as a curve</source>
+        <translation>Setzt einen Wert entlang des Strichs: konstant, als Rampe oder als gezeichnete Kurve</translation>
     </message>
     <message>
         <source>Vary at Rand&amp;om…</source>

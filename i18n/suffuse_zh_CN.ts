@@ -3665,7 +3665,7 @@ Arrow keys work too.</source>
         <translation>Shift+V</translation>
     </message>
     <message>
-        <source>Rotate by 90° L&amp;eft</source>
+        <source>Rotate by &amp;90° Left</source>
         <translation>向左旋转 90°(&amp;E)</translation>
     </message>
     <message>
@@ -4437,6 +4437,18 @@ Arrow keys work too.</source>
     <message>
         <source>Put it on the selected strokes, with the same values all along</source>
         <translation>应用于所选笔画，且全程使用相同的值</translation>
+    </message>
+    <message>
+        <source>Along th&amp;e Stroke…</source>
+        <translation>沿笔画变化(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Set a value along the stroke: constant, as a ramp, or drawn as a curve</source>
+        <translation>设置沿笔画变化的值：恒定、渐变或手绘曲线</translation>
     </message>
     <message>
         <source>Vary at Rand&amp;om…</source>

@@ -93,6 +93,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
             {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addMenu(*object, Commands::tr("Appl&y Brush"), table,
             {{ApplyBrush}, {ApplyBrushForm, ApplyBrushColour, ApplyBrushTexture}});
+    object->addAction(&table[AlongStrokes]);
     object->addAction(&table[VaryStrokes]);
     object->addSeparator();
     addMenu(*object, Commands::tr("&Align"), table,

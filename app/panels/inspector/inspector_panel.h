@@ -44,6 +44,9 @@ public:
 
     QSize sizeHint() const override;
 
+    /// Opens the dialog "Along the Stroke", or brings it to the front where it is open. The panel itself may be hidden.
+    void openAlong();
+
 signals:
     /// Emitted before the dialog is shown, so that the window can place it.
     void alongOpening(QWidget *dialog);
@@ -53,7 +56,6 @@ protected:
 
 private:
     void addHead(QVBoxLayout &column);
-    void openAlong();
     void refresh();
     void documentChanged(const Change &change);
 

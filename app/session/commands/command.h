@@ -97,6 +97,7 @@ enum class Command {
     ApplyBrushColour,
     ApplyBrushTexture,
     VaryStrokes,
+    AlongStrokes,
     AlignLeft,
     AlignCentre,
     AlignRight,

@@ -147,7 +147,7 @@ void addShapeRows(Commands &table, Editor &editor)
         .when(selected)
         .runs([&editor, &table] { commands::flipSelected(editor, Axis::Vertical, spreadRule(table)); });
     table
-        .add(QuarterLeft, "quarterLeft", Commands::tr("Rotate by 90° L&eft"), "quarter-left",
+        .add(QuarterLeft, "quarterLeft", Commands::tr("Rotate by &90° Left"), "quarter-left",
              key(Commands::tr("Ctrl+[")))
         .when(selected)
         .runs([&editor, &table] { commands::quarterTurnSelected(editor, -1, spreadRule(table)); });

@@ -107,6 +107,7 @@ void Docks::makeDocks()
     connect(brushPanel, &BrushPanel::chosen, this, [this] { m_place.commands[Command::Brush].setChecked(true); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });
+    addAlongRow(*inspectorPanel);
     QDockWidget *colour = add("colourDock", tr("Colour"), new ColourPanel(editor));
     QDockWidget *brushes = add("brushesDock", tr("Brushes"), brushPanel);
     QDockWidget *inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
@@ -176,6 +177,17 @@ void Docks::addRows(KeyboardFocus &keyboard)
         .add(PreviousPanel, "previousPanel", Commands::tr("&Previous Panel"), "",
              {QKeySequence(Qt::SHIFT | Qt::Key_F6)}, Commands::tr("The keyboard goes back from panel to panel"))
         .runs([&keyboard] { keyboard.walk(false); });
+}
+
+/// The dialog stays open while one works on, so the panel that shows the same values keeps it.
+void Docks::addAlongRow(InspectorPanel &inspector)
+{
+    m_place.commands
+        .add(Command::AlongStrokes, "along", Commands::tr("Along th&e Stroke…"), "",
+             {QKeySequence(Commands::tr("Ctrl+Alt+R"))},
+             Commands::tr("Set a value along the stroke: constant, as a ramp, or drawn as a curve"))
+        .when(anySelected(m_place.open.editor))
+        .runs([&inspector] { inspector.openAlong(); });
 }
 
 /// What is to be selected may be what the search in the Strokes dock shows.

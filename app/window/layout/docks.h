@@ -12,6 +12,7 @@ class QWidget;
 
 namespace suffuse {
 
+class InspectorPanel;
 class KeyboardFocus;
 class StrokesPanel;
 
@@ -36,6 +37,7 @@ private:
     QDockWidget *makeProbe();
     void addRows(KeyboardFocus &keyboard);
     void addSelectingRows();
+    void addAlongRow(InspectorPanel &inspector);
     void hide(bool hide);
 
     Workplace m_place;

@@ -114,6 +114,23 @@ private slots:
         QVERIFY(s.canvas().selectionOnScreen().isEmpty()); // out of sight
     }
 
+    void itIsACommandThatNeedsNoInspector()
+    {
+        Session s;
+        QAction &command = s.window.action(Command::AlongStrokes);
+        QVERIFY(!command.isEnabled()); // nothing is selected
+        const StrokeId id = s.editor().document().takeStrokeId();
+        s.editor().push(addStrokes(s.editor().document(), {makeStroke(id, 4, 10)}, true), "stroke");
+        QVERIFY(command.isEnabled());
+        s.window.findChild<QDockWidget *>("inspectorDock")->hide();
+        auto *panel = s.window.findChild<InspectorPanel *>();
+        s.use(Command::AlongStrokes);
+        QVERIFY(panel->along() && panel->along()->isVisible());
+        const AlongDialog *first = panel->along();
+        s.use(Command::AlongStrokes);
+        QCOMPARE(panel->along(), first); // one window, brought to the front
+    }
+
     void windowsGoWhereThereIsRoom()
     {
         const QRect screen(100, 50, 1000, 800);

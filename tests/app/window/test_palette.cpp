@@ -119,7 +119,7 @@ private slots:
                 "group ungroup combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross "
                 "flipDown quarterLeft quarterRight "
                 "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
-                "applyBrushColour applyBrushTexture vary "
+                "applyBrushColour applyBrushTexture vary along "
                 "alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
                 "distributeCentresAcross distributeCentresDown snapToNodes snapToGrid showGrid gridStep showUnderlay "
