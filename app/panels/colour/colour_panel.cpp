@@ -60,7 +60,9 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     m_header = new ColourHeader(editor, this); // The header stands above what scrolls, so it is always seen.
     outer->addWidget(m_header);
     auto *scroll = new PanelScroll(this);
-    outer->addWidget(scroll);
+    outer->addWidget(scroll, 1);
+    m_hint = new HintLabel(this); // and so does the hint below it
+    outer->addWidget(m_hint);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(8, 8, 8, 8);
@@ -75,8 +77,6 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     column->addLayout(top);
     addCurrent(*column);
     addSliders(*column);
-    m_hint = new HintLabel(content);
-    column->addWidget(m_hint);
     addRecent(*column);
     m_mixing = new MixingSection(editor, content);
     column->addWidget(m_mixing, 1);

@@ -77,7 +77,22 @@ void HintLabel::showRefusal(const QString &hint)
 {
     showHint(hint);
     // This is done later: the Tab that left the field, or the Return that gives the keyboard back, is still on its way.
-    QTimer::singleShot(0, this, [this] { m_passing = !text().isEmpty(); });
+    QTimer::singleShot(0, this, [this] {
+        m_passing = !text().isEmpty();
+        scrollToIt();
+    });
+}
+
+void HintLabel::scrollToIt()
+{
+    for (QWidget *outer = parentWidget(); outer; outer = outer->parentWidget()) {
+        auto *scroll = qobject_cast<QScrollArea *>(outer);
+        if (!scroll || !scroll->widget())
+            continue;
+        // The panel grows for the text when it is laid out, which may not have happened yet.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        scroll->ensureWidgetVisible(this, 0, 0);
+    }
 }
 
 void HintLabel::takeColour()

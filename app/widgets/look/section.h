@@ -29,7 +29,8 @@ public:
 
     /// Says something; an empty text hides the line.
     void showHint(const QString &hint);
-    /// Says why something typed was refused. The text disappears by itself when the user goes on to another place.
+    /// Says why something typed was refused, and scrolls to it in a low panel. The text disappears by itself when the
+    /// user goes on to another place.
     void showRefusal(const QString &hint);
 
 protected:
@@ -37,6 +38,7 @@ protected:
 
 private:
     void takeColour();
+    void scrollToIt();
     bool m_takingColour = false;
     bool m_passing = false; ///< the text disappears with the next change of the focus
 };

@@ -1,5 +1,7 @@
 // The inspector as a refiner works in it, by real events: figures and warnings, before and after, relative entry, the
 // canvas handle for the width.
+#include "app/panels/brushes/brush_panel.h"
+#include "app/panels/colour/colour_panel.h"
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
@@ -40,6 +42,28 @@ private slots:
     {
         QVERIFY(m_folder.isValid());
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    /// In a low window a panel scrolls, and what it refuses must not be said below its edge.
+    void refusalsAreSeenInLowWindows()
+    {
+        Session s;
+        s.window.resize(1366, 700);
+        const auto isSeen = [](const QWidget *hint) {
+            return hint && QTest::qWaitFor([hint] {
+                return hint->isVisible() && hint->visibleRegion().boundingRect().height() >= hint->height();
+            });
+        };
+        auto *colour = s.window.findChild<ColourPanel *>();
+        s.window.findChild<QDockWidget *>("colourDock")->raise();
+        type(*colour->hex(), "grey");
+        QVERIFY(isSeen(colour->findChild<HintLabel *>()));
+        QVERIFY(colour->hex()->visibleRegion().boundingRect().height() >= colour->hex()->height());
+
+        auto *brushes = s.window.findChild<BrushPanel *>();
+        s.window.findChild<QDockWidget *>("brushesDock")->raise();
+        type(*brushes->size()->number(), "12 mm");
+        QVERIFY(isSeen(brushes->findChild<HintLabel *>()));
     }
 
     void unitsConvertOrAreRefused()
