@@ -1,7 +1,6 @@
 #include "app/cli/bench_command.h"
 
 #include "app/cli/options.h"
-#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/bench/plan.h"
 
@@ -225,7 +224,7 @@ int benchCommand(const QStringList &arguments)
     canvas.width = plan->generated.width;
     canvas.height = plan->generated.height;
     if (line.isSet("painting")) {
-        Result<Painting> painting = loadPainting(line.value("painting"));
+        Result<Painting> painting = paintingOf(line.value("painting"));
         if (!painting)
             return fail(painting.error());
         canvas = painting->canvas;

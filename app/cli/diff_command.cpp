@@ -1,7 +1,6 @@
 #include "app/cli/diff_picture.h"
 #include "app/cli/options.h"
 #include "model/document/difference.h"
-#include "model/formats/files.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -160,7 +159,7 @@ Result<Comparison> compare(const QString &nameA, const QString &nameB)
 {
     Comparison out{nameA, nameB, {}, {}, {}, {}};
     for (const auto &[name, painting] : {std::pair(&nameA, &out.a), std::pair(&nameB, &out.b)}) {
-        Result<Painting> loaded = loadPainting(*name);
+        Result<Painting> loaded = paintingOf(*name);
         if (!loaded)
             return Error{loaded.error()};
         *painting = std::make_shared<const Painting>(std::move(*loaded));

@@ -22,6 +22,7 @@ struct Facts {
     qint64 bytes = 0;
     Painting painting;
     std::vector<QString> losses; ///< of a damaged file
+    QString leftOut;             ///< of a foreign file, a sentence, or empty
     Rect bounds;
     Microseconds begin = 0;
     Microseconds end = 0;
@@ -112,8 +113,12 @@ Result<Facts> factsOf(const QString &path)
         return Error{document.error()};
     facts.painting = std::move(document->painting);
     facts.losses = std::move(document->losses);
-    if (document->format == FileFormat::Suffuse && !document->leftOut.isEmpty())
-        facts.losses.push_back(document->leftOut);
+    if (document->format == FileFormat::Suffuse) { // then it is damage
+        if (!document->leftOut.isEmpty())
+            facts.losses.push_back(document->leftOut);
+    } else {
+        facts.leftOut = document->leftOut;
+    }
     facts.format = detectFormat(bytes);
     facts.bytes = bytes.size();
     facts.end = facts.painting.end();
@@ -158,6 +163,7 @@ QJsonObject jsonOf(const Facts &f)
     for (const ChunkInfo &c : f.chunks)
         chunks.append(QJsonObject{{"name", c.name}, {"start", c.start}, {"bytes", c.bytes}, {"damage", c.damage}});
     object["chunks"] = chunks;
+    object["leftOut"] = f.leftOut;
     object["losses"] = QJsonArray::fromStringList(QStringList(f.losses.begin(), f.losses.end()));
     return object;
 }
@@ -246,6 +252,8 @@ int infoCommand(const QStringList &arguments)
     if (!facts)
         return fail(facts.error());
     const int printed = line.isSet("json") ? printJson(jsonOf(*facts)) : print(textOf(*facts));
+    if (!facts->leftOut.isEmpty())
+        warn(QStringLiteral("%1: %2").arg(line.argument(0), facts->leftOut));
     for (const QString &loss : facts->losses)
         warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
     return facts->losses.empty() ? printed : Failed;

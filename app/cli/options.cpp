@@ -1,5 +1,7 @@
 #include "app/cli/options.h"
 
+#include "model/formats/files.h"
+
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QLocale>
@@ -120,6 +122,15 @@ std::optional<int> CommandLine::parse(const QStringList &arguments, int required
             m_command,
             QCoreApplication::translate("Cli", "one argument too many: %1").arg(m_positional.at(m_syntax.size())));
     return {};
+}
+
+Result<Painting> paintingOf(const QString &path)
+{
+    QString leftOut;
+    Result<Painting> painting = loadPainting(path, nullptr, &leftOut);
+    if (painting && !leftOut.isEmpty())
+        warn(QStringLiteral("%1: %2").arg(path, leftOut));
+    return painting;
 }
 
 void warn(const QString &message)

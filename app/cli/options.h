@@ -61,6 +61,10 @@ private:
     QStringList m_positional;
 };
 
+/// The painting of a file, or of the standard input for "-". What a foreign file has and a painting cannot have is left
+/// out with a warning.
+Result<Painting> paintingOf(const QString &path);
+
 /// Prints "suffuse-cli: MESSAGE" on stderr.
 void warn(const QString &message);
 /// The same, and returns the code.

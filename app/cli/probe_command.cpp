@@ -1,5 +1,4 @@
 #include "app/cli/options.h"
-#include "model/formats/files.h"
 #include "render/probe.h"
 
 #include <QCoreApplication>
@@ -144,7 +143,7 @@ int probeCommand(const QStringList &arguments)
     if (!x || !y)
         return failUsage("probe", QCoreApplication::translate("Cli", "%1 %2: give X and Y as numbers, in canvas units")
                                       .arg(line.argument(1), line.argument(2)));
-    const Result<Painting> painting = loadPainting(line.argument(0));
+    const Result<Painting> painting = paintingOf(line.argument(0));
     if (!painting)
         return fail(painting.error());
     const Result<Microseconds> time = timeOption(line, *painting);

@@ -1,5 +1,4 @@
 #include "app/cli/options.h"
-#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/image_io/image_io.h"
 
@@ -176,7 +175,7 @@ int render(const CommandLine &line, ImageFormat format, ImageOptions image, cons
     QElapsedTimer clock;
     clock.start();
     Times times;
-    Result<Painting> painting = loadPainting(line.argument(0));
+    Result<Painting> painting = paintingOf(line.argument(0));
     if (!painting)
         return fail(painting.error());
     times.loadMs = lap(clock);

@@ -1,7 +1,6 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "model/document/timelapse.h"
-#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
@@ -100,7 +99,7 @@ int timelapse(const CommandLine &line, Film film, RendererOptions options)
 {
     QElapsedTimer clock;
     clock.start();
-    Result<Painting> painting = loadPainting(line.argument(0));
+    Result<Painting> painting = paintingOf(line.argument(0));
     if (!painting)
         return fail(painting.error());
     const Result<PictureOptions> picture = pictureOptions(line, *painting);

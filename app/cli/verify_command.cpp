@@ -1,5 +1,4 @@
 #include "app/cli/options.h"
-#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/compare.h"
 
@@ -137,7 +136,7 @@ int verifyCommand(const QStringList &arguments)
     line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
-    Result<Painting> painting = loadPainting(line.argument(0));
+    Result<Painting> painting = paintingOf(line.argument(0));
     if (!painting)
         return fail(painting.error());
     const Result<PictureOptions> picture = pictureOptions(line, *painting);

@@ -258,6 +258,14 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     return fileError(fileName, unknownFormat(bytes));
 }
 
+/// Reads any format, and refuses a damaged file.
+Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
+{
+    const FileFormat format = detectFormat(bytes);
+    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
+                                         : readOther(bytes, fileName, format, brush, leftOut);
+}
+
 Result<QByteArray> loadBytes(const QString &path)
 {
     QFile file;
@@ -283,10 +291,8 @@ Result<QByteArray> loadBytes(const QString &path)
 
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush)
 {
-    const FileFormat format = detectFormat(bytes);
     QString leftOut;
-    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
-                                         : readOther(bytes, fileName, format, brush, leftOut);
+    return readWhole(bytes, fileName, brush, leftOut);
 }
 
 Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush)
@@ -303,10 +309,11 @@ Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &file
     return document;
 }
 
-Result<Painting> loadPainting(const QString &path, const Brush *brush)
+Result<Painting> loadPainting(const QString &path, const Brush *brush, QString *leftOut)
 {
     const auto bytes = loadBytes(path);
-    return bytes ? readPainting(*bytes, path, brush) : Error{bytes.error()};
+    QString ignored;
+    return bytes ? readWhole(*bytes, path, brush, leftOut ? *leftOut : ignored) : Error{bytes.error()};
 }
 
 Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush)

@@ -26,8 +26,9 @@ QString nameOf(FileFormat format); ///< translated, for people
 /// and to find images beside the file. Recordings and drawings are painted with `brush` (by default with the first
 /// built-in one).
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
-/// Reads a file, or the standard input for "-". Errors name the file, the place and the remedy.
-Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr);
+/// Reads a file, or the standard input for "-". Errors name the file, the place and the remedy. `leftOut` receives what
+/// LoadedDocument::leftOut tells of a foreign file.
+Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr, QString *leftOut = nullptr);
 
 /// The bytes of a painting in a format that can be saved (Suffuse or Text).
 QByteArray writePainting(const Painting &painting, FileFormat format);

@@ -227,6 +227,16 @@ void TestCli::convertDrawing()
     const CliOutcome made = runCli({"convert", path("drawing.txt"), path("drawing.suffuse")});
     QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: 1 text"), qPrintable(made.text()));
     QCOMPARE(runCli({"info", path("drawing.txt"), "--json"}).json()["format"].toString(), QString("svg"));
+    const QString left = runCli({"info", path("drawing.txt"), "--json"}).json()["leftOut"].toString();
+    QVERIFY2(left.startsWith("1 text"), qPrintable(left));
+    QCOMPARE(runCli({"info", path("drawing.suffuse"), "--json"}).json()["leftOut"].toString(), QString());
+    // Whatever shows the drawing tells what is not in it.
+    for (const QStringList &shows : {QStringList{"info", path("drawing.txt")}, {"probe", path("drawing.txt"), "60", "40"},
+                                     {"render", path("drawing.txt"), "-o", path("drawing.pfm")},
+                                     {"verify", path("drawing.txt")}, {"diff", path("drawing.txt"), path("drawing.txt")}}) {
+        const CliOutcome shown = runCli(shows);
+        QVERIFY2(shown.code == 0 && shown.err.contains("drawing.txt: 1 text"), qPrintable(shown.text()));
+    }
     const QJsonObject canvas = runCli({"info", path("drawing.suffuse"), "--json"}).json()["canvas"].toObject();
     QCOMPARE(canvas["width"].toDouble(), 120.0);
     QCOMPARE(canvas["height"].toDouble(), 80.0);
