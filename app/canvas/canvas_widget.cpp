@@ -434,7 +434,7 @@ void CanvasWidget::leaveEvent(QEvent *)
 
 void CanvasWidget::focusOutEvent(QFocusEvent *event)
 {
-    m_input.focusOut();
+    m_input.focusOut(event->reason());
     QWidget::focusOutEvent(event);
 }
 

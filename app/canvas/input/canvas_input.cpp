@@ -175,16 +175,24 @@ void CanvasInput::turnPen(bool eraser)
 void CanvasInput::lostPen()
 {
     m_pen.setDown(false);
+    finishHand(m_pen.isTurned() ? PointerDevice::Eraser : PointerDevice::Pen);
+}
+
+/// Makes a release that no device has reported, where the pointer was last.
+void CanvasInput::finishHand(PointerDevice device)
+{
     if (m_hand.button() == Qt::NoButton)
         return;
     PointerEvent event;
     event.pixel = m_hand.lastPixel();
     event.point = m_view.view().toCanvas(event.pixel);
-    event.pressure = 0;
+    if (device != PointerDevice::Mouse)
+        event.pressure = 0;
     event.time = m_clock.time();
     event.button = m_hand.button();
-    event.device = m_pen.isTurned() ? PointerDevice::Eraser : PointerDevice::Pen;
+    event.device = device;
     m_hand.release(event);
+    noteBusy();
 }
 
 bool CanvasInput::eventFilter(QObject *watched, QEvent *event)
@@ -347,8 +355,20 @@ void CanvasInput::leave()
     emit pointerLeft();
 }
 
-void CanvasInput::focusOut()
+void CanvasInput::focusOut(Qt::FocusReason reason)
 {
+    const bool opens = reason == Qt::PopupFocusReason || reason == Qt::MenuBarFocusReason ||
+                       QApplication::activePopupWidget() || QApplication::activeModalWidget();
+    if (opens && !m_hand.isFree()) // Later, since the tool itself may be opening something.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (m_pen.isDown())
+                    lostPen();
+                else if (!m_hand.isFree())
+                    finishHand(PointerDevice::Mouse);
+            },
+            Qt::QueuedConnection);
     const bool wasBare = m_keys.isBare();
     m_keys.forget(); // The release of the keys will go elsewhere.
     if (wasBare)

@@ -59,7 +59,9 @@ public:
     void wheel(const QWheelEvent &event);
     void enter(const QPointF &position);
     void leave();
-    void focusOut();
+    /// Takes the loss of the keyboard. Where a menu or a dialog has taken it, the pointer's release goes there, too, so
+    /// what is in hand is finished as if it had been let go.
+    void focusOut(Qt::FocusReason reason);
     /// Emits `busyChanged` if something has come into the tool's hand, or has left it, since it was last emitted.
     void noteBusy();
 
@@ -84,6 +86,7 @@ private:
     void noteModifiers(const QInputEvent &event);
     void turnPen(bool eraser);
     void lostPen();
+    void finishHand(PointerDevice device);
 
     QWidget &m_canvas;
     CanvasView &m_view;

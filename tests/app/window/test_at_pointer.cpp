@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -262,6 +263,41 @@ private slots:
         QVERIFY(s.canvas().tool()->isBusy());
         QTest::keyClick(&s.canvas(), Qt::Key_Escape);
         QCOMPARE(s.steps(), 0);
+    }
+
+    /// What opens takes the pointer's release, so the stroke in hand is painted as far as it has come.
+    void whatOpensFinishesTheStroke()
+    {
+        Crossing s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Brush);
+        const auto begin = [&](double y) {
+            s.canvas().setFocus();
+            QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, y}));
+            for (int i = 1; i <= 10; ++i) {
+                s.advance(interval);
+                QTest::mouseMove(&s.canvas(), s.at({250 + 10.0 * i, y}));
+            }
+            QVERIFY(s.canvas().tool()->isBusy());
+        };
+        begin(200);
+        s.use(Command::CanvasMenu);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.canvas().tool()->isBusy(), waitMs);
+        QTest::keyClick(&s.menu(), Qt::Key_Escape);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(4));
+        begin(240);
+        s.use(Command::BrushPalette);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.canvas().tool()->isBusy(), waitMs);
+        s.palette()->close();
+        QCOMPARE(s.painting().strokes.size(), std::size_t(5));
+        begin(280);
+        QMenu *file = s.window.menuBar()->actions().first()->menu();
+        file->popup(s.window.mapToGlobal(QPoint(10, 10)));
+        QTRY_VERIFY_WITH_TIMEOUT(!s.canvas().tool()->isBusy(), waitMs);
+        file->hide();
+        QCOMPARE(s.painting().strokes.size(), std::size_t(6));
+        QVERIFY(s.painting().strokes.back()->segments.size() > 0);
+        QCOMPARE(s.steps(), 3);
     }
 
     /// The pen's button asks when it is let go: what opens would not let the canvas hear of it.
