@@ -80,6 +80,7 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
         return;
     }
     m_makesOne = event->modifiers() & Qt::ControlModifier;
+    m_grip = 0;
     const bool wasMixed = m_mixed;
     setSliderDown(true);
     qApp->installEventFilter(this);
@@ -91,12 +92,14 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
         emit valueChanged(position); // the handle stood there for something else
     else if ((wasMixed && m_makesOne) || std::abs(event->position().x() - handle) > sliderHandleRadius)
         setSliderPosition(position);
+    else
+        m_grip = event->position().x() - handle;
 }
 
 void BarSlider::mouseMoveEvent(QMouseEvent *event)
 {
     if (isSliderDown())
-        setSliderPosition(positionAt(event->position().x()));
+        setSliderPosition(positionAt(event->position().x() - m_grip));
 }
 
 void BarSlider::mouseReleaseEvent(QMouseEvent *event)

@@ -6,7 +6,7 @@
 
 namespace suffuse {
 
-/// A slim horizontal slider. A press anywhere jumps there and drags on. The bar is filled up to the handle or shows a
+/// A slim horizontal slider. A press on the handle takes hold of it where it is; one elsewhere jumps there and drags on. The bar is filled up to the handle or shows a
 /// gradient. Positions are 0 … steps. Esc gives a drag up.
 class BarSlider : public QSlider {
     Q_OBJECT
@@ -46,6 +46,7 @@ private:
     std::function<QColor(double)> m_gradient;
     bool m_mixed = false;
     bool m_makesOne = false;
+    double m_grip = 0; ///< how far right of the handle's middle the pointer holds it, logical pixels
 };
 
 } // namespace suffuse

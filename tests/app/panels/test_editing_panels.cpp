@@ -66,6 +66,28 @@ private slots:
         QVERIFY(isSeen(brushes->findChild<HintLabel *>()));
     }
 
+    /// The handle is held where it was taken: back at that place the value is what it was.
+    void aHandleKeepsItsGrip()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 900});
+        bench.select({1});
+        BarSlider &slider = *panel.segmentSection()->born()->slider();
+        const Painting before = *bench.editor.document().painting();
+        const double share = double(slider.sliderPosition()) / BarSlider::steps;
+        for (const int off : {-4, -2, 0, 3, 4}) {
+            const QPoint grip = sliderPoint(slider, share) + QPoint(off, 0);
+            QTest::mousePress(&slider, Qt::LeftButton, {}, grip);
+            QTest::mouseMove(&slider, grip + QPoint(20, 0));
+            QVERIFY(!(*bench.editor.unsettled().painting() == before));
+            QTest::mouseMove(&slider, grip);
+            QTest::mouseRelease(&slider, Qt::LeftButton, {}, grip);
+            QCOMPARE(bench.steps(), 0);
+            QVERIFY(*bench.editor.document().painting() == before);
+        }
+    }
+
     void unitsConvertOrAreRefused()
     {
         QCOMPARE(evaluateArithmetic("500 ms", {}, "s").value(), 0.5);
