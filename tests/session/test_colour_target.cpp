@@ -266,6 +266,10 @@ private slots:
         QCOMPARE(w.colour(1), red);
         QCOMPARE(w.editor.document().painting()->swatches[0].colour.opacity, 0.5f);
         std::vector<Swatch> others = w.editor.document().painting()->swatches;
+        others[0].linked = false;
+        others[0].name = "wall";
+        w.editor.push(setSwatches(w.editor.document(), others), "unlink");
+        QCOMPARE(w.target.kind(), Kind::Swatch); // it is still the same one
         std::swap(others[0], others[1]);
         w.editor.push(setSwatches(w.editor.document(), others), "move");
         QCOMPARE(w.target.kind(), Kind::Brush); // another one stands there

@@ -67,7 +67,7 @@ void ColourTarget::endSwatch()
     emit changed();
 }
 
-/// Whether the list is the one in which it was chosen, but for its colour.
+/// Whether the list is the one in which it was chosen, but for what it is itself: its colour, its name, its link.
 bool ColourTarget::isSwatchThere() const
 {
     if (!m_swatch)
@@ -75,13 +75,9 @@ bool ColourTarget::isSwatchThere() const
     const std::vector<Swatch> &now = m_editor.unsettled().painting()->swatches;
     if (now.size() != m_swatch->list.size())
         return false;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        Swatch then = m_swatch->list[i];
-        if (i == m_swatch->index)
-            then.colour = now[i].colour;
-        if (now[i] != then)
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (i != m_swatch->index && now[i] != m_swatch->list[i])
             return false;
-    }
     return true;
 }
 
