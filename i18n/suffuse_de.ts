@@ -1401,8 +1401,16 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Suffuse ist die letzten Male nicht hochgekommen und hat deshalb mit den üblichen Einstellungen begonnen. Ihre sind in %1 aufgehoben.</translation>
     </message>
     <message>
-        <source>Nothing is lost: the painting is open and counts as not saved.</source>
-        <translation>Nichts ist verloren: Das Bild ist geöffnet und gilt als nicht gespeichert.</translation>
+        <source>Leave out the quotation marks: file dialogs take them for the borders between several names.</source>
+        <translation>Ohne Anführungszeichen, bitte: Dateidialoge halten sie für die Grenzen zwischen mehreren Namen.</translation>
+    </message>
+    <message>
+        <source>“%1” is only an ending. Give a name before it.</source>
+        <translation>„%1“ ist nur eine Endung. Davor gehört ein Name.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: the painting stays open as it is.</source>
+        <translation>Nichts ist verloren: Das Bild bleibt geöffnet, wie es ist.</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>

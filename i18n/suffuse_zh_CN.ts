@@ -1393,8 +1393,16 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>前几次 Suffuse 未能启动，因此本次使用默认设置启动。您的设置保存在 %1。</translation>
     </message>
     <message>
-        <source>Nothing is lost: the painting is open and counts as not saved.</source>
-        <translation>没有丢失任何内容：画作仍然打开，并标为未保存。</translation>
+        <source>Leave out the quotation marks: file dialogs take them for the borders between several names.</source>
+        <translation>请去掉引号：文件对话框会把引号当作多个名称之间的分隔。</translation>
+    </message>
+    <message>
+        <source>“%1” is only an ending. Give a name before it.</source>
+        <translation>“%1”只是扩展名，请在前面加上名称。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: the painting stays open as it is.</source>
+        <translation>没有丢失任何内容：画作保持打开，一切照旧。</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>

@@ -85,7 +85,7 @@ bool askAfterFailedSave(QWidget *parent, const QString &message)
     QMessageBox box(QMessageBox::Warning, QStringLiteral("Suffuse"), message, QMessageBox::Cancel, parent);
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(
-        QCoreApplication::translate("Messages", "Nothing is lost: the painting is open and counts as not saved."));
+        QCoreApplication::translate("Messages", "Nothing is lost: the painting stays open as it is."));
     QPushButton *elsewhere =
         box.addButton(QCoreApplication::translate("Messages", "Save &As…"), QMessageBox::AcceptRole);
     elsewhere->setIcon(icon("save"));

@@ -22,6 +22,35 @@ qsizetype kindOf(const QString &path, const QList<FileKind> &kinds)
     return it == kinds.end() ? 0 : it - kinds.begin();
 }
 
+/// Why a file must not be called so; empty: it may.
+QString problemOfName(const QString &typed)
+{
+    if (typed.contains('"'))
+        return QCoreApplication::translate(
+            "Messages", "Leave out the quotation marks: file dialogs take them for the borders between several names.");
+    const QString name = typed.mid(typed.lastIndexOf('/') + 1);
+    if (name.startsWith('.') && QFileInfo(name).completeBaseName().isEmpty())
+        return QCoreApplication::translate("Messages", "“%1” is only an ending. Give a name before it.").arg(name);
+    return {};
+}
+
+/// A dialog for a file to be written, which refuses names that would become others.
+class NameDialog : public QFileDialog {
+public:
+    using QFileDialog::QFileDialog;
+
+protected:
+    void accept() override
+    {
+        const auto *name = findChild<QLineEdit *>(QStringLiteral("fileNameEdit"));
+        const QString problem = name ? problemOfName(name->text()) : QString();
+        if (problem.isEmpty())
+            QFileDialog::accept();
+        else
+            showError(this, problem);
+    }
+};
+
 } // namespace
 
 QString filterOf(const FileKind &kind)
@@ -41,7 +70,7 @@ QString chooseFileToSave(QWidget *parent, const QString &title, const QString &p
 {
     QString path = proposal;
     for (;;) {
-        QFileDialog dialog(parent, title, path.contains('/') ? QFileInfo(path).absolutePath() : QString());
+        NameDialog dialog(parent, title, path.contains('/') ? QFileInfo(path).absolutePath() : QString());
         dialog.setAcceptMode(QFileDialog::AcceptSave);
         QStringList filters;
         for (const FileKind &kind : kinds)

@@ -6,8 +6,11 @@
 #include "tests/app/file_dialogs.h"
 #include "tests/app/session.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -147,6 +150,30 @@ private slots:
         QCOMPARE(m_confirmed, 1);
         QCOMPARE(s.editor().filePath(), path("edited v1.1.suffuse"));
         QVERIFY(bytesOf("edited v1.0.suffuse").startsWith("precious"));
+    }
+
+    /// File dialogs take what stands between quotation marks for one of several names.
+    void namesThatBecomeOthersAreRefused()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        for (const char *name : {"my \"best\" work", "say \"hi", ".suffuse"}) {
+            m_errors.clear();
+            whenAsked<QFileDialog>(this, m_answered, [&](QFileDialog &dialog) {
+                auto *field = dialog.findChild<QLineEdit *>("fileNameEdit");
+                field->setText(name);
+                QTest::keyClick(field, Qt::Key_Return);
+                if (dialog.isVisible())
+                    dialog.reject();
+            });
+            s.use(Command::SaveAs);
+            QVERIFY2(!s.editor().isSaving(), name);
+            QCOMPARE(m_errors.size(), 1);
+            QCOMPARE(s.editor().filePath(), path("a.suffuse"));
+        }
+        QCOMPARE(m_answered, 3);
+        QCOMPARE(QDir(m_folder->path()).entryList({"*.suffuse"}, QDir::Files | QDir::Hidden), QStringList{"a.suffuse"});
     }
 
     /// Whatever fails: what is on disk is what was on disk.
