@@ -18,6 +18,7 @@
 #include <QProgressDialog>
 #include <QStatusBar>
 #include <QTimer>
+#include <QWindow>
 
 namespace suffuse {
 
@@ -216,6 +217,18 @@ void FileSaving::fileChangedOutside(const QByteArray &hash)
         QTimer::singleShot(saveLaterMs, this, [this, hash] { fileChangedOutside(hash); });
         return;
     }
+    const QString said =
+        QCoreApplication::translate("Messages", "Another program has changed “%1”.").arg(m_editor.displayName());
+    if (!m_window.isActiveWindow()) { // A question would take the keys that are meant for another window.
+        m_window.statusBar()->showMessage(said);
+        QApplication::alert(&m_window);
+        connect(
+            qApp, &QGuiApplication::focusWindowChanged, this, [this, hash] { fileChangedOutside(hash); },
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        return;
+    }
+    if (m_window.statusBar()->currentMessage() == said)
+        m_window.statusBar()->clearMessage();
     m_asking = true;
     const ConflictAnswer answer = askAboutConflict(&m_window, m_editor.displayName(), m_editor.isModified(), false);
     m_asking = false;

@@ -148,6 +148,29 @@ private slots:
         QVERIFY(!s.window.isWindowModified());
     }
 
+    /// A question that comes up over another window would take the keys that are meant for that one.
+    void aWindowBehindAsksWhenItsTurnComes()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        QWidget other;
+        other.show();
+        other.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&other));
+        Painting changed;
+        changed.canvas.width = 555;
+        m_answer = ConflictAnswer::Reload;
+        QVERIFY(savePainting(changed, path("a.suffuse")));
+        QTRY_VERIFY_WITH_TIMEOUT(s.window.statusBar()->currentMessage().contains("a.suffuse") &&
+                                     !s.window.statusBar()->currentMessage().startsWith("Sav"),
+                                 waitMs);
+        QCOMPARE(m_asked, 0);
+        s.window.activateWindow();
+        QTRY_COMPARE_WITH_TIMEOUT(m_asked, 1, waitMs);
+        QTRY_COMPARE_WITH_TIMEOUT(s.painting().canvas.width, 555.0, waitMs);
+    }
+
     void anotherProgramsBytesAreAskedAbout()
     {
         Session s;
