@@ -62,6 +62,21 @@ bool isTyped(const QKeyEvent &key)
     return isTypedKey(QKeyCombination(key.modifiers(), Qt::Key(key.key())));
 }
 
+/// Whether a key does something where it is pressed. Modifier keys and F6 by themselves only lead there and on.
+bool isUse(const QKeyEvent &key)
+{
+    switch (key.key()) {
+    case Qt::Key_Shift:
+    case Qt::Key_Control:
+    case Qt::Key_Alt:
+    case Qt::Key_Meta:
+    case Qt::Key_F6:
+        return false;
+    default:
+        return true;
+    }
+}
+
 bool hasAction(const QWidget &widget, const QKeySequence &keys)
 {
     return std::ranges::any_of(widget.actions(),
@@ -273,6 +288,12 @@ void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
             return action->isEnabled() && action->shortcuts().contains(QKeySequence(key.key()));
         }))
         return;
+    say(panel);
+}
+
+/// The status bar says who has the keyboard.
+void KeyboardFocus::say(QWidget &panel)
+{
     constexpr int milliseconds = 10'000;
     m_told = &panel;
     const QString title = panel.windowTitle();
@@ -302,6 +323,8 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     }
     case QEvent::KeyPress:
+        if (widget && panelOf(widget) && isUse(*static_cast<QKeyEvent *>(event)))
+            m_front = nullptr; // what is used stays in front
         if (widget && keyPressed(*widget, *static_cast<QKeyEvent *>(event)))
             return true;
         break;
@@ -354,16 +377,34 @@ void KeyboardFocus::walk(bool forward)
     QWidget *focus = QApplication::focusWidget();
     const qsizetype count = all.size(), here = std::max<qsizetype>(0, all.indexOf(panelOf(focus)));
     for (qsizetype i = 1; i <= count; ++i)
-        if (enter(*all[(here + (forward ? i : count - i)) % count]))
+        if (QWidget *stop = all[(here + (forward ? i : count - i)) % count]; enter(*stop)) {
+            putBack(*stop);
             return;
+        }
+}
+
+/// Docks that the walk has brought to the front, and in which nothing was done, go back behind the one that stood there.
+void KeyboardFocus::putBack(const QWidget &stop)
+{
+    if (!m_front || m_front == &stop)
+        return;
+    for (const QDockWidget *other : m_window.tabifiedDockWidgets(m_front))
+        if (other == &stop)
+            return;
+    m_front->raise();
+    m_front = nullptr;
 }
 
 bool KeyboardFocus::enter(QWidget &stop)
 {
     QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
     QWidget *last = stop.focusWidget(); // the widget that had the keyboard when it was here last
-    if (auto *dock = qobject_cast<QDockWidget *>(&stop))
+    if (auto *dock = qobject_cast<QDockWidget *>(&stop)) {
+        for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
+            if (!m_front && !other->visibleRegion().isEmpty() && dock->visibleRegion().isEmpty())
+                m_front = other;
         dock->raise();
+    }
     if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
         goal = last;
     for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
@@ -376,6 +417,8 @@ bool KeyboardFocus::enter(QWidget &stop)
     goal->setFocus(Qt::TabFocusReason);
     delete m_frame;
     m_frame = new PanelFrame(stop);
+    if (&stop != &m_canvas)
+        say(stop);
     return true;
 }
 

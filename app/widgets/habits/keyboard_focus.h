@@ -5,6 +5,7 @@
 #include <QPointer>
 
 class QKeyEvent;
+class QDockWidget;
 class QMainWindow;
 
 namespace suffuse {
@@ -49,6 +50,8 @@ private:
     bool keepsShortcut(const QObject &owner, const QKeySequence &keys) const;
     bool keyPressed(QWidget &widget, const QKeyEvent &key);
     void letClicked(const QWidget *clicked);
+    void putBack(const QWidget &stop);
+    void say(QWidget &panel);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
     QList<QWidget *> stops() const;
     bool enter(QWidget &stop);
@@ -56,6 +59,7 @@ private:
     QMainWindow &m_window;
     QWidget &m_canvas;
     QPointer<PanelFrame> m_frame;
+    QPointer<QDockWidget> m_front; ///< the dock that stood in front of the one to which the walk has gone
     QPointer<QWidget> m_told; ///< the panel of which the status bar has said that it has the keyboard
 };
 

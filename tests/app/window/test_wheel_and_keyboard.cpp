@@ -592,6 +592,38 @@ private slots:
         QCOMPARE(back, there);
     }
 
+    /// Who only walks through the docks finds them as they stood; what is used there stays in front.
+    void f6LeavesTabsAsTheyStood()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *history = s.window.findChild<QDockWidget *>("historyDock");
+        auto *colour = s.window.findChild<QDockWidget *>("colourDock");
+        s.window.tabifyDockWidget(colour, history);
+        history->show();
+        colour->raise();
+        const auto isInFront = [](const QDockWidget *dock) { return !dock->visibleRegion().isEmpty(); };
+        QTRY_VERIFY(isInFront(colour) && !isInFront(history));
+        const auto walkTo = [&](QWidget *goal) {
+            s.canvas().setFocus();
+            for (int i = 0; i < 20; ++i) {
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+                if (goal->isAncestorOf(QApplication::focusWidget()) || QApplication::focusWidget() == goal)
+                    return true;
+            }
+            return false;
+        };
+        QVERIFY(walkTo(history));
+        QTRY_VERIFY(isInFront(history));
+        QVERIFY(s.window.statusBar()->currentMessage().contains(history->windowTitle()));
+        QVERIFY(walkTo(&s.canvas()));
+        QTRY_VERIFY(isInFront(colour));
+        QVERIFY(walkTo(history));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QVERIFY(walkTo(&s.canvas()));
+        QTRY_VERIFY(isInFront(history));
+    }
+
     /// It is seen where the keyboard is, until the mouse goes on.
     void f6ShowsWhereItIs()
     {
