@@ -1,6 +1,5 @@
 #include "app/widgets/look/section.h"
 
-#include "app/widgets/look/theme.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -50,8 +49,8 @@ HintLabel::HintLabel(QWidget *parent) : QLabel(parent)
     setWordWrap(true);
     setMargin(8);
     setAccessibleName(tr("Hint"));
+    setForegroundRole(QPalette::BrightText); // which the theme gives the colour of warnings
     hide();
-    takeColour();
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *from, const QWidget *to) {
         if (m_passing && from && to) // not when another window comes to the front
             showHint({});
@@ -93,22 +92,6 @@ void HintLabel::scrollToIt()
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         scroll->ensureWidgetVisible(this, 0, 0);
     }
-}
-
-void HintLabel::takeColour()
-{
-    m_takingColour = true;
-    QPalette p = palette();
-    p.setColor(QPalette::WindowText, warningText());
-    setPalette(p);
-    m_takingColour = false;
-}
-
-void HintLabel::changeEvent(QEvent *event)
-{
-    QLabel::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange && !m_takingColour)
-        takeColour();
 }
 
 PanelScroll::PanelScroll(QWidget *parent) : QScrollArea(parent)

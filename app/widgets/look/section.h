@@ -33,13 +33,9 @@ public:
     /// user goes on to another place.
     void showRefusal(const QString &hint);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void takeColour();
     void scrollToIt();
-    bool m_takingColour = false;
+
     bool m_passing = false; ///< the text disappears with the next change of the focus
 };
 

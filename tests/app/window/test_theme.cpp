@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
@@ -12,6 +13,7 @@
 #include <QStyle>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolTip>
 
 #include <cmath>
@@ -123,6 +125,29 @@ private slots:
         }
         for (const QString &name : iconNames()) // none is empty
             QVERIFY2(icon(name).pixmap(24).toImage() != QPixmap().toImage(), qPrintable(name));
+    }
+
+    /// Also of hints that were there before the theme changed.
+    void hintsAreReadInBothThemes()
+    {
+        wear(settings::Theme::Light);
+        QWidget panel;
+        HintLabel hint(&panel);
+        panel.show();
+        hint.showHint("“abc” is not a number.");
+        int readable = 0;
+        QTimer::singleShot(0, qApp, [&] { // Widgets hear of another palette only while the program runs.
+            for (const settings::Theme theme : {settings::Theme::Dark, settings::Theme::Light}) {
+                wear(theme);
+                const QColor colour = hint.palette().color(hint.foregroundRole());
+                readable += colour == warningText() &&
+                            contrast(colour, hint.palette().color(QPalette::Window)) >= 4.5 &&
+                            hint.palette().color(QPalette::Window) == QApplication::palette().color(QPalette::Window);
+            }
+            qApp->quit();
+        });
+        QCOMPARE(qApp->exec(), 0);
+        QCOMPARE(readable, 2);
     }
 
     void coloursThatTheUserChoseAreSeen()
