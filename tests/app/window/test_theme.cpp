@@ -13,7 +13,6 @@
 #include <QStyle>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <QToolTip>
 
 #include <cmath>
@@ -135,19 +134,11 @@ private slots:
         HintLabel hint(&panel);
         panel.show();
         hint.showHint("“abc” is not a number.");
-        int readable = 0;
-        QTimer::singleShot(0, qApp, [&] { // Widgets hear of another palette only while the program runs.
-            for (const settings::Theme theme : {settings::Theme::Dark, settings::Theme::Light}) {
-                wear(theme);
-                const QColor colour = hint.palette().color(hint.foregroundRole());
-                readable += colour == warningText() &&
-                            contrast(colour, hint.palette().color(QPalette::Window)) >= 4.5 &&
-                            hint.palette().color(QPalette::Window) == QApplication::palette().color(QPalette::Window);
-            }
-            qApp->quit();
-        });
-        QCOMPARE(qApp->exec(), 0);
-        QCOMPARE(readable, 2);
+        for (const settings::Theme theme : {settings::Theme::Dark, settings::Theme::Light}) {
+            wear(theme);
+            QTRY_COMPARE(hint.palette().color(hint.foregroundRole()), warningText());
+            QVERIFY(contrast(warningText(), hint.palette().color(QPalette::Window)) >= 4.5);
+        }
     }
 
     void coloursThatTheUserChoseAreSeen()
