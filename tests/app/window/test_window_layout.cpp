@@ -1,6 +1,7 @@
 // Where windows go, and how their docks share the room.
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/elided_sentences.h"
 #include "app/window/layout/window_layout.h"
@@ -48,6 +49,27 @@ private slots:
         QCOMPARE(placeWithin({900, 600, 300, 200}, screen), QRect(700, 520, 300, 200));
         QCOMPARE(placeWithin({-50, 0, 300, 200}, screen), QRect(0, 20, 300, 200));
         QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
+    }
+
+    /// Half of 1920 pixels, which is what a screen of twice the usual density has.
+    void everyLanguageFitsAScreenOf960()
+    {
+        for (const QString &code : translationCodes()) {
+            settings::setLanguage(code);
+            installTranslators();
+            const auto back = qScopeGuard([] {
+                settings::setLanguage("en");
+                installTranslators();
+            });
+            Session s;
+            s.window.resize(960, 560);
+            for (const Command tool : {Command::Brush, Command::Select, Command::Segments, Command::Eraser}) {
+                s.use(tool);
+                QCoreApplication::sendPostedEvents();
+                QVERIFY2(s.window.width() <= 960 && s.window.minimumSizeHint().width() <= 960,
+                         qPrintable(QStringLiteral("%1: %2").arg(code).arg(s.window.width())));
+            }
+        }
     }
 
     /// A window that stood on another screen is no larger than this one, its frame included.
