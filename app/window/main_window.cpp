@@ -11,6 +11,7 @@
 #include "app/session/settings/kept_brush.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_options.h"
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/house_rules.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/icons.h"
@@ -262,6 +263,7 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    EntryField::takeTypedIn(*this); // it is asked about, too
     if (m_canvas->tool())
         m_canvas->tool()->cancel();
     if (!m_saving->maySwitch()) {

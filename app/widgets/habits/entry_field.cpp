@@ -22,6 +22,12 @@ void EntryField::letReturnShowFirst(QDialog &dialog)
     dialog.setProperty(showsFirstProperty, true);
 }
 
+void EntryField::takeTypedIn(const QWidget &window)
+{
+    if (auto *field = qobject_cast<EntryField *>(window.focusWidget()))
+        field->takeTyped();
+}
+
 void EntryField::showText(const QString &text)
 {
     if (!hasFocus() || !isModified() || text != m_shown)
@@ -77,6 +83,15 @@ void EntryField::keyPressEvent(QKeyEvent *event)
         if (showsFirst)
             event->accept();
     }
+}
+
+void EntryField::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    // Line edits select a word, which of 70.9 is 70 alone.
+    if (event->button() == Qt::LeftButton)
+        selectAll();
+    else
+        QLineEdit::mouseDoubleClickEvent(event);
 }
 
 } // namespace suffuse

@@ -19,6 +19,10 @@ public:
     /// default button. Elsewhere Return does both.
     static void letReturnShowFirst(QDialog &dialog);
 
+    /// Takes what has been typed, as Return does.
+    void takeTyped() { finish(); }
+    /// The same in the field of a window that has the keyboard, if there is one.
+    static void takeTypedIn(const QWidget &window);
     /// Shows the text that counts now; emits nothing. What is being typed stays while that text stays the same.
     void showText(const QString &text);
 
@@ -29,6 +33,7 @@ signals:
 protected:
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
 
     /// Shows a text that counts in place of what is being typed.
     void replaceText(const QString &text);

@@ -1,6 +1,7 @@
 #include "app/widgets/habits/keyboard_focus.h"
 
 #include "app/session/commands/keys.h"
+#include "app/widgets/habits/entry_field.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -304,8 +305,23 @@ void KeyboardFocus::say(QWidget &panel)
         milliseconds);
 }
 
+/// What has been typed counts before anything else is done: a tool's button or a shortcut takes no focus, and the field
+/// would keep the text for later, when something else may be selected.
+void KeyboardFocus::takeTypedBefore(const QObject &watched, QEvent::Type type)
+{
+    const bool does = type == QEvent::MouseButtonPress || type == QEvent::TabletPress || type == QEvent::TouchBegin ||
+                      type == QEvent::Shortcut;
+    auto *field = does ? qobject_cast<EntryField *>(QApplication::focusWidget()) : nullptr;
+    const auto *widget = qobject_cast<const QWidget *>(&watched);
+    if (!field || &watched == field || !panelOf(field) || (!widget && type != QEvent::Shortcut))
+        return;
+    if (type == QEvent::Shortcut || !widget->isAncestorOf(field))
+        field->takeTyped();
+}
+
 bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
 {
+    takeTypedBefore(*watched, event->type());
     if (actsOnPanels(event->type()))
         emit acting();
     auto *widget = qobject_cast<QWidget *>(watched);

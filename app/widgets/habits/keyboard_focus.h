@@ -50,6 +50,7 @@ private:
     bool keepsShortcut(const QObject &owner, const QKeySequence &keys) const;
     bool keyPressed(QWidget &widget, const QKeyEvent &key);
     void letClicked(const QWidget *clicked);
+    void takeTypedBefore(const QObject &watched, QEvent::Type type);
     void putBack(const QWidget &stop);
     void say(QWidget &panel);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);

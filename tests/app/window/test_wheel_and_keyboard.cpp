@@ -1,7 +1,11 @@
 // What the wheel and the keys reach: nothing is altered that was not meant.
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/asking/messages.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/numbers/number_field.h"
+#include "app/widgets/numbers/slider_field.h"
 #include "app/window/layout/window_layout.h"
 #include "tests/app/all_dialogs.h"
 
@@ -645,6 +649,76 @@ private slots:
         QTest::mouseRelease(&s.canvas(), Qt::MiddleButton, {}, QPoint(20, 20));
         focus->setFocus();
         QVERIFY(edge() != s.window.palette().color(QPalette::Highlight));
+    }
+
+    /// What has been typed counts before a tool, a tab or a shortcut does anything, though these take no keyboard.
+    void whatWasTypedCountsFirst()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        const StrokeId id = s.painting().strokes.front()->id;
+        s.editor().document().setSelection({{id}, {}});
+        auto *inspector = s.window.findChild<InspectorPanel *>();
+        s.window.findChild<QDockWidget *>("inspectorDock")->raise();
+        NumberField *density = inspector->segmentSection()->density()->number();
+        const auto typeOnly = [&](const QString &text) {
+            density->setFocus();
+            density->selectAll();
+            QTest::keyClicks(density, text);
+        };
+        const auto now = [&] { return s.painting().find(id)->segments.front().density; };
+        const int steps = s.editor().undoStack().count();
+        typeOnly("12");
+        QVERIFY(now() != 12);
+        auto *tools = s.window.findChild<QToolBar *>("tools");
+        QTest::mouseClick(tools->widgetForAction(&s.window.action(Command::Brush)), Qt::LeftButton);
+        QCOMPARE(now(), 12.0f);
+        QCOMPARE(s.editor().undoStack().count(), steps + 1);
+        s.use(Command::Select);
+        s.editor().document().setSelection({{id}, {}});
+        s.window.findChild<QDockWidget *>("inspectorDock")->raise();
+        typeOnly("14");
+        QTest::keyClick(density, Qt::Key_D, Qt::ControlModifier); // duplicates what the number has made
+        QCOMPARE(now(), 14.0f);
+        QCOMPARE(s.painting().strokes.back()->segments.front().density, 14.0f);
+        QVERIFY(s.painting().strokes.back()->id != id);
+
+        // It is asked about before the window closes.
+        int asked = 0;
+        MessageHooks hooks;
+        hooks.unsaved = [&](const QString &) {
+            ++asked;
+            return SaveAnswer::Cancel;
+        };
+        setMessageHooks(hooks);
+        const auto back = qScopeGuard([] { setMessageHooks({}); });
+        s.editor().document().setSelection({{id}, {}});
+        QTemporaryDir folder;
+        QVERIFY(s.window.saveTo(folder.filePath("a.suffuse")));
+        QVERIFY(!s.window.isWindowModified());
+        typeOnly("16");
+        QVERIFY(!s.window.close());
+        QCOMPARE(asked, 1);
+        QCOMPARE(now(), 16.0f);
+    }
+
+    /// A double click is the start of another number, not of its digits before the point.
+    void aDoubleClickSelectsTheWholeNumber()
+    {
+        QWidget window;
+        NumberField field(&window);
+        field.setRange(0, 1000);
+        field.setValue(70.9);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        const QPoint at(8, field.height() / 2);
+        QTest::mouseClick(&field, Qt::LeftButton, {}, at);
+        QTest::mouseDClick(&field, Qt::LeftButton, {}, at);
+        QCOMPARE(field.selectedText(), field.text());
+        QTest::keyClicks(&field, "12");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.value().value(), 12.0);
     }
 
     /// A click on what cannot be typed into leaves the keyboard to the canvas.
