@@ -1021,6 +1021,20 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Delete segments</source>
         <translation>Segmente löschen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n segment(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>%n Segment gelöscht; Rückgängig bringt es zurück.</numerusform>
+            <numerusform>%n Segmente gelöscht; Rückgängig bringt sie zurück.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>%n Strich gelöscht; Rückgängig bringt ihn zurück.</numerusform>
+            <numerusform>%n Striche gelöscht; Rückgängig bringt sie zurück.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Delete strokes</source>
         <translation>Striche löschen</translation>

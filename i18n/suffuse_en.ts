@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Commands</name>
+    <message numerus="yes">
+        <source>%n segment(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>%n segment deleted; Undo brings it back.</numerusform>
+            <numerusform>%n segments deleted; Undo brings them back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>%n stroke deleted; Undo brings it back.</numerusform>
+            <numerusform>%n strokes deleted; Undo brings them back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message numerus="yes">
         <source>%n s left</source>

@@ -1013,6 +1013,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Delete segments</source>
         <translation>删除线段</translation>
     </message>
+    <message numerus="yes">
+        <source>%n segment(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>已删除 %n 个线段；撤销可恢复。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <translation>
+            <numerusform>已删除 %n 个笔画；撤销可恢复。</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Delete strokes</source>
         <translation>删除笔画</translation>

@@ -85,9 +85,13 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
         .when(anySelected(editor))
-        .runs([&canvas, &editor] {
-            if (!givesUp(canvas) && !canvas.tool()->deleteSelected())
-                commands::deleteSelected(editor);
+        .runs([&canvas, &editor, &table] {
+            if (givesUp(canvas) || canvas.tool()->deleteSelected())
+                return;
+            const QString done = commands::deleteSelected(editor);
+            // A tool that shows no outlines leaves open what was selected.
+            if (!done.isEmpty() && !canvas.tool()->showsOutlines())
+                emit table.said(done, 5000);
         });
 }
 

@@ -17,12 +17,22 @@ QString tr(const char *text)
 
 } // namespace
 
-void deleteSelected(Editor &editor)
+QString deleteSelected(Editor &editor)
 {
     const bool segments = !editor.document().selection().segments.empty();
+    const auto count = [&] {
+        const Painting &painting = *editor.document().painting();
+        return int(segments ? painting.segmentCount() : painting.strokes.size());
+    };
+    const int before = count();
     editor.push(deleteSelection(editor.document(), Leaves::Chains), segments
                                                         ? QCoreApplication::translate("Commands", "Delete segments")
                                                         : QCoreApplication::translate("Commands", "Delete strokes"));
+    const int gone = before - count();
+    if (gone <= 0)
+        return {}; // what is locked stays
+    return segments ? QCoreApplication::translate("Commands", "%n segment(s) deleted; Undo brings back.", "", gone)
+                    : QCoreApplication::translate("Commands", "%n stroke(s) deleted; Undo brings back.", "", gone);
 }
 
 void duplicateSelected(Editor &editor)

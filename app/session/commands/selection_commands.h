@@ -7,7 +7,8 @@
 
 namespace suffuse::commands {
 
-void deleteSelected(Editor &editor);
+/// Deletes what is selected, and returns what to say of it; an empty text if nothing could be deleted.
+QString deleteSelected(Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
 /// their stroke. Then the copies are selected.
 void duplicateSelected(Editor &editor);

@@ -36,6 +36,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -164,6 +165,27 @@ private slots:
         QVERIFY(m_folder.isValid());
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
         applyTheme();
+    }
+
+    /// With the Brush nothing on the canvas shows what is selected, so Delete says what it took.
+    void deletingTheUnseenIsSaid()
+    {
+        Session s;
+        s.paintLine({100, 100}, {300, 100});
+        s.paintLine({100, 200}, {300, 200});
+        const StrokeId first = s.painting().strokes.front()->id;
+        s.editor().document().setSelection({{first}, {}});
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        const QString said = s.window.statusBar()->currentMessage();
+        QVERIFY2(said.startsWith("1 stroke") && said.contains("deleted"), qPrintable(said));
+        s.use(Command::Undo);
+        s.use(Command::Select);
+        s.window.statusBar()->clearMessage();
+        s.editor().document().setSelection({{first}, {}});
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(!s.window.statusBar()->currentMessage().contains("deleted")); // it was to be seen
     }
 
     void grainIsOneNumberEverywhere()
