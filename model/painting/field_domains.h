@@ -19,6 +19,43 @@ struct FieldPath {
     QString text() const;
 };
 
+/// Whether all fields of a value are in their domains. It is quick, since files have many segments, and does not know
+/// every kind of field: where it returns false, DomainCheck finds what is wrong, if anything is.
+template <HasFields T>
+constexpr bool fits(const T &value);
+
+template <class Value>
+constexpr bool fits(const Value &value, const FieldTraits &traits)
+{
+    const auto all = [&](const auto &...parts) { return (fits(parts, traits) & ...); };
+    if constexpr (std::is_floating_point_v<Value>)
+        return traits.domain.contains(value);
+    else if constexpr (std::is_same_v<Value, Microseconds>)
+        return (double(value) >= 1e6 * traits.domain.least) & (double(value) <= 1e6 * traits.domain.greatest);
+    else if constexpr (std::is_enum_v<Value>)
+        return std::size_t(value) < WordsOf<Value>::list.size();
+    else if constexpr (std::is_same_v<Value, Offset> || std::is_same_v<Value, Point>)
+        return all(value.x, value.y);
+    else if constexpr (requires { std::tuple_size<Value>::value; })
+        return std::apply(all, value);
+    else if constexpr (requires { value.has_value(); })
+        return !value.has_value();
+    else if constexpr (std::is_same_v<Value, std::vector<Rewet>>)
+        return value.empty();
+    else if constexpr (HasFields<Value>)
+        return fits(value);
+    else
+        return std::is_same_v<Value, bool> || std::is_same_v<Value, std::uint32_t>; // which hold nothing else
+}
+
+template <HasFields T>
+constexpr bool fits(const T &value)
+{
+    bool good = true;
+    forEachField(value, [&](const auto &field, const auto &member) { good &= fits(member, field.traits); });
+    return good;
+}
+
 /// Finds the first field that is not in its domain.
 class DomainCheck {
 public:

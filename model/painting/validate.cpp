@@ -157,6 +157,8 @@ QString problemOf(const Colour &colour)
 
 QString problemOf(const Segment &segment)
 {
+    if (fits(segment))
+        return {};
     DomainCheck check;
     check.checkFields(segment);
     return check.problem();
