@@ -1,0 +1,409 @@
+// Who has the keyboard, and what the keys reach: nothing is altered that was not meant.
+#include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/numbers/number_field.h"
+#include "app/window/layout/window_layout.h"
+#include "tests/app/window/hands_on_widgets.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QShortcutEvent>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QTreeView>
+
+using namespace suffuse;
+
+namespace {
+
+/// Panels, and what in them can have the keyboard.
+QList<QWidget *> panelsOf(MainWindow &window)
+{
+    QList<QWidget *> panels;
+    for (auto *dock : window.findChildren<QDockWidget *>())
+        panels << dock;
+    for (auto *bar : window.findChildren<QToolBar *>())
+        panels << bar;
+    return panels;
+}
+
+QList<QWidget *> focusableIn(QWidget &panel)
+{
+    QList<QWidget *> widgets = panel.findChildren<QWidget *>();
+    widgets.removeIf([&](QWidget *w) {
+        return !(w->focusPolicy() & Qt::StrongFocus) || w->focusProxy() || w->window() != panel.window();
+    });
+    return widgets;
+}
+
+bool isTaken(QWidget &widget, QKeyCombination keys)
+{
+    QKeyEvent event(QEvent::ShortcutOverride, keys.key(), keys.keyboardModifiers());
+    event.ignore();
+    QCoreApplication::sendEvent(&widget, &event);
+    return event.isAccepted();
+}
+
+} // namespace
+
+class TestKeyboard : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void init() { window_layout::reset(); }
+
+    /// Every key that is a command by itself, in every place of every panel.
+    void noSingleKeyReachesTheCanvas()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QList<QKeyCombination> typed, commands;
+        for (const QAction *action : s.window.findChild<Commands *>()->all())
+            for (const QKeySequence &keys : action->shortcuts()) {
+                const bool held = keys[0].keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier);
+                const bool function = keys[0].key() >= Qt::Key_F1 && keys[0].key() <= Qt::Key_F35;
+                if (!held && (!function || keys[0].key() == Qt::Key_F2))
+                    typed << keys[0];
+                else if (held || function)
+                    commands << keys[0];
+            }
+        QVERIFY(typed.size() > 40 && commands.size() > 20);
+        int places = 0;
+        for (QWidget *panel : panelsOf(s.window))
+            for (QWidget *widget : focusableIn(*panel)) {
+                widget->setFocus(); // where it can have it
+                QSet<QKeySequence> own;
+                for (QWidget *w = widget; w; w = w == panel ? nullptr : w->parentWidget())
+                    for (const QAction *action : w->actions())
+                        for (const QKeySequence &keys : action->shortcuts())
+                            own << keys;
+                const bool shift = std::ranges::any_of(
+                    own, [](const QKeySequence &k) { return k[0].keyboardModifiers() == Qt::ShiftModifier; });
+                const bool isTimeline = widget->inherits("suffuse::TimelineView");
+                for (const QKeyCombination keys : typed) {
+                    // Of those with Shift Qt's table decides there; see keysWithShiftAreFoundByQt.
+                    if (own.contains(QKeySequence(keys)) || (shift && keys.keyboardModifiers() == Qt::ShiftModifier))
+                        continue;
+                    const bool passes = isTimeline && keys.key() >= Qt::Key_A && keys.key() <= Qt::Key_Z;
+                    QVERIFY2(isTaken(*widget, keys) != passes,
+                             qPrintable(panel->objectName() + ' ' + widget->accessibleName() + ' ' +
+                                        QKeySequence(keys).toString()));
+                }
+                ++places;
+            }
+        QVERIFY2(places > 60, qPrintable(QString::number(places)));
+        QVERIFY(!isTaken(s.canvas(), QKeyCombination(Qt::Key_3)));
+        QVERIFY(!isTaken(s.window, QKeyCombination(Qt::Key_3)));
+        // With Ctrl they work everywhere, but where a field has a use for them.
+        auto *tree = s.window.findChild<QDockWidget *>("strokesDock")->findChild<QTreeView *>();
+        QVERIFY(!isTaken(*tree, Qt::CTRL | Qt::Key_D));
+        QVERIFY(!isTaken(*tree, Qt::Key_F6));
+    }
+
+    /// The timeline keeps the keyboard after a click, but it has no use for letters.
+    void lettersGoFromTheTimelineToTheTools()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        QWidget *timeline = nullptr;
+        for (QWidget *widget : focusableIn(*s.window.findChild<QDockWidget *>("timelineDock")))
+            timeline = widget->inherits("suffuse::TimelineView") ? widget : timeline;
+        QVERIFY(timeline);
+        QTest::mouseClick(static_cast<QAbstractScrollArea *>(timeline)->viewport(), Qt::LeftButton, {}, {40, 8});
+        QCoreApplication::processEvents();
+        QVERIFY(timeline->hasFocus());
+        const QKeySequence brush = s.window.action(Command::Brush).shortcut();
+        QTest::keyClick(timeline, brush[0].key(), brush[0].keyboardModifiers());
+        QVERIFY(s.window.action(Command::Brush).isChecked());
+        const Brush inHand = s.editor().brush();
+        QTest::keyClick(timeline, Qt::Key_4); // a number is not a letter
+        QCOMPARE(s.editor().brush(), inHand);
+    }
+
+    /// What is about a panel's own things goes on working there.
+    void panelsKeepTheirOwnKeys()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        strokes->raise();
+        auto *tree = strokes->findChild<QTreeView *>();
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Delete);
+        QVERIFY(s.painting().strokes.empty());
+        s.editor().undoStack().undo();
+        auto *search = strokes->findChild<QLineEdit *>(); // but here it deletes letters
+        search->setFocus();
+        search->setText("a");
+        search->setCursorPosition(0);
+        QTest::keyClick(search, Qt::Key_Delete);
+        QCOMPARE(search->text(), QString());
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        auto *timeline = s.window.findChild<QDockWidget *>("timelineDock");
+        for (QWidget *widget : focusableIn(*timeline))
+            if (widget->inherits("QAbstractScrollArea")) {
+                widget->setFocus();
+                QTest::keyClick(widget, Qt::Key_P);
+                QVERIFY(s.window.playback().isPlaying());
+                s.window.playback().pause();
+            }
+    }
+
+    void escGivesTheKeyboardBack()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        int places = 0;
+        for (QWidget *panel : panelsOf(s.window))
+            for (QWidget *widget : focusableIn(*panel)) {
+                if (auto *dock = qobject_cast<QDockWidget *>(panel))
+                    dock->raise();
+                widget->setFocus();
+                if (!widget->hasFocus())
+                    continue; // hidden or disabled now
+                QTest::keyClick(widget, Qt::Key_Escape);
+                QVERIFY2(s.canvas().hasFocus(), qPrintable(panel->objectName() + ' ' + widget->accessibleName() + ' ' +
+                                                           widget->metaObject()->className()));
+                ++places;
+                if (!qobject_cast<NumberField *>(widget))
+                    continue;
+                widget->setFocus();
+                QTest::keyClick(widget, Qt::Key_Return);
+                QVERIFY(s.canvas().hasFocus());
+            }
+        QVERIFY2(places > 25, qPrintable(QString::number(places)));
+    }
+
+    void f6WalksAllPanels()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const auto whereIs = [&s](QWidget *widget) -> QWidget * {
+            for (; widget; widget = widget->parentWidget())
+                if (widget == &s.canvas() || qobject_cast<QDockWidget *>(widget) || qobject_cast<QToolBar *>(widget))
+                    return widget;
+            return nullptr;
+        };
+        QList<QWidget *> there, back;
+        do {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+            QVERIFY(QApplication::focusWidget()->isVisible());
+            there << whereIs(QApplication::focusWidget());
+            QVERIFY(there.size() < 20);
+        } while (there.last() != &s.canvas());
+        for (QWidget *panel : panelsOf(s.window))
+            QCOMPARE(there.count(panel), panel->isVisible() ? 1 : 0);
+        do {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+            back << whereIs(QApplication::focusWidget());
+            QVERIFY(back.size() < 20);
+        } while (back.last() != &s.canvas());
+        std::reverse(back.begin(), back.end() - 1);
+        QCOMPARE(back, there);
+    }
+
+    /// Who only walks through the docks finds them as they stood; what is used there stays in front.
+    void f6LeavesTabsAsTheyStood()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *history = s.window.findChild<QDockWidget *>("historyDock");
+        auto *colour = s.window.findChild<QDockWidget *>("colourDock");
+        s.window.tabifyDockWidget(colour, history);
+        history->show();
+        colour->raise();
+        const auto isInFront = [](const QDockWidget *dock) { return !dock->visibleRegion().isEmpty(); };
+        QTRY_VERIFY(isInFront(colour) && !isInFront(history));
+        const auto walkTo = [&](QWidget *goal) {
+            s.canvas().setFocus();
+            for (int i = 0; i < 20; ++i) {
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+                if (goal->isAncestorOf(QApplication::focusWidget()) || QApplication::focusWidget() == goal)
+                    return true;
+            }
+            return false;
+        };
+        QVERIFY(walkTo(history));
+        QTRY_VERIFY(isInFront(history));
+        QVERIFY(s.window.statusBar()->currentMessage().contains(history->windowTitle()));
+        QVERIFY(walkTo(&s.canvas()));
+        QTRY_VERIFY(isInFront(colour));
+        QVERIFY(walkTo(history));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QVERIFY(walkTo(&s.canvas()));
+        QTRY_VERIFY(isInFront(history));
+    }
+
+    /// It is seen where the keyboard is, until the mouse goes on.
+    void f6ShowsWhereItIs()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const QImage before = s.window.grab().toImage();
+        QTest::keyClick(&s.canvas(), Qt::Key_F6);
+        const auto edge = [&s] {
+            QWidget *panel = QApplication::focusWidget();
+            while (!qobject_cast<QDockWidget *>(panel) && !qobject_cast<QToolBar *>(panel))
+                panel = panel->parentWidget();
+            const QPoint at = panel->mapTo(&s.window, QPoint(1, panel->height() / 2));
+            return s.window.grab().toImage().pixelColor(at * s.window.devicePixelRatioF());
+        };
+        QCOMPARE(edge(), s.window.palette().color(QPalette::Highlight));
+        QWidget *focus = QApplication::focusWidget();
+        QTest::mousePress(&s.canvas(), Qt::MiddleButton, {}, QPoint(20, 20));
+        QTest::mouseRelease(&s.canvas(), Qt::MiddleButton, {}, QPoint(20, 20));
+        focus->setFocus();
+        QVERIFY(edge() != s.window.palette().color(QPalette::Highlight));
+    }
+
+    /// A click on what cannot be typed into leaves the keyboard to the canvas.
+    void clicksGiveTheKeyboardBack()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        int buttons = 0, fields = 0;
+        for (QWidget *panel : panelsOf(s.window)) {
+            if (auto *dock = qobject_cast<QDockWidget *>(panel))
+                dock->raise();
+            QCoreApplication::processEvents();
+            for (QWidget *widget : panel->findChildren<QWidget *>()) {
+                const bool isField = qobject_cast<QLineEdit *>(widget) || qobject_cast<QAbstractSpinBox *>(widget) ||
+                                     qobject_cast<QAbstractItemView *>(widget);
+                const bool plain = qobject_cast<QAbstractSlider *>(widget) || widget->inherits("suffuse::SwatchGrid") ||
+                                   widget->inherits("suffuse::BrushGrid") || // a brush is what the hand goes on with
+                                   widget->inherits("suffuse::ColourWheel") || qobject_cast<QCheckBox *>(widget);
+                if (!(isField || plain) || !(widget->focusPolicy() & Qt::StrongFocus) || !widget->isVisible())
+                    continue;
+                widget->setFocus(Qt::MouseFocusReason); // as the press does
+                if (!widget->hasFocus())
+                    continue;
+                auto *area = qobject_cast<QAbstractScrollArea *>(widget);
+                QTest::mouseRelease(area ? area->viewport() : widget, Qt::LeftButton, {}, QPoint(1, 1));
+                QCoreApplication::processEvents();
+                QVERIFY2(s.canvas().hasFocus() == plain,
+                         qPrintable(panel->objectName() + ' ' + widget->metaObject()->className()));
+                (plain ? buttons : fields) += 1;
+            }
+        }
+        QVERIFY2(buttons > 5 && fields > 5, qPrintable(QString("%1 %2").arg(buttons).arg(fields)));
+    }
+
+    /// What Shift makes of a key is another one on each keyboard: > on some, : on others.
+    void keysWithShiftAreFoundByQt()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *timeline = s.window.findChild<QDockWidget *>("timelineDock");
+        QWidget *view = nullptr;
+        for (QWidget *widget : focusableIn(*timeline))
+            if (widget->inherits("suffuse::TimelineView"))
+                view = widget;
+        QVERIFY(view);
+        view->setFocus();
+        for (const Qt::Key key : {Qt::Key_Greater, Qt::Key_Less, Qt::Key_Colon, Qt::Key_Semicolon, Qt::Key_Period})
+            QVERIFY(!isTaken(*view, Qt::SHIFT | key));
+        // Of what Qt finds then, the panel's own goes through, and of the canvas' the letters alone.
+        const auto isStopped = [&s](Command command) {
+            QAction &action = s.window.action(command);
+            QShortcutEvent event(action.shortcut(), 0, true); // ambiguous: the action says so and does nothing
+            return s.window.findChild<KeyboardFocus *>()->eventFilter(&action, &event);
+        };
+        QVERIFY(!isStopped(Command::ToEnd));
+        QVERIFY(!isStopped(Command::ToStart));
+        QVERIFY(isStopped(Command::Favourite1));
+        QVERIFY(!isStopped(Command::Brush));
+        QVERIFY(!isStopped(Command::Save));
+        s.canvas().setFocus();
+        QVERIFY(!isStopped(Command::Brush));
+    }
+
+    /// A letter chooses nothing in a list, and it is said where the keyboard is.
+    void lettersChooseNothingInLists()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *brushes = s.window.findChild<QDockWidget *>("brushesDock");
+        brushes->raise();
+        QCoreApplication::processEvents();
+        auto *list = brushes->findChild<QListWidget *>();
+        list->setFocus();
+        QVERIFY(list->hasFocus());
+        const Brush before = s.editor().brush();
+        for (const char key : {'n', 'b', 'f', 'p'})
+            QTest::keyClick(list, key);
+        QCOMPARE(s.editor().brush(), before);
+        QCOMPARE(s.window.statusBar()->currentMessage(),
+                 QString("The Brushes dock has the keyboard; Esc gives it back to the canvas."));
+        s.window.statusBar()->clearMessage();
+        QTest::keyClick(list, 'b'); // once
+        QCOMPARE(s.window.statusBar()->currentMessage(), QString());
+        QTest::keyClick(list, Qt::Key_Escape);
+        QVERIFY(s.canvas().hasFocus());
+        auto *search = brushes->findChild<QLineEdit *>();
+        search->setFocus();
+        QTest::keyClick(search, 'b');
+        QCOMPARE(search->text(), QString("b"));
+        QCOMPARE(s.window.statusBar()->currentMessage(), QString());
+    }
+
+    void f6ReturnsToWhereItWas()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *inspector = s.window.findChild<QDockWidget *>("inspectorDock");
+        inspector->raise();
+        s.editor().laterChanges().flush();
+        QTRY_VERIFY(fieldCalled(*inspector, "Red"));
+        NumberField *field = fieldCalled(*inspector, "Red");
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_F6);
+        QVERIFY(!field->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+        QVERIFY(field->hasFocus());
+    }
+
+    void downGoesFromTheSearchToTheList()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        strokes->raise();
+        s.editor().document().setSelection({});
+        QCoreApplication::processEvents();
+        auto *tree = strokes->findChild<QTreeView *>();
+        auto *search = strokes->findChild<QLineEdit *>();
+        search->setFocus();
+        QTest::keyClick(search, Qt::Key_Down);
+        QVERIFY(tree->hasFocus());
+        QVERIFY(tree->selectionModel()->isSelected(tree->currentIndex()));
+        QCOMPARE(s.selection().strokes.size(), std::size_t(1));
+        for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Down, Qt::Key_Up}) { // framed, not selected
+            s.editor().document().setSelection({});
+            s.editor().laterChanges().flush();
+            QVERIFY(!tree->selectionModel()->hasSelection());
+            QTest::keyClick(tree, key);
+            QCOMPARE(s.selection().strokes.size(), std::size_t(1));
+            QVERIFY(tree->selectionModel()->isSelected(tree->currentIndex()));
+        }
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestKeyboard)
+#include "test_keyboard.moc"
