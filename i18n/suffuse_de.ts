@@ -4376,6 +4376,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Um&amp;formen</translation>
     </message>
     <message>
+        <source>Geome&amp;tric Shapes</source>
+        <translation>Geometris&amp;che Formen</translation>
+    </message>
+    <message>
+        <source>Paint rectangles, ellipses, polygons and stars</source>
+        <translation>Malt Rechtecke, Ellipsen, Vielecke und Sterne</translation>
+    </message>
+    <message>
         <source>Redra&amp;w</source>
         <translation>Neu &amp;zeichnen</translation>
     </message>
@@ -8606,6 +8614,89 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, segment %2</source>
         <translation>%1, Segment %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ShapeTool</name>
+    <message>
+        <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
+        <translation>Von der Mitte zu einer Ecke ziehen. Umschalt: in 15°-Schritten. Eingabe: wie die letzte.</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner. Shift: even sides. Ctrl: from the middle. Return: as the last one.</source>
+        <translation>Von Ecke zu Ecke ziehen. Umschalt: gleiche Seiten. Strg: von der Mitte. Eingabe: wie die letzte.</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Radius of the corners; half of the shorter side is the most</source>
+        <translation>Radius der Ecken; höchstens die Hälfte der kürzeren Seite</translation>
+    </message>
+    <message>
+        <source>How many corners a polygon, or tips a star has</source>
+        <translation>Wie viele Ecken ein Vieleck oder Spitzen ein Stern hat</translation>
+    </message>
+    <message>
+        <source>Inner</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Radius of the inner corners, as a share of that of the tips</source>
+        <translation>Radius der inneren Ecken, als Anteil dessen der Spitzen</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>How much of each side is round</source>
+        <translation>Wie viel von jeder Seite rund ist</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Where the arc begins, clockwise from the right</source>
+        <translation>Wo der Bogen beginnt, im Uhrzeigersinn von rechts</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>How far the arc goes round; 360° is the whole ellipse</source>
+        <translation>Wie weit der Bogen reicht; 360° ist die ganze Ellipse</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Torte</translation>
+    </message>
+    <message>
+        <source>An arc is closed through the middle; else by a straight line</source>
+        <translation>Ein Bogen wird durch die Mitte geschlossen, sonst durch eine Gerade</translation>
     </message>
 </context>
 <context>

@@ -4359,6 +4359,14 @@ Arrow keys work too.</source>
         <translation>整形(&amp;P)</translation>
     </message>
     <message>
+        <source>Geome&amp;tric Shapes</source>
+        <translation>几何形状(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Paint rectangles, ellipses, polygons and stars</source>
+        <translation>绘制矩形、椭圆、多边形和星形</translation>
+    </message>
+    <message>
         <source>Redra&amp;w</source>
         <translation>重绘(&amp;W)</translation>
     </message>
@@ -8555,6 +8563,89 @@ Arrow keys work too.</source>
     <message>
         <source>%1, segment %2</source>
         <translation>%1，线段 %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ShapeTool</name>
+    <message>
+        <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
+        <translation>从中心拖到一个角。Shift：按 15° 步进。回车：与上一个相同。</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner. Shift: even sides. Ctrl: from the middle. Return: as the last one.</source>
+        <translation>从一角拖到对角。Shift：等边。Ctrl：从中心。回车：与上一个相同。</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星形</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>绘制的形状</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>圆角</translation>
+    </message>
+    <message>
+        <source>Radius of the corners; half of the shorter side is the most</source>
+        <translation>圆角半径；最大为短边的一半</translation>
+    </message>
+    <message>
+        <source>How many corners a polygon, or tips a star has</source>
+        <translation>多边形的角数或星形的尖数</translation>
+    </message>
+    <message>
+        <source>Inner</source>
+        <translation>内径</translation>
+    </message>
+    <message>
+        <source>Radius of the inner corners, as a share of that of the tips</source>
+        <translation>内角半径，占外角半径的比例</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>圆化</translation>
+    </message>
+    <message>
+        <source>How much of each side is round</source>
+        <translation>每条边被圆化的比例</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Where the arc begins, clockwise from the right</source>
+        <translation>弧的起点，从右侧起顺时针</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>弧长</translation>
+    </message>
+    <message>
+        <source>How far the arc goes round; 360° is the whole ellipse</source>
+        <translation>弧的角度；360° 为整个椭圆</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>An arc is closed through the middle; else by a straight line</source>
+        <translation>弧经中心闭合；否则用直线闭合</translation>
     </message>
 </context>
 <context>

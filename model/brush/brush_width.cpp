@@ -10,6 +10,17 @@ double halfWidthOf(const Brush &brush)
                      visibleCut(brush.style));
 }
 
+Segment valuesAtFullPressure(const Brush &brush)
+{
+    Segment segment;
+    segment.diffusion = brush.diffusion;
+    segment.density = float(densityOfPeak(double(brush.peak), brush.spread()));
+    segment.granulation = brush.granulation;
+    segment.maxAge = brush.maxAge;
+    segment.colour = brush.colour;
+    return segment;
+}
+
 double visibleWidth(const Brush &brush)
 {
     const double half = halfWidthOf(brush);

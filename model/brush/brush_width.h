@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/brush/brush.h"
+#include "model/painting/segment.h"
 
 namespace suffuse {
 
@@ -9,6 +10,9 @@ namespace suffuse {
 /// profile pk·e^(−v²/s²) has fallen to the density at which the style is half opaque (for edge darkening: at which it
 /// ends). It is 0 if the profile never has so much density.
 double halfWidthOf(const Brush &brush);
+
+/// The values of a segment that is painted with the brush at full pressure, in its colour; it has no shape yet.
+Segment valuesAtFullPressure(const Brush &brush);
 
 /// The width of a long, straight, dry stroke of the brush where no curve makes it smaller, units. If strokes of the
 /// brush are too thin to have an edge, it is twice the spread. It is in proportion to the spread.

@@ -44,6 +44,7 @@ enum class Command {
     Segments,
     Redraw,
     Push,
+    Shapes,
     Knife,
     Eraser,
     AttributeBrush,

@@ -13,6 +13,7 @@
 #include "app/tools/shaping/knife_tool.h"
 #include "app/tools/shaping/push_tool.h"
 #include "app/tools/shaping/redraw_tool.h"
+#include "app/tools/shapes/shape_tool.h"
 #include "app/tools/tool_options.h"
 
 namespace suffuse {
@@ -39,6 +40,8 @@ void ToolRack::addTools()
         new SelectTool(canvas, m_place.commands, &canvas));
     add(Segments, "segments", Commands::tr("Se&gments"), "segments", Qt::Key_N,
         Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(canvas, m_place.commands, &canvas));
+    add(Shapes, "shapes", Commands::tr("Geome&tric Shapes"), "shapes", Qt::Key_S,
+        Commands::tr("Paint rectangles, ellipses, polygons and stars"), new ShapeTool(canvas, &canvas));
     add(Redraw, "redraw", Commands::tr("Redra&w"), "redraw", Qt::Key_W,
         Commands::tr("Draw over a part of a stroke, which follows the new line"), new RedrawTool(canvas, &canvas));
     add(Push, "push", Commands::tr("&Push"), "push", Qt::Key_U, Commands::tr("Push, comb, pinch or roughen strokes"),
@@ -60,7 +63,7 @@ void ToolRack::addTools()
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
     m_place.commands.makeExclusive(
-        {Brush, Select, Segments, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+        {Brush, Select, Segments, Shapes, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,

@@ -21,11 +21,7 @@ constexpr double largestCanvas = 1e6;
 /// makes it).
 Segment valuesOf(const Brush &brush, double width)
 {
-    Segment segment;
-    segment.diffusion = brush.diffusion;
-    segment.density = float(densityOfPeak(double(brush.peak), brush.spread()));
-    segment.granulation = brush.granulation;
-    segment.maxAge = brush.maxAge;
+    Segment segment = valuesAtFullPressure(brush);
     if (!(width > 0))
         return segment;
     const double scale = width / visibleWidth(brush);

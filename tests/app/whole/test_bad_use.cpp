@@ -63,6 +63,7 @@ Grab grabOf(WaveSession &s, const QString &what)
                                                {"curve", {Command::Segments, {250, 320}, {260, 380}}},
                                                {"redraw", {Command::Redraw, {250, 320}, {450, 320}}},
                                                {"push", {Command::Push, {350, 300}, {350, 380}}},
+                                               {"shape", {Command::Shapes, {200, 200}, {500, 250}}},
                                                {"knife", {Command::Knife, {350, 250}, {345, 400}}},
                                                {"eraser", {Command::Eraser, {350, 270}, {350, 380}}},
                                                {"attributes", {Command::AttributeBrush, {250, 320}, {450, 320}}},
@@ -91,7 +92,7 @@ bool hasNewPoints(const Stroke &stroke)
 
 /// What `grabOf` knows.
 constexpr const char *gestures[] = {"brush",  "extend", "move",  "band",   "scale",      "turn",       "node",
-                                    "handle", "curve",  "knife", "eraser", "attributes", "eyedropper", "hand"};
+                                    "handle", "curve",  "shape", "knife", "eraser", "attributes", "eyedropper", "hand"};
 
 class TestBadUse : public QObject {
     Q_OBJECT
