@@ -1829,6 +1829,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>braucht 2 bis 16 Punkte [x, y] in [0, 1], von links nach rechts</translation>
     </message>
     <message>
+        <source>there is no such rule</source>
+        <translation>Diese Regel gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it is the same point as from; a gradient needs two</source>
+        <translation>derselbe Punkt wie from; ein Verlauf braucht zwei</translation>
+    </message>
+    <message>
         <source>there is no such grain of paper</source>
         <translation>diese Papierkörnung gibt es nicht</translation>
     </message>
@@ -6035,8 +6043,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>die ersten Bytes der Datei</translation>
     </message>
     <message>
-        <source>version: %1 does not know all that segments have here; write %2</source>
-        <translation>version: %1 kennt nicht alles, was Segmente hier haben; schreiben Sie %2</translation>
+        <source>version: %1 does not know all that strokes have here; write %2</source>
+        <translation>version: %1 kennt nicht alles, was Striche hier haben; schreiben Sie %2</translation>
     </message>
     <message>
         <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>

@@ -1818,6 +1818,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>需要 2 到 16 个位于 [0, 1] 内的点 [x, y]，从左到右</translation>
     </message>
     <message>
+        <source>there is no such rule</source>
+        <translation>没有这样的规则</translation>
+    </message>
+    <message>
+        <source>it is the same point as from; a gradient needs two</source>
+        <translation>与 from 是同一点；渐变需要两个点</translation>
+    </message>
+    <message>
         <source>there is no such grain of paper</source>
         <translation>没有此纸张颗粒</translation>
     </message>
@@ -6001,8 +6009,8 @@ Arrow keys work too.</source>
         <translation>文件开头的字节</translation>
     </message>
     <message>
-        <source>version: %1 does not know all that segments have here; write %2</source>
-        <translation>version：%1 不认识此处线段的全部内容；请写 %2</translation>
+        <source>version: %1 does not know all that strokes have here; write %2</source>
+        <translation>version：%1 不认识此处笔触的全部内容；请写 %2</translation>
     </message>
     <message>
         <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>

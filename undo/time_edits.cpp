@@ -27,6 +27,8 @@ public:
             m_drawsPaint = !stroke.segments[k].lift && contains(k);
     }
     bool any() const { return m_there; }
+    /// Whether it means the stroke itself, its fill included, and not some of its segments.
+    bool whole() const { return m_there && m_all; }
     bool contains(std::size_t segment) const
     {
         return m_there && (m_all || m_selection.segments.contains({m_stroke.id, int(segment)}));
@@ -81,6 +83,15 @@ void shift(Segment &segment, const TimeMap &map)
     segment.born = map(segment.born);
     for (Rewet &r : segment.rewet)
         r.time = map(r.time);
+}
+
+void shiftFill(Stroke &stroke, const TimeMap &map)
+{
+    if (!stroke.fill)
+        return;
+    Fill fill = *stroke.fill;
+    fill.born = map(fill.born);
+    stroke.fill = fill;
 }
 
 /// The share of the time after which the pen has gone `way`, a share of the curve.
@@ -250,6 +261,8 @@ Edit retime(const Painting &before, const Selection &selection, Microseconds by)
         for (std::size_t k = 0; k < stroke.segments.size(); ++k)
             if (selected.contains(k))
                 shift(stroke.segments[k], {.by = by});
+        if (selected.whole())
+            shiftFill(stroke, {.by = by});
     });
 }
 
@@ -266,6 +279,8 @@ Edit beginAt(const Painting &before, const Selection &selection, const BeginMap 
         for (std::size_t k = 0; k < stroke.segments.size() && begin; ++k)
             if (selected.contains(k))
                 shift(stroke.segments[k], {.by = *begin - first});
+        if (begin && selected.whole())
+            shiftFill(stroke, {.by = *begin - first});
     });
     return possible ? edit : Edit();
 }
@@ -296,6 +311,8 @@ Edit stretch(const Painting &before, const Selection &selection, TimeSpan span)
     };
     return changedSince(before, selection, [&](Stroke &stroke, const Selected &selected) {
         drawAnew(stroke, [&](Stroke &anew) { atOnce ? drawnEvenly(anew, selected) : slowed(anew, selected); });
+        if (selected.whole())
+            shiftFill(stroke, map);
     });
 }
 
@@ -330,6 +347,11 @@ Edit freeze(const Document &document, Microseconds T)
     return changeStrokes(document, wet, [T](Stroke &stroke) {
         for (Segment &segment : stroke.segments)
             freezeSegment(segment, T);
+        if (stroke.fill && T >= stroke.fill->born && T < stroke.fill->driesAt()) {
+            Fill fill = *stroke.fill;
+            fill.maxAge = float(toSeconds(std::max<Microseconds>(T - fill.born, 1)));
+            stroke.fill = fill;
+        }
     });
 }
 

@@ -10,6 +10,8 @@ std::vector<TimeSpan> activeSpans(const Painting &painting)
     for (const StrokePtr &stroke : painting.strokes) {
         if (!painting.isVisible(*stroke))
             continue;
+        if (const SharedFill &fill = stroke->fill)
+            spans.push_back({fill->born, fill->driesAt()});
         for (const Segment &s : stroke->segments) {
             spans.push_back({s.born, std::max(s.born, s.born + toMicroseconds(double(s.maxAge)))});
             for (const Rewet &r : s.rewet)

@@ -121,6 +121,11 @@ private:
                 check(v, traits, path);
     }
     void checkParts(const std::vector<Rewet> &list, const FieldTraits &traits, const FieldPath &path);
+    void checkParts(const SharedFill &fill, const FieldTraits &, const FieldPath &path)
+    {
+        if (fill)
+            checkFields(*fill, path);
+    }
     void checkParts(const std::vector<Segment> &, const FieldTraits &, const FieldPath &) {}
     void checkParts(const QString &, const FieldTraits &, const FieldPath &) {}
     void checkParts(const EncodedImage &, const FieldTraits &, const FieldPath &) {}
@@ -129,6 +134,7 @@ private:
     void checkParts(std::uint32_t, const FieldTraits &, const FieldPath &) {}
 
     static const char *noSuch(NodeKind);
+    static const char *noSuch(FillRule);
     static const char *noSuch(PaperKind);
     static const char *noSuch(PaperGrain);
     void require(bool inDomain, const FieldPath &path, double value, const Domain &domain)

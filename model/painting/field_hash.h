@@ -71,6 +71,7 @@ public:
         if (value)
             put(*value);
     }
+    void put(const SharedFill &fill) { put(*fill); } // It is put only where there is one.
     /// Fields of later versions count only where they differ from their defaults, so that earlier paintings keep their
     /// hashes.
     template <HasFields T>

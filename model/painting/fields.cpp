@@ -71,9 +71,11 @@ double greatestLightening()
 int versionNeededBy(const Painting &painting)
 {
     int version = 1;
-    for (const StrokePtr &stroke : painting.strokes)
+    for (const StrokePtr &stroke : painting.strokes) {
+        version = std::max(version, versionNeededBy(*stroke));
         for (const Segment &segment : stroke->segments)
             version = std::max(version, versionNeededBy(segment));
+    }
     for (const Swatch &swatch : painting.swatches)
         version = std::max(version, versionNeededBy(swatch));
     return version;

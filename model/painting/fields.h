@@ -130,6 +130,10 @@ struct WordsOf<NodeKind> {
     static constexpr std::array<std::string_view, 3> list{"smooth", "symmetric", "corner"};
 };
 template <>
+struct WordsOf<FillRule> {
+    static constexpr std::array<std::string_view, 2> list{"nonzero", "evenodd"};
+};
+template <>
 struct WordsOf<PaperKind> {
     static constexpr std::array<std::string_view, 3> list{"none", "procedural", "image"};
 };
@@ -208,6 +212,32 @@ struct FieldsOf<Segment> {
 };
 
 template <>
+struct FieldsOf<Gradient> {
+    static constexpr std::tuple list{
+        field("from", &Gradient::from, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("to", &Gradient::to, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("colour", &Gradient::colour,
+              {.unit = Unit::Share, .domain = share, .presence = Presence::Required})};
+};
+
+template <>
+struct FieldsOf<Fill> {
+    static constexpr std::tuple list{
+        field("diffusion", &Fill::diffusion,
+              {.unit = Unit::Diffusion, .domain = {0, 1e12, true}, .presence = Presence::Required}),
+        field("density", &Fill::density, {.domain = {0, 1e12}, .presence = Presence::Required}),
+        field("granulation", &Fill::granulation, {.unit = Unit::Share, .domain = share}),
+        field("maxAge", &Fill::maxAge, {.unit = Unit::Seconds, .domain = {0, 1e6, true}}),
+        field("born", &Fill::born, {.unit = Unit::Seconds, .domain = moment}),
+        field("colour", &Fill::colour, {.unit = Unit::Share, .domain = share}),
+        field("rule", &Fill::rule),
+        field("gradient", &Fill::gradient, {.presence = Presence::Unusual}),
+        field("anisotropy.ratio", &Fill::anisotropyRatio, {.domain = {1e-6, 1e6}, .presence = Presence::Unusual}),
+        field("anisotropy.angle", &Fill::anisotropyAngle,
+              {.unit = Unit::Radians, .presence = Presence::Unusual})};
+};
+
+template <>
 struct FieldsOf<Stroke> {
     static constexpr std::tuple list{
         field("id", &Stroke::id, {.domain = identity}),
@@ -219,6 +249,7 @@ struct FieldsOf<Stroke> {
         field("mix", &Stroke::mix),
         field("origin", &Stroke::origin, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual}),
         field("brush", &Stroke::brush, {.presence = Presence::Unusual}),
+        field("fill", &Stroke::fill, {.presence = Presence::Unusual, .since = 2}),
         field("segments", &Stroke::segments, {.presence = Presence::Required})};
 };
 
@@ -371,7 +402,7 @@ int versionNeededBy(const T &value)
     });
     return version;
 }
-/// The same for all segments and swatches of a painting.
+/// The same for all strokes, segments and swatches of a painting.
 int versionNeededBy(const Painting &painting);
 
 /// The description of a segment's number, given as a member; the member must be one of its numbers.

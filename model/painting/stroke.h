@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/painting/fill.h"
 #include "model/painting/ids.h"
 #include "model/painting/segment.h"
 
@@ -23,6 +24,7 @@ struct Stroke {
     Point origin;                  ///< the control points of the segments are offsets from it
     QString brush;                 ///< the name of the preset that it was painted with; may be empty
     std::vector<Segment> segments; ///< at least one
+    SharedFill fill;               ///< what lies within the segments, or none
 
     friend bool operator==(const Stroke &, const Stroke &) = default;
 
@@ -48,14 +50,14 @@ struct Stroke {
         Microseconds t = segments.empty() ? 0 : segments.front().born;
         for (const Segment &s : segments)
             t = std::min(t, s.born);
-        return t;
+        return fill ? std::min(t, fill->born) : t;
     }
     Microseconds driesAt() const
     {
         Microseconds t = born();
         for (const Segment &s : segments)
             t = std::max(t, s.driesAt());
-        return t;
+        return fill ? std::max(t, fill->driesAt()) : t;
     }
 };
 

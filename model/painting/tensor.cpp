@@ -2,25 +2,51 @@
 
 namespace suffuse {
 
-Tensor tensorOf(const Segment &segment)
+namespace {
+
+template <class Source>
+Tensor tensorOfSource(const Source &source)
 {
-    const double across = segment.diffusion;
-    if (segment.isIsotropic())
+    const double across = source.diffusion;
+    if (source.isIsotropic())
         return {across, 0, across};
-    const double along = across * segment.anisotropyRatio;
-    const double c = std::cos(double(segment.anisotropyAngle)), s = std::sin(double(segment.anisotropyAngle));
+    const double along = across * source.anisotropyRatio;
+    const double c = std::cos(double(source.anisotropyAngle)), s = std::sin(double(source.anisotropyAngle));
     return {along * c * c + across * s * s, (along - across) * c * s, along * s * s + across * c * c};
 }
 
-void setTensor(Segment &segment, const Tensor &t)
+template <class Source>
+void setTensorOfSource(Source &source, const Tensor &t)
 {
     const double difference = 0.5 * (t.xx - t.yy);
     const double radius = std::hypot(difference, t.xy);
     const double larger = 0.5 * (t.xx + t.yy) + radius;
     const double smaller = (t.xx * t.yy - t.xy * t.xy) / larger; // The product of both is the determinant.
-    segment.diffusion = float(smaller);
-    segment.anisotropyRatio = float(larger / smaller);
-    segment.anisotropyAngle = segment.isIsotropic() ? 0 : float(0.5 * std::atan2(t.xy, difference));
+    source.diffusion = float(smaller);
+    source.anisotropyRatio = float(larger / smaller);
+    source.anisotropyAngle = source.isIsotropic() ? 0 : float(0.5 * std::atan2(t.xy, difference));
+}
+
+} // namespace
+
+Tensor tensorOf(const Segment &segment)
+{
+    return tensorOfSource(segment);
+}
+
+Tensor tensorOf(const Fill &fill)
+{
+    return tensorOfSource(fill);
+}
+
+void setTensor(Segment &segment, const Tensor &tensor)
+{
+    setTensorOfSource(segment, tensor);
+}
+
+void setTensor(Fill &fill, const Tensor &tensor)
+{
+    setTensorOfSource(fill, tensor);
 }
 
 Tensor mapped(const Tensor &t, const Affine &m)

@@ -1,8 +1,8 @@
-// The diffusion tensor of a segment: D·ratio along its angle, D across it.
+// The diffusion tensor of a segment or a fill: D·ratio along its angle, D across it.
 #pragma once
 
-#include "model/painting/segment.h"
 #include "model/painting/affine.h"
+#include "model/painting/fill.h"
 
 namespace suffuse {
 
@@ -14,8 +14,10 @@ struct Tensor {
 };
 
 Tensor tensorOf(const Segment &segment);
+Tensor tensorOf(const Fill &fill);
 /// Sets diffusion, ratio (≥ 1) and angle (of the longer axis) from the tensor's eigenvalues.
 void setTensor(Segment &segment, const Tensor &tensor);
+void setTensor(Fill &fill, const Tensor &tensor);
 /// M·T·Mᵀ.
 Tensor mapped(const Tensor &tensor, const Affine &map);
 

@@ -97,6 +97,11 @@ const char *DomainCheck::noSuch(NodeKind)
     return QT_TRANSLATE_NOOP("Validate", "there is no such kind of node");
 }
 
+const char *DomainCheck::noSuch(FillRule)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such rule");
+}
+
 const char *DomainCheck::noSuch(PaperKind)
 {
     return QT_TRANSLATE_NOOP("Validate", "there is no such kind of paper");
@@ -164,12 +169,33 @@ QString problemOf(const Segment &segment)
     return check.problem();
 }
 
+/// What fields of a fill demand of each other, and of the stroke.
+static QString problemOfGradient(const Stroke &stroke)
+{
+    if (!stroke.fill || !stroke.fill->gradient)
+        return {};
+    const Gradient &gradient = *stroke.fill->gradient;
+    for (const auto &[name, offset] : {std::pair("from", gradient.from), std::pair("to", gradient.to)}) {
+        const Point p = stroke.origin + offset;
+        const bool isX = !coordinate.contains(p.x);
+        if (!isPlace(p))
+            return outsideText(QStringLiteral("fill.gradient.%1[%2]").arg(QLatin1String(name)).arg(isX ? 0 : 1),
+                               isX ? p.x : p.y, coordinate);
+    }
+    if (gradient.from == gradient.to)
+        return says(QStringLiteral("fill.gradient.to"),
+                    QT_TRANSLATE_NOOP("Validate", "it is the same point as from; a gradient needs two"));
+    return {};
+}
+
 QString problemOf(const Stroke &stroke)
 {
     DomainCheck check;
     check.checkFields(stroke);
     if (!check.ok())
         return check.problem();
+    if (const QString problem = problemOfGradient(stroke); !problem.isEmpty())
+        return problem;
     if (stroke.segments.empty())
         return says(QStringLiteral("segments"), QT_TRANSLATE_NOOP("Validate", "a stroke needs at least one"));
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {

@@ -188,6 +188,30 @@ void scaleUnevenly(Segment &segment, const Affine &map)
     segment.density = float(segment.density * factor);
 }
 
+/// Its density stays, since it is that of an area. The lines of one colour are mapped as lines: they need not stay
+/// perpendicular to the way from `from` to `to`.
+Fill mappedFill(Fill fill, const Affine &map, SpreadRule rule)
+{
+    if (rule == SpreadRule::Scales) {
+        const Tensor tensor = tensorOf(fill);
+        if (map.isSimilarity() && fill.isIsotropic())
+            fill.diffusion = float(fill.diffusion * std::abs(map.determinant()));
+        else
+            setTensor(fill, mapped(tensor, map));
+    }
+    if (!fill.gradient)
+        return fill;
+    Gradient &g = *fill.gradient;
+    const Point from = map.turned(Point() + g.from), along = (Point() + g.to) - (Point() + g.from);
+    const Point slope = 1 / dot(along, along) * along; // of the place between the colours
+    const double determinant = map.determinant();      // It is turned by the inverse transposed map.
+    const Point turned{(map.d * slope.x - map.c * slope.y) / determinant,
+                       (map.a * slope.y - map.b * slope.x) / determinant};
+    g.from = toOffset(from, {});
+    g.to = toOffset(from + 1 / dot(turned, turned) * turned, {});
+    return fill;
+}
+
 std::vector<Piece> mappedPieces(const Stroke &stroke, const Affine &map, SpreadRule rule)
 {
     const bool isEven = map.isSimilarity();
@@ -228,6 +252,8 @@ std::optional<Stroke> tryTransformed(const Stroke &stroke, const Affine &map, Sp
         for (int k = 0; sources && k < int(stroke.segments.size()); ++k)
             sources->push_back(k);
     } else {
+        if (stroke.fill)
+            result.fill = mappedFill(*stroke.fill, map, rule);
         result.segments.clear();
         for (Piece &piece : mappedPieces(stroke, map, rule)) {
             const bool isNewPoint = isPoint(piece.segment) && !isPoint(stroke.segments[std::size_t(piece.source)]);

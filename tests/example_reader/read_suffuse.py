@@ -131,6 +131,29 @@ def palettes(data):
     return texts, [{"kind": name, "xi": xi[:count]} for (name, count), xi in styles], mixes
 
 
+def fills(c, n):
+    """The fills of so many strokes, with times after the births of the strokes' first segments, or None."""
+    marks = c.column(1, n)
+    count, gradients = sum(mark & 1 for mark in marks), sum(mark >> 2 for mark in marks)
+    usual = [0x41480000, 0x3F800000, 0x3F800000, 0x3F800000, 0, 0, 0, 0x3F800000, 0x3F800000, 0]
+    numbers = zip(*[[of_bits(bits + less) for bits in c.column(4, count)] for less in usual])
+    born = iter(c.column(8, count))
+    ends = zip(*[map(of_bits, c.column(4, gradients)) for _ in range(4)])
+    colours = zip(*[[of_bits(bits + less) for bits in c.column(4, gradients)] for less in (0, 0, 0, 0x3F800000)])
+    for mark in marks:
+        if not mark:
+            yield None
+            continue
+        diffusion, density, granulation, age, r, y, b, o, ratio, angle = next(numbers)
+        gradient = None
+        if mark & 4:
+            x0, y0, x1, y1 = next(ends)
+            gradient = {"from": [x0, y0], "to": [x1, y1], "colour": list(next(colours))}
+        yield {"diffusion": diffusion, "density": density, "granulation": granulation, "maxAge": age,
+               "colour": [r, y, b, o], "born": unzigzag(next(born)), "rule": "evenodd" if mark & 2 else "nonzero",
+               "gradient": gradient, "anisotropy": {"ratio": ratio, "angle": angle}}
+
+
 def strokes(payload):
     c = Cursor(payload)
     n, m = c.u32(), c.u32()
@@ -144,6 +167,7 @@ def strokes(payload):
     rewets = zip(*[c.column(8, sum(row[5] for row in rows)) for _ in range(2)])
     marks = c.column(1, m) if c.at < len(payload) else [0] * m
     begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if any(marks) else []) for _ in "xy"]
+    filled = iter(list(fills(c, n)) if c.at < len(payload) else [None] * n)
     assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
     marks = iter(marks)
     rows, identity, step, moment, before = iter(rows), 0, 0, 0, [0.0] * 8
@@ -171,7 +195,10 @@ def strokes(payload):
                 "anisotropy": {"ratio": of_bits(ratio + 0x3F800000), "angle": of_bits(angle)},
                 "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2),
                 "rewet": [[(born[i] + unzigzag(t)) / 1e6, extra / 1e6] for t, extra in islice(rewets, wettings)]})
-        yield {"id": identity, "name": texts[name], "brush": texts[brush], "group": group or None,
+        fill = next(filled)
+        if fill:
+            fill["born"] = (born[0] + fill["born"]) / 1e6
+        yield {"id": identity, "fill": fill, "name": texts[name], "brush": texts[brush], "group": group or None,
                "visible": bool(flags & 1), "locked": bool(flags & 2), "style": styles[own], "mix": mixes[mix],
                "origin": list(struct.unpack("<2d", struct.pack("<2Q", *origin))), "segments": segments}
 

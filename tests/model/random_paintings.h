@@ -130,6 +130,24 @@ private:
             s.rewet.push_back({t, chance(3) ? 0 : Microseconds(below(1'000'000))});
         return s;
     }
+    Fill fill()
+    {
+        Fill f;
+        f.diffusion = quantity(1e12f);
+        f.density = chance(4) ? 0 : quantity(1e12f);
+        f.granulation = float(unit());
+        f.maxAge = quantity(1e6f);
+        f.born = time();
+        f.colour = colour();
+        f.rule = FillRule(below(2));
+        if (chance(2))
+            f.gradient = {point(), {float(coordinate(1000)), 7}, colour()};
+        if (chance(3)) {
+            f.anisotropyRatio = std::max(1e-6f, quantity(1e6f));
+            f.anisotropyAngle = float(coordinate(7));
+        }
+        return f;
+    }
     StrokePtr stroke(StrokeId id, quint32 segments, GroupId group)
     {
         auto s = std::make_shared<Stroke>();
@@ -152,6 +170,8 @@ private:
             s->segments.back().lift = hasLift && chance(3);
             at = s->segments.back().bezier[3];
         }
+        if (chance(3))
+            s->fill = fill();
         return s;
     }
 

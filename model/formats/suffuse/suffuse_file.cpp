@@ -38,6 +38,7 @@ Totals totalsOf(const Painting &painting)
     Totals t;
     for (const StrokePtr &s : painting.strokes) {
         t.segments += s->segments.size();
+        t.reader = std::max(t.reader, versionNeededBy(*s));
         // UTF-8 may have three bytes for each unit of UTF-16.
         t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size());
         for (const Segment &segment : s->segments) {

@@ -1,5 +1,5 @@
 #include "model/formats/messages.h"
-#include "model/formats/suffuse/field_columns.h"
+#include "model/formats/suffuse/fill_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -107,6 +107,8 @@ private:
             for (auto &axis : m_start)
                 axis = m_in.get<std::uint32_t>(starts);
         }
+        if (!m_in.atEnd() && !m_fills.get(m_in, n))
+            return false;
         m_later.getUsed(m_in, m);
         return m_in.atEnd();
     }
@@ -139,6 +141,7 @@ private:
             if (!decodeSegment(c, k, stroke.segments[k]))
                 return false;
         }
+        m_fills.set(stroke, j);
         m_segment += count;
         m_nodes += count + 1;
         return true;
@@ -235,6 +238,7 @@ private:
     std::array<std::vector<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
     PlainColumns<Segment> m_plain;
     FlagColumn<Segment> m_marks;
+    FillColumns m_fills;
     std::array<std::vector<std::uint32_t>, 2> m_start;
     LaterColumns<Segment> m_later;
     std::vector<std::uint32_t> m_ownStyle, m_rewetCount;

@@ -1,4 +1,4 @@
-#include "model/formats/suffuse/field_columns.h"
+#include "model/formats/suffuse/fill_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -149,6 +149,7 @@ public:
         }
         for (const Segment &s : stroke.segments)
             addRare(s);
+        m_fills.add(stroke);
     }
 
     QByteArray bytes(Density &density) const
@@ -184,10 +185,12 @@ public:
         out.put(m_rewetCount);
         out.put(m_rewetTime, density.rewets);
         out.put(m_rewetExtra);
-        if (m_marks.isUsed() || m_later.isUsed()) {
+        if (m_marks.isUsed() || m_fills.isUsed() || m_later.isUsed()) {
             m_marks.put(out);
             out.put(m_start[0]);
             out.put(m_start[1]);
+            if (m_fills.isUsed() || m_later.isUsed())
+                m_fills.put(out);
             m_later.putUsed(out);
         }
         return out.bytes();
@@ -314,6 +317,7 @@ private:
     std::array<Column<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
     PlainColumns<Segment> m_plain;
     FlagColumn<Segment> m_marks;
+    FillColumns m_fills;
     std::array<Column<std::uint32_t>, 2> m_start; ///< for the segments that begin another chain
     LaterColumns<Segment> m_later;
     Column<std::uint32_t> m_ownStyle, m_rewetCount;

@@ -47,6 +47,13 @@ void readBezier(JsonReader &json, std::array<Offset, 4> &points)
         json.fail(FileMessages::tr("has %1 points instead of 4").arg(count));
 }
 
+void readOffset(JsonReader &json, Offset &offset)
+{
+    std::array<float, 2> xy{};
+    json.readAll(xy);
+    offset = {xy[0], xy[1]};
+}
+
 void readRewet(JsonReader &json, std::vector<Rewet> &list)
 {
     json.array([&](std::size_t) {

@@ -82,6 +82,7 @@ void readBezier(JsonReader &json, std::array<Offset, 4> &points);
 void readRewet(JsonReader &json, std::vector<Rewet> &list);
 void readArea(JsonReader &json, Rect &area);
 void readSeed(JsonReader &json, std::uint32_t &seed);
+void readOffset(JsonReader &json, Offset &offset);
 
 void appendImage(QByteArray &out, const EncodedImage &image);
 /// Writes [left, top, width, height] with extents from which right and bottom follow to the last bit.
@@ -117,10 +118,18 @@ void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
         std::array<double, 2> xy{};
         json.readAll(xy);
         value = {xy[0], xy[1]};
+    } else if constexpr (std::is_same_v<Value, Offset>) {
+        readOffset(json, value);
     } else if constexpr (std::is_same_v<Value, std::array<Offset, 4>>) {
         readBezier(json, value);
     } else if constexpr (std::is_same_v<Value, std::optional<Style>>) {
         readJson(json, value.emplace());
+    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>>) {
+        readObject(json, value.emplace());
+    } else if constexpr (std::is_same_v<Value, SharedFill>) {
+        Fill fill;
+        readObject(json, fill);
+        value = fill;
     } else if constexpr (std::is_same_v<Value, std::vector<Rewet>>) {
         readRewet(json, value);
     } else if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
@@ -168,6 +177,11 @@ void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits
     } else if constexpr (std::is_same_v<Value, std::optional<Style>>) {
         if (value)
             appendJson(out, *value);
+        else
+            out.append("null");
+    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, SharedFill>) {
+        if (value)
+            appendObject(out, *value);
         else
             out.append("null");
     } else if constexpr (std::is_same_v<Value, std::vector<Rewet>>) {
@@ -285,6 +299,10 @@ FieldTexts fieldTextsOf(const T &value)
         } else if constexpr (std::is_same_v<Value, Paper>) {
             for (const auto &[part, partText] : fieldTextsOf(member))
                 out.emplace_back(name + '.' + part, partText);
+            return;
+        } else if constexpr (std::is_same_v<Value, SharedFill>) {
+            for (const auto &[part, partText] : fieldTextsOf(member ? *member : Fill()))
+                out.emplace_back(name + '.' + part, member ? partText : QByteArray("null"));
             return;
         } else if constexpr (std::is_same_v<Value, EncodedImage>) {
             text = imageSummary(member);

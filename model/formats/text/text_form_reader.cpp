@@ -25,7 +25,7 @@ public:
             return Error{m_json.error()};
         giveIds();
         if (const int needed = versionNeededBy(m_painting); needed > m_version)
-            return fileError(m_fileName, FileMessages::tr("version: %1 does not know all that segments have here; "
+            return fileError(m_fileName, FileMessages::tr("version: %1 does not know all that strokes have here; "
                                                           "write %2")
                                              .arg(m_version)
                                              .arg(needed));

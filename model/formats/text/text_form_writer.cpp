@@ -10,7 +10,9 @@ namespace {
 void append(QByteArray &out, const StrokePtr &stroke)
 {
     appendObject(out, *stroke,
-                 [](std::string_view name) { return name == "style" || name == "segments" ? ",\n   " : ", "; });
+                 [](std::string_view name) {
+                     return name == "style" || name == "fill" || name == "segments" ? ",\n   " : ", ";
+                 });
 }
 
 template <HasFields T>
