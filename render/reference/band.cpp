@@ -89,7 +89,44 @@ bool BandPainter::findLevels(const StrokeSource &stroke, const SampleBlock &bloc
             }
         }
     }
+    if (stroke.fill && stroke.fill->level() > 0)
+        addFillLevels(*stroke.fill, block, any);
     return any;
+}
+
+void BandPainter::addFillLevels(const FillSource &fill, const SampleBlock &block, bool &any)
+{
+    for (int j = 0; j < block.ny; ++j)
+        for (int i = 0; i < block.nx; ++i) {
+            const Point centre = block.first + Point{double(i), double(j)};
+            std::uint8_t &level = m_levels[std::size_t(j) * std::size_t(block.nx) + std::size_t(i)];
+            if (level < fill.level() && fill.isNear(Rect{centre.x, centre.y, centre.x, centre.y}.grown(0.5))) {
+                level = std::uint8_t(fill.level());
+                any = true;
+            }
+        }
+}
+
+/// The paint of a sample of size `step`. What a crisp fill covers of it and what it leaves are two kinds of spot.
+Paint BandPainter::paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const
+{
+    const View &view = m_scene.view;
+    const auto paintOfPart = [&](bool inside) {
+        const LocalDensity local = m_sums.at(stroke, i, j, inside);
+        const double eta = local.granulation < 1 ? m_scene.paper.at(view.toCanvas(pixel), view.px() * step) : 1;
+        return paintOf(local, eta, step);
+    };
+    const double covered = m_sums.covered(i, j);
+    if (covered <= 0)
+        return paintOfPart(false);
+    if (covered >= 1)
+        return paintOfPart(true);
+    const Paint in = paintOfPart(true), out = m_sums.laysOutside(i, j) ? paintOfPart(false) : Paint();
+    Paint mean{covered * in.opacity + (1 - covered) * out.opacity, {}};
+    for (std::size_t c = 0; c < 3 && mean.opacity > 0; ++c)
+        mean.colour[c] =
+            (covered * in.opacity * in.colour[c] + (1 - covered) * out.opacity * out.colour[c]) / mean.opacity;
+    return mean;
 }
 
 void BandPainter::mixPlain(const StrokeSource &stroke, const SampleBlock &block)
@@ -101,11 +138,8 @@ void BandPainter::mixPlain(const StrokeSource &stroke, const SampleBlock &block)
         for (int i = 0; i < block.nx; ++i) {
             if (m_levels[std::size_t(j) * std::size_t(block.nx) + std::size_t(i)] > 0 || m_sums.isEmpty(i, j))
                 continue;
-            const LocalDensity local = m_sums.at(stroke, i, j);
             const Point pixel = block.first + Point{double(i), double(j)};
-            const View &view = m_scene.view;
-            const double eta = local.granulation < 1 ? m_scene.paper.at(view.toCanvas(pixel), view.px()) : 1;
-            mix(spotAt(pixel.x, pixel.y), stroke.mix, paintOf(local, eta, 1));
+            mix(spotAt(pixel.x, pixel.y), stroke.mix, paintAt(stroke, i, j, pixel, 1));
         }
     }
 }
@@ -140,18 +174,14 @@ void BandPainter::mixSupersampled(const StrokeSource &stroke, const SampleBlock 
 Paint BandPainter::supersampled(const StrokeSource &stroke, const SampleBlock &samples, int column, int level)
 {
     const int n = 1 << level;
-    const View &view = m_scene.view;
     double opacity = 0;
     Ryb colour{};
     for (int j = 0; j < n; ++j) {
         for (int i = column; i < column + n; ++i) {
             if (m_sums.isEmpty(i, j))
                 continue;
-            const LocalDensity local = m_sums.at(stroke, i, j);
             const Point at = samples.first + samples.step * Point{double(i), double(j)};
-            const double eta =
-                local.granulation < 1 ? m_scene.paper.at(view.toCanvas(at), view.px() * samples.step) : 1;
-            const Paint paint = paintOf(local, eta, samples.step);
+            const Paint paint = paintAt(stroke, i, j, at, samples.step);
             opacity += paint.opacity;
             for (std::size_t c = 0; c < 3; ++c)
                 colour[c] += paint.opacity * paint.colour[c];

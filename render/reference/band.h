@@ -26,6 +26,8 @@ public:
 
 private:
     void addStroke(const StrokeSource &stroke);
+    void addFillLevels(const FillSource &fill, const SampleBlock &block, bool &any);
+    Paint paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const;
     bool findLevels(const StrokeSource &stroke, const SampleBlock &block);
     void mixPlain(const StrokeSource &stroke, const SampleBlock &block);
     void mixSupersampled(const StrokeSource &stroke, const SampleBlock &block);

@@ -40,6 +40,11 @@ Kernel kernelInPixels(const Segment &segment, double spread, const View &view)
     return anisotropicKernel(s, segment.anisotropyRatio, turned);
 }
 
+bool isFilled(const Stroke &stroke, Microseconds time)
+{
+    return stroke.fill && stroke.fill->age(time) > 0;
+}
+
 /// The kinds in the order of the enumeration, if the styles of segments differ; otherwise none.
 std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
 {
@@ -54,6 +59,10 @@ std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
         first = first ? first : &style;
         there[std::size_t(style.kind)] = true;
     }
+    if (isFilled(stroke, time)) {
+        differ = differ || (first && !(*first == stroke.style));
+        there[std::size_t(stroke.style.kind)] = true;
+    }
     std::vector<StyleKind> kinds;
     for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
         if (differ && there[std::size_t(kind)])
@@ -61,7 +70,8 @@ std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
     return kinds;
 }
 
-std::vector<double> channelsOf(const Segment &segment, const Style &style, const std::vector<StyleKind> &kinds)
+template <class Source>
+std::vector<double> channelsOf(const Source &segment, const Style &style, const std::vector<StyleKind> &kinds)
 {
     const Colour &c = segment.colour;
     std::vector<double> channels{segment.granulation, c.red, c.yellow, c.blue, c.opacity};
@@ -125,6 +135,12 @@ double reachOf(const Stroke &stroke, Microseconds time)
             segment.isIsotropic() ? isotropicKernel(s) : anisotropicKernel(s, segment.anisotropyRatio, 0);
         most += double(segment.density) * kernel.norm * polygonLength(stroke.cubicOf(segment));
     }
+    if (isFilled(stroke, time)) {
+        most += double(stroke.fill->density);
+        least = std::min(least, double(stroke.style.xi[0]));
+        if (stroke.style.kind == StyleKind::Uniform)
+            least = std::min(least, double(stroke.style.xi[1]));
+    }
     if (!(most > 0))
         return leastReach;
     return std::clamp(std::sqrt(std::max(0.0, std::log(most / (1e-14 * least)))), leastReach, greatestReach);
@@ -147,6 +163,11 @@ StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &v
         lays = lays || !segment.lift;
         source.segments.push_back(segmentSource(stroke, segment, time, view, source));
         source.box = source.box.united(source.segments.back().box);
+    }
+    if (isFilled(stroke, time)) {
+        source.fill.emplace(stroke, time, view, source.reach);
+        source.fill->setChannels(channelsOf(*stroke.fill, stroke.style, source.kinds));
+        source.box = source.box.united(source.fill->box());
     }
     return source;
 }

@@ -1,8 +1,11 @@
 // A stroke prepared for one picture: its segments in pixel space, cut into panels.
 #pragma once
 
+#include "render/reference/fill_source.h"
 #include "render/reference/panels.h"
 #include "render/renderer.h"
+
+#include <optional>
 
 namespace suffuse::reference {
 
@@ -31,10 +34,11 @@ struct StrokeSource {
     std::size_t channels = 0;
     double reach = 0; ///< in spreads
     std::vector<SegmentSource> segments;
+    std::optional<FillSource> fill;
     Rect box; ///< pixels
 };
 
-/// The stroke at time T in the view, without segments of age 0. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles are
+/// The stroke at time T in the view, without segments and fills of age 0. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles are
 /// those of the segments that lay paint.
 StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &view);
 

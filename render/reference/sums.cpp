@@ -49,6 +49,30 @@ void StrokeSums::evaluate(const StrokeSource &stroke, const SampleBlock &block)
     for (const SegmentSource &segment : stroke.segments)
         if (segment.factor > 0 && segment.box.intersects(block.area()))
             addSegment(segment);
+    m_covered.clear();
+    if (stroke.fill)
+        addFill(*stroke.fill);
+}
+
+void StrokeSums::addFill(const FillSource &fill)
+{
+    if (fill.crisp())
+        m_covered.assign(m_density.size(), 0.0);
+    for (int j = 0; j < m_block.ny; ++j)
+        for (int i = 0; i < m_block.nx; ++i) {
+            const Point x = m_block.first + m_block.step * Point{double(i), double(j)};
+            const std::size_t s = index(i, j);
+            if (fill.crisp()) {
+                m_covered[s] = fill.covered(x, m_block.step);
+                continue;
+            }
+            const FillSample sample = fill.at(x);
+            m_density[s] += sample.density;
+            m_gradientX[s] += sample.gradient.x;
+            m_gradientY[s] += sample.gradient.y;
+            for (std::size_t c = 0; c < fill.channels().size(); ++c)
+                m_channels[c][s] += sample.density * fill.channelAt(c, sample.place);
+        }
 }
 
 void StrokeSums::addSegment(const SegmentSource &segment)
@@ -136,17 +160,23 @@ void StrokeSums::addAnisotropicNode(const Node &node, const SegmentSource &segme
     }
 }
 
-LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j) const
+LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j, bool inside) const
 {
     const std::size_t s = index(i, j);
     LocalDensity local;
-    const double laid = m_density[s];
+    FillSample area;
+    if (inside)
+        area = stroke.fill->inside(m_block.first + m_block.step * Point{double(i), double(j)});
+    const auto channelSum = [&](std::size_t c) {
+        return m_channels[c][s] + (inside ? area.density * stroke.fill->channelAt(c, area.place) : 0);
+    };
+    const double laid = m_density[s] + area.density;
     local.density = laid - m_lifted[s];
     local.lifted = m_lifted[s] / laid;
     local.slope = std::hypot(m_gradientX[s], m_gradientY[s]);
-    local.granulation = m_channels[GranulationChannel][s] / laid;
+    local.granulation = channelSum(GranulationChannel) / laid;
     for (std::size_t c = 0; c < 4; ++c)
-        local.colour[c] = m_channels[ColourChannel + c][s] / laid;
+        local.colour[c] = channelSum(ColourChannel + c) / laid;
     if (stroke.kinds.empty()) {
         local.styleCount = 1;
         local.styles[0] = {stroke.style.kind, 1, {stroke.style.xi[0], stroke.style.xi[1], stroke.style.xi[2]}};
@@ -154,14 +184,14 @@ LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j) const
     }
     for (std::size_t n = 0; n < stroke.kinds.size(); ++n) {
         const std::size_t channel = FirstStyleChannel + 4 * n;
-        const double sum = m_channels[channel][s];
+        const double sum = channelSum(channel);
         if (!(sum > 0))
             continue;
         StyleShare &style = local.styles[std::size_t(local.styleCount++)];
         style.kind = stroke.kinds[n];
         style.share = sum / laid;
         for (std::size_t x = 0; x < 3; ++x)
-            style.xi[x] = m_channels[channel + 1 + x][s] / sum;
+            style.xi[x] = channelSum(channel + 1 + x) / sum;
     }
     return local;
 }

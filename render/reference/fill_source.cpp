@@ -1,0 +1,384 @@
+#include "render/reference/fill_source.h"
+
+#include "render/reference/quadrature.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace suffuse::reference {
+
+namespace {
+
+constexpr double rootPi = 1.7724538509055160273;
+
+struct ToPixels {
+    const View &view;
+    Point base;
+
+    Point operator()(Offset offset) const
+    {
+        Point p = base + offset;
+        if (view.mirrored)
+            p.x = -p.x;
+        const double c = std::cos(view.rotation), s = std::sin(view.rotation);
+        return {view.scale * (c * p.x - s * p.y) + 0.5 * view.width,
+                view.scale * (s * p.x + c * p.y) + 0.5 * view.height};
+    }
+};
+
+Cubic straight(Point a, Point b)
+{
+    return {{a, a + (1.0 / 3) * (b - a), a + (2.0 / 3) * (b - a), b}};
+}
+
+/// The chains of a stroke as closed curves. Segments that take paint away are left out, and straight lines bridge the
+/// gaps.
+std::vector<Cubic> closedChains(const Stroke &stroke, const ToPixels &toPixels)
+{
+    std::vector<Cubic> out;
+    Point first, last;
+    bool open = false;
+    const auto lineTo = [&](Point to) {
+        if (open && !(last == to))
+            out.push_back(straight(last, to));
+    };
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (stroke.beginsChain(k)) {
+            lineTo(first);
+            open = false;
+        }
+        const Segment &segment = stroke.segments[k];
+        if (segment.lift)
+            continue;
+        Cubic curve;
+        for (std::size_t i = 0; i < 4; ++i)
+            curve.p[i] = toPixels(segment.bezier[i]);
+        lineTo(curve.p[0]);
+        if (!open)
+            first = curve.p[0];
+        open = true;
+        last = curve.p[3];
+        out.push_back(curve);
+    }
+    lineTo(first);
+    return out;
+}
+
+/// The parameters where v turns, in rising order.
+std::vector<double> turnsOf(const Cubic &c)
+{
+    const double a = c.p[1].y - c.p[0].y, b = c.p[2].y - c.p[1].y, d = c.p[3].y - c.p[2].y;
+    const double square = a - 2 * b + d, linear = 2 * (b - a); // square t² + linear t + a
+    std::vector<double> turns;
+    const auto add = [&](double t) {
+        if (t > 0 && t < 1)
+            turns.push_back(t);
+    };
+    const double discriminant = linear * linear - 4 * square * a;
+    if (discriminant >= 0) {
+        const double q = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
+        if (square != 0)
+            add(q / square);
+        if (q != 0)
+            add(a / q);
+    }
+    std::sort(turns.begin(), turns.end());
+    return turns;
+}
+
+Cubic reversed(const Cubic &c)
+{
+    return {{c.p[3], c.p[2], c.p[1], c.p[0]}};
+}
+
+/// Whether a curve meets a box, to a hundredth of a pixel.
+bool meets(const Cubic &curve, const Rect &box, int depth = 0)
+{
+    const Rect own = curve.controlBox();
+    if (!own.intersects(box))
+        return false;
+    if (box.contains(curve.p[0]) || box.contains(curve.p[3]) || depth == 60 ||
+        std::max(own.width(), own.height()) < 0.01)
+        return true;
+    const auto [a, b] = curve.split(0.5);
+    return meets(a, box, depth + 1) || meets(b, box, depth + 1);
+}
+
+} // namespace
+
+double FillSource::Arc::parameterAt(double v) const
+{
+    double low = 0, high = 1, t = 0.5;
+    for (int i = 0; i < 200; ++i) {
+        const double off = curve.at(t).y - v;
+        (off > 0 ? high : low) = t;
+        if (off == 0 || high - low < 1e-16)
+            break;
+        const double next = t - off / curve.derivative(t).y;
+        // Newton's method, as long as it halves the range at least every other time.
+        t = next > low && next < high && i % 3 != 2 ? next : 0.5 * (low + high);
+    }
+    return t;
+}
+
+FillSource::FillSource(const Stroke &stroke, Microseconds T, const View &view, double reach) : m_reach(reach)
+{
+    const Fill &fill = *stroke.fill;
+    m_density = fill.density;
+    m_rule = fill.rule;
+    const double s = fill.spread(T) * view.scale;
+    const double angle = fill.anisotropyAngle;
+    const double turned = (view.mirrored ? std::numbers::pi - angle : angle) + view.rotation;
+    const Kernel kernel = fill.isIsotropic() ? isotropicKernel(s) : anisotropicKernel(s, fill.anisotropyRatio, turned);
+    m_largerSpread = kernel.largerSpread;
+    m_crisp = std::ldexp(kernel.smallerSpread, 6) < 1;
+    while (!m_crisp && m_level < 6 && std::ldexp(kernel.smallerSpread, m_level) < 1)
+        ++m_level;
+    if (!m_crisp) {
+        const double xx = kernel.a11 * kernel.a11 + kernel.a21 * kernel.a21;
+        const double xy = kernel.a11 * kernel.a12 + kernel.a21 * kernel.a22;
+        const double det = kernel.a11 * kernel.a22 - kernel.a12 * kernel.a21;
+        m_a = std::sqrt(xx);
+        m_b = xy / m_a;
+        m_c = std::abs(det) / m_a;
+    }
+    const ToPixels toPixels{view, stroke.origin - view.centre};
+    m_outline = closedChains(stroke, toPixels);
+    for (const Cubic &curve : m_outline)
+        m_box = m_box.united(curve.controlBox());
+    m_box = m_box.grown(m_crisp ? 1 : reach * m_largerSpread);
+    if (fill.gradient) {
+        // Pixels are even in the canvas, so the place is even in pixels, and in the plane.
+        m_hasGradient = true;
+        const Point from = toPixels(fill.gradient->from), along = toPixels(fill.gradient->to) - from;
+        const double square = dot(along, along);
+        const double px = along.x / square, py = along.y / square;
+        m_place = {-(px * from.x + py * from.y), px / m_a, (py - px * m_b / m_a) / m_c};
+        const Colour &c = fill.gradient->colour;
+        m_colourEnd = {c.red, c.yellow, c.blue, c.opacity};
+    }
+    makeArcs(m_outline);
+    if (m_crisp || m_arcs.empty())
+        return;
+    double low = m_ends.front(), high = m_ends.back();
+    low = std::max(low, -reach), high = std::min(high, m_c * view.height + reach);
+    double from = low;
+    for (const double end : m_ends) {
+        if (end <= from)
+            continue;
+        addPanels(from, std::min(end, high), 0);
+        from = end;
+        if (from >= high)
+            break;
+    }
+}
+
+void FillSource::makeArcs(const std::vector<Cubic> &outline)
+{
+    for (const Cubic &pixels : outline) {
+        Cubic rest{{toPlane(pixels.p[0]), toPlane(pixels.p[1]), toPlane(pixels.p[2]), toPlane(pixels.p[3])}};
+        const std::vector<double> turns = turnsOf(rest);
+        double done = 0;
+        const auto add = [this](Cubic curve) {
+            if (curve.p[0].y == curve.p[3].y)
+                return;
+            Arc arc;
+            arc.sign = curve.p[0].y < curve.p[3].y ? 1 : -1;
+            arc.curve = arc.sign > 0 ? curve : reversed(curve);
+            arc.box = arc.curve.controlBox();
+            arc.box.top = arc.curve.p[0].y, arc.box.bottom = arc.curve.p[3].y;
+            m_ends.push_back(arc.box.top);
+            m_ends.push_back(arc.box.bottom);
+            m_arcs.push_back(arc);
+        };
+        for (const double turn : turns) {
+            const auto [before, after] = rest.split((turn - done) / (1 - done));
+            add(before);
+            rest = after;
+            done = turn;
+        }
+        add(rest);
+    }
+    std::sort(m_ends.begin(), m_ends.end());
+}
+
+void FillSource::insideAt(double v, std::vector<Interval> &out) const
+{
+    std::vector<std::pair<double, int>> crossings;
+    for (const Arc &arc : m_arcs)
+        if (arc.box.top <= v && v < arc.box.bottom)
+            crossings.emplace_back(arc.uAt(v), arc.sign);
+    std::sort(crossings.begin(), crossings.end());
+    int winding = 0;
+    const auto isInside = [&] { return m_rule == FillRule::NonZero ? winding != 0 : winding % 2 != 0; };
+    for (const auto &[u, sign] : crossings) {
+        const bool before = isInside();
+        winding += sign;
+        if (!before && isInside())
+            out.push_back({u, u});
+        else if (before)
+            out.back()[1] = u; // It may go on: then the next crossing says where it ends.
+    }
+}
+
+/// Two numbers that tell whether a rule integrates what lies inside: its area, and how far to the right it lies.
+std::array<double, 2> FillSource::measure(double from, double to, int order) const
+{
+    const GaussRule &rule = order == 10 ? gauss10() : gauss20();
+    std::array<double, 2> sum{};
+    std::vector<Interval> inside;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double angle = std::numbers::pi * rule.nodes[i];
+        const double v = from + 0.5 * (to - from) * (1 - std::cos(angle));
+        const double weight = 0.5 * (to - from) * std::numbers::pi * std::sin(angle) * rule.weights[i];
+        inside.clear();
+        insideAt(v, inside);
+        for (const auto &[a, b] : inside) {
+            const auto bent = [](double u) { return std::atan(0.5 * u); };
+            sum[0] += weight * (b - a);
+            sum[1] += weight * (bent(b) - bent(a));
+        }
+    }
+    return sum;
+}
+
+void FillSource::addPanels(double from, double to, int depth)
+{
+    constexpr double longest = 0.3, exact = 1e-12;
+    const double middle = 0.5 * (from + to);
+    if (to - from > longest) {
+        const int parts = int(std::min(1e6, std::ceil((to - from) / longest)));
+        for (int k = 0; k < parts; ++k)
+            addPanels(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts, 0);
+        return;
+    }
+    const auto coarse = measure(from, to, 10), fine = measure(from, to, 20);
+    // Far to the right and left the area itself has few digits left.
+    const bool good = std::abs(coarse[0] - fine[0]) <= exact * (1 + std::abs(fine[0])) &&
+                      std::abs(coarse[1] - fine[1]) <= exact;
+    if (good || depth == 22 || middle <= from || middle >= to)
+        return addLines(from, to);
+    addPanels(from, middle, depth + 1);
+    addPanels(middle, to, depth + 1);
+}
+
+void FillSource::addLines(double from, double to)
+{
+    // Where an outline turns, its u goes like the root of v: with v as a cosine it is smooth.
+    const GaussRule &rule = gauss10();
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double angle = std::numbers::pi * rule.nodes[i];
+        ScanLine line;
+        line.v = from + 0.5 * (to - from) * (1 - std::cos(angle));
+        line.weight = 0.5 * (to - from) * std::numbers::pi * std::sin(angle) * rule.weights[i];
+        line.from = m_intervals.size();
+        insideAt(line.v, m_intervals);
+        line.to = m_intervals.size();
+        if (line.to > line.from)
+            m_lines.push_back(line);
+    }
+}
+
+double FillSource::channelAt(std::size_t channel, double place) const
+{
+    constexpr std::size_t firstColour = 1, colours = 4; // The granulation stands before them.
+    const double from = m_channels[channel];
+    if (!m_hasGradient || channel < firstColour || channel >= firstColour + colours)
+        return from;
+    return from + place * (m_colourEnd[channel - firstColour] - from);
+}
+
+bool FillSource::isNear(const Rect &square) const
+{
+    const Rect box = square.grown(4 * m_largerSpread);
+    for (const Cubic &curve : m_outline)
+        if (meets(curve, box))
+            return true;
+    return false;
+}
+
+FillSample FillSource::at(Point x) const
+{
+    FillSample sample;
+    if (!m_box.contains(x))
+        return sample;
+    const Point p = toPlane(x);
+    const auto below = [](const ScanLine &line, double v) { return line.v < v; };
+    const auto first = std::lower_bound(m_lines.begin(), m_lines.end(), p.y - m_reach, below);
+    double density = 0, du = 0, dv = 0, u = 0, v = 0;
+    for (auto line = first; line != m_lines.end() && line->v <= p.y + m_reach; ++line) {
+        const double off = p.y - line->v, g = line->weight * std::exp(-off * off) / rootPi;
+        double along = 0, slope = 0;
+        for (std::size_t i = line->from; i < line->to; ++i) {
+            const double a = m_intervals[i][0] - p.x, b = m_intervals[i][1] - p.x;
+            if (a > m_reach || b < -m_reach)
+                continue;
+            along += 0.5 * erfDifference(b, a);
+            slope += (std::exp(-a * a) - std::exp(-b * b)) / rootPi;
+        }
+        density += g * along;
+        du += g * slope;
+        dv += g * -2 * off * along;
+        u += g * (p.x * along + 0.5 * slope);
+        v += g * line->v * along;
+    }
+    sample.density = m_density * density;
+    sample.gradient = m_density * Point{m_a * du, m_b * du + m_c * dv};
+    if (m_hasGradient && density > 0)
+        sample.place = std::clamp(m_place[0] + (m_place[1] * u + m_place[2] * v) / density, 0.0, 1.0);
+    return sample;
+}
+
+FillSample FillSource::inside(Point x) const
+{
+    const Point p = toPlane(x);
+    return {m_density, {}, std::clamp(m_place[0] + m_place[1] * p.x + m_place[2] * p.y, 0.0, 1.0)};
+}
+
+double FillSource::clippedAt(double v, const Rect &cell) const
+{
+    std::vector<Interval> inside;
+    insideAt(v, inside);
+    double length = 0;
+    for (const auto &[a, b] : inside)
+        length += std::max(0.0, std::min(b, cell.right) - std::max(a, cell.left));
+    return length;
+}
+
+double FillSource::coveredBetween(double from, double to, const Rect &cell, int depth) const
+{
+    const double middle = 0.5 * (from + to);
+    const auto rule = [&](double a, double b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < gauss10().nodes.size(); ++i)
+            sum += gauss10().weights[i] * clippedAt(a + (b - a) * gauss10().nodes[i], cell);
+        return (b - a) * sum;
+    };
+    const double whole = rule(from, to), left = rule(from, middle), right = rule(middle, to);
+    if (std::abs(whole - left - right) <= 1e-6 * cell.width() * cell.width() || depth == 16)
+        return left + right;
+    return coveredBetween(from, middle, cell, depth + 1) + coveredBetween(middle, to, cell, depth + 1);
+}
+
+double FillSource::covered(Point centre, double side) const
+{
+    const Rect cell = Rect{centre.x, centre.y, centre.x, centre.y}.grown(0.5 * side);
+    bool crossed = false;
+    for (const Arc &arc : m_arcs)
+        crossed = crossed || arc.box.intersects(cell);
+    if (!crossed)
+        return clippedAt(centre.y, cell) / side;
+    double from = cell.top, sum = 0;
+    const auto until = [&](double to) {
+        if (to > from)
+            sum += coveredBetween(from, to, cell, 0);
+        from = std::max(from, to);
+    };
+    const auto first = std::upper_bound(m_ends.begin(), m_ends.end(), cell.top);
+    for (auto end = first; end != m_ends.end() && *end < cell.bottom; ++end)
+        until(*end);
+    until(cell.bottom);
+    return std::clamp(sum / (side * side), 0.0, 1.0);
+}
+
+} // namespace suffuse::reference
