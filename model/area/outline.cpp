@@ -1,0 +1,65 @@
+#include "model/area/outline.h"
+
+namespace suffuse {
+
+namespace {
+
+Cubic straightLine(Point a, Point b)
+{
+    return {{a, a + (1.0 / 3) * (b - a), a + (2.0 / 3) * (b - a), b}};
+}
+
+bool hasExtent(const Cubic &c)
+{
+    return c.p[1] != c.p[0] || c.p[2] != c.p[0] || c.p[3] != c.p[0];
+}
+
+} // namespace
+
+std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke)
+{
+    std::vector<std::vector<Cubic>> loops;
+    std::vector<Cubic> loop;
+    const auto add = [&](const Cubic &curve) {
+        if (!loop.empty() && loop.back().p[3] != curve.p[0])
+            loop.push_back(straightLine(loop.back().p[3], curve.p[0]));
+        if (hasExtent(curve))
+            loop.push_back(curve);
+    };
+    const auto close = [&] {
+        if (loop.empty())
+            return;
+        if (loop.back().p[3] != loop.front().p[0])
+            loop.push_back(straightLine(loop.back().p[3], loop.front().p[0]));
+        loops.push_back(std::move(loop));
+        loop.clear();
+    };
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (stroke.beginsChain(k))
+            close();
+        if (!stroke.segments[k].lift)
+            add(offsetsOf(stroke.segments[k]));
+    }
+    close();
+    return loops;
+}
+
+Rect outlineBox(const Stroke &stroke)
+{
+    Rect box;
+    for (const Segment &segment : stroke.segments)
+        if (!segment.lift)
+            for (const Offset &o : segment.bezier)
+                box.include(Point() + o);
+    return box;
+}
+
+bool sameOutline(const Stroke &a, const Stroke &b)
+{
+    const auto same = [](const Segment &s, const Segment &t) {
+        return s.bezier == t.bezier && s.start == t.start && s.lift == t.lift;
+    };
+    return std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(), same);
+}
+
+} // namespace suffuse

@@ -1,0 +1,19 @@
+// The closed outline of a stroke, which bounds its fill.
+#pragma once
+
+#include "model/painting/stroke.h"
+
+namespace suffuse {
+
+/// The chains of a stroke as closed loops, offsets from its origin: a loop's curves follow each other, and the last ends
+/// where the first begins. Segments that take paint away are left out; straight lines bridge the gaps and close the
+/// loops. Loops without any extent are left out.
+std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke);
+
+/// The box of the control points of the segments that bound a fill, offsets from the origin.
+Rect outlineBox(const Stroke &stroke);
+
+/// Whether two strokes have the same outline, relative to their origins.
+bool sameOutline(const Stroke &a, const Stroke &b);
+
+} // namespace suffuse

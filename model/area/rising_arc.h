@@ -1,0 +1,38 @@
+// A part of a curve along which y rises and x never turns.
+#pragma once
+
+#include "model/painting/geometry.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// A cubic with p[0].y < p[3].y along which both coordinates are monotone, so that each height is met once.
+struct RisingArc {
+    Cubic curve;
+
+    double top() const { return curve.p[0].y; }
+    double bottom() const { return curve.p[3].y; }
+    double left() const { return std::min(curve.p[0].x, curve.p[3].x); }
+    double right() const { return std::max(curve.p[0].x, curve.p[3].x); }
+    Rect box() const { return {left(), top(), right(), bottom()}; }
+
+    /// The parameter where the arc is at a height within it, and its x there.
+    double parameterAtY(double y) const;
+    double xAt(double y) const;
+    /// The parameter where the arc is at an x within it.
+    double parameterAtX(double x) const;
+};
+
+/// The parts of a curve between its turns in x and y that have a height, in its order. `falls` says of each whether the
+/// curve goes down it, from its end to its begin.
+struct RisingPart {
+    RisingArc arc;
+    bool falls = false;
+};
+void appendRisingParts(const Cubic &curve, std::vector<RisingPart> &out);
+
+/// The part of a curve between two parameters.
+Cubic between(const Cubic &curve, double from, double to);
+
+} // namespace suffuse
