@@ -187,8 +187,8 @@ private:
         if (run.empty())
             return;
         const auto height = [this](std::uint32_t i) { return m_sections[i].bottom - m_sections[i].top; };
-        const auto longest = *std::max_element(
-            run.begin(), run.end(), [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
+        const auto longest = *std::max_element(run.begin(), run.end(),
+                                               [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
         const int left = windingLeftOf(m_sections[longest]);
         // On the side that lies left of an arc that rises, which is right of one that falls.
         const int side = left + (m_parts[m_sections[longest].arc].falls ? -1 : 0);
@@ -235,9 +235,8 @@ private:
             ends.push_back({part.arc.top(), part.arc.curve.p[0].x, part.enters});
             ends.push_back({part.arc.bottom(), part.arc.curve.p[3].x, -part.enters});
         }
-        std::sort(ends.begin(), ends.end(), [](const End &a, const End &b) {
-            return a.y != b.y ? a.y < b.y : a.x < b.x;
-        });
+        std::sort(ends.begin(), ends.end(),
+                  [](const End &a, const End &b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
         int jump = 0;
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
             jump = (i > 0 && ends[i - 1].y == ends[i].y ? jump : 0) + ends[i].jump;

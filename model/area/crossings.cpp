@@ -41,8 +41,8 @@ private:
             m_tolerance) // They lie on each other, and it does not matter which of them lies further left.
             return depth > 0 ? addIfChanged(top, bottom, use) : void();
         // How far the arcs may be from straight lines; at a turn, where x goes like √y, it is 1.2 times that.
-        const double bend = 2 * (std::abs(middle.a - 0.5 * (top.a + bottom.a)) +
-                                 std::abs(middle.b - 0.5 * (top.b + bottom.b)));
+        const double bend =
+            2 * (std::abs(middle.a - 0.5 * (top.a + bottom.a)) + std::abs(middle.b - 0.5 * (top.b + bottom.b)));
         if (std::min(std::abs(top.difference()), std::abs(bottom.difference())) > bend && depth > 0)
             return addIfChanged(top, bottom, use);
         search(top, middle, depth + 1, use);

@@ -5,9 +5,9 @@
 
 namespace suffuse {
 
-/// The chains of a stroke as closed loops, offsets from its origin: a loop's curves follow each other, and the last ends
-/// where the first begins. Segments that take paint away are left out; straight lines bridge the gaps and close the
-/// loops. Loops without any extent are left out.
+/// The chains of a stroke as closed loops, offsets from its origin: a loop's curves follow each other, and the last
+/// ends where the first begins. Segments that take paint away are left out; straight lines bridge the gaps and close
+/// the loops. Loops without any extent are left out.
 std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke);
 
 /// The box of the control points of the segments that bound a fill, offsets from the origin.

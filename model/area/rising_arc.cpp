@@ -12,19 +12,24 @@ double parameterOf(double a, double b, double c, double d, double value)
         return 0;
     if (rises ? value >= d : value <= d)
         return 1;
-    const double c1 = 3 * (b - a), c2 = 3 * (c - 2 * b + a), c3 = d - a + 3 * (b - c);
-    double low = 0, high = 1, t = (value - a) / (d - a);
+    // Relative to the value, so that an arc far from 0 has the digits that its own size needs.
+    const double c0 = a - value, c1 = 3 * (b - a), c2 = 3 * (c - 2 * b + a), c3 = d - a + 3 * (b - c);
+    const double exact = 2e-16 * std::abs(d - a);
+    double low = 0, high = 1, t = (value - a) / (d - a), step = 1;
     for (int i = 0; i < 100; ++i) {
-        const double off = a - value + t * (c1 + t * (c2 + t * c3));
-        if (off == 0)
+        const double off = c0 + t * (c1 + t * (c2 + t * c3));
+        if (std::abs(off) <= exact)
             return t;
         ((off > 0) == rises ? high : low) = t;
         const double slope = c1 + t * (2 * c2 + 3 * t * c3), next = t - off / slope;
         const bool inside = next > low && next < high;
         if (inside && std::abs(next - t) < 1e-15)
             return next;
-        // Newton's method, but every fourth step halves the range in any case.
-        t = inside && i % 4 != 3 ? next : 0.5 * (low + high);
+        // Newton's method, as long as its steps become much smaller.
+        const double newton = std::abs(next - t);
+        const bool takes = inside && newton < 0.5 * step;
+        step = takes ? newton : high - low;
+        t = takes ? next : 0.5 * (low + high);
         if (high - low < 1e-16)
             break;
     }

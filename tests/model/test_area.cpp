@@ -2,6 +2,7 @@
 #include "model/area/boundary.h"
 #include "model/area/outline.h"
 #include "tests/model/awkward_strokes.h"
+#include "tests/trials.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -202,12 +203,13 @@ private slots:
         QTest::newRow("bow tie") << Points{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}} << 8.0 << 8.0;
         QTest::newRow("line") << Points{{{0, 0}, {4, 4}}} << 0.0 << 0.0;
         QTest::newRow("spike") << Points{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 2}, {-5, 2}, {0, 2}}} << 16.0 << 16.0;
-        QTest::newRow("crossing at a corner")
-            << Points{{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}} << 8.0 << 8.0;
-        QTest::newRow("pentagram")
-            << Points{{{0, -10}, {5.877852522924731, 8.090169943749475}, {-9.510565162951535, -3.090169943749474},
-                       {9.510565162951535, -3.090169943749474}, {-5.877852522924731, 8.090169943749475}}}
-            << 112.256994144896 << 77.5677;
+        QTest::newRow("crossing at a corner") << Points{{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}} << 8.0 << 8.0;
+        QTest::newRow("pentagram") << Points{{{0, -10},
+                                              {5.877852522924731, 8.090169943749475},
+                                              {-9.510565162951535, -3.090169943749474},
+                                              {9.510565162951535, -3.090169943749474},
+                                              {-5.877852522924731, 8.090169943749475}}}
+                                   << 112.256994144896 << 77.5677;
     }
     void touching()
     {
@@ -231,7 +233,7 @@ private slots:
     void randomOnAGrid()
     {
         std::mt19937 random(3);
-        for (int i = 0; i < trials(3000); ++i) {
+        for (int i = 0; i < trials(1000, 90'000); ++i) {
             std::vector<Loop> loops;
             for (unsigned n = 1 + random() % 3; n > 0; --n) {
                 std::vector<Point> corners;
@@ -248,7 +250,7 @@ private slots:
     {
         AwkwardStrokes awkward(5);
         std::mt19937 random(4);
-        for (int i = 0; i < trials(600); ++i) {
+        for (int i = 0; i < trials(300, 18'000); ++i) {
             std::vector<Loop> loops;
             for (int n = 1 + awkward.below(2); n > 0; --n) {
                 Loop loop;
@@ -306,9 +308,6 @@ private slots:
             QCOMPARE(enteredAt(boundary, x), int(windingAt({walk}, x) != 0));
         }
     }
-
-private:
-    static int trials(int usual) { return qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 30 * usual : usual; }
 };
 
 QTEST_GUILESS_MAIN(TestArea)
