@@ -91,19 +91,6 @@ Cubic reversed(const Cubic &c)
     return {{c.p[3], c.p[2], c.p[1], c.p[0]}};
 }
 
-/// Whether a curve meets a box, to a hundredth of a pixel.
-bool meets(const Cubic &curve, const Rect &box, int depth = 0)
-{
-    const Rect own = curve.controlBox();
-    if (!own.intersects(box))
-        return false;
-    if (box.contains(curve.p[0]) || box.contains(curve.p[3]) || depth == 60 ||
-        std::max(own.width(), own.height()) < 0.01)
-        return true;
-    const auto [a, b] = curve.split(0.5);
-    return meets(a, box, depth + 1) || meets(b, box, depth + 1);
-}
-
 } // namespace
 
 double FillSource::Arc::parameterAt(double v) const
@@ -158,6 +145,13 @@ FillSource::FillSource(const Stroke &stroke, Microseconds T, const View &view, d
         m_colourEnd = {c.red, c.yellow, c.blue, c.opacity};
     }
     makeArcs(m_outline);
+    if (m_level > 0) {
+        m_pixels = std::make_shared<FillSource>(*this);
+        m_pixels->m_a = m_pixels->m_c = 1, m_pixels->m_b = 0;
+        m_pixels->m_arcs.clear();
+        m_pixels->m_ends.clear();
+        m_pixels->makeArcs(m_outline);
+    }
     if (m_crisp || m_arcs.empty())
         return;
     double low = m_ends.front(), high = m_ends.back();
@@ -244,7 +238,9 @@ std::array<double, 2> FillSource::measure(double from, double to, int order) con
 
 void FillSource::addPanels(double from, double to, int depth)
 {
-    constexpr double longest = 0.3, exact = 1e-12;
+    constexpr double longest = 0.3;
+    // Where a spread has so many pixels, edges are looked at that closely, too.
+    const double exact = m_largerSpread > 4096 ? 1e-14 : 1e-12;
     const double middle = 0.5 * (from + to);
     if (to - from > longest) {
         const int parts = int(std::min(1e6, std::ceil((to - from) / longest)));
@@ -254,8 +250,8 @@ void FillSource::addPanels(double from, double to, int depth)
     }
     const auto coarse = measure(from, to, 10), fine = measure(from, to, 20);
     // Far to the right and left the area itself has few digits left.
-    const bool good = std::abs(coarse[0] - fine[0]) <= exact * (1 + std::abs(fine[0])) &&
-                      std::abs(coarse[1] - fine[1]) <= exact;
+    const bool good =
+        std::abs(coarse[0] - fine[0]) <= exact * (1 + std::abs(fine[0])) && std::abs(coarse[1] - fine[1]) <= exact;
     if (good || depth == 22 || middle <= from || middle >= to)
         return addLines(from, to);
     addPanels(from, middle, depth + 1);
@@ -290,11 +286,9 @@ double FillSource::channelAt(std::size_t channel, double place) const
 
 bool FillSource::isNear(const Rect &square) const
 {
-    const Rect box = square.grown(4 * m_largerSpread);
-    for (const Cubic &curve : m_outline)
-        if (meets(curve, box))
-            return true;
-    return false;
+    // Outlines that bound nothing do not count.
+    const double share = coveredShare(square.grown(4 * m_largerSpread));
+    return share > 1e-9 && share < 1 - 1e-9;
 }
 
 FillSample FillSource::at(Point x) const
@@ -355,19 +349,31 @@ double FillSource::coveredBetween(double from, double to, const Rect &cell, int 
         return (b - a) * sum;
     };
     const double whole = rule(from, to), left = rule(from, middle), right = rule(middle, to);
-    if (std::abs(whole - left - right) <= 1e-6 * cell.width() * cell.width() || depth == 16)
+    const bool good = depth > 1 && std::abs(whole - left - right) <= 3e-7 * cell.width() * cell.width();
+    if (good || depth == 16)
         return left + right;
     return coveredBetween(from, middle, cell, depth + 1) + coveredBetween(middle, to, cell, depth + 1);
 }
 
 double FillSource::covered(Point centre, double side) const
 {
-    const Rect cell = Rect{centre.x, centre.y, centre.x, centre.y}.grown(0.5 * side);
-    bool crossed = false;
+    return coveredShare(Rect{centre.x, centre.y, centre.x, centre.y}.grown(0.5 * side));
+}
+
+double FillSource::coveredShare(const Rect &square) const
+{
+    // Of a plane that is not that of the pixels the square is a parallelogram there. Its own pixels are taken instead.
+    if (m_pixels)
+        return m_pixels->coveredShare(square);
+    const Rect &cell = square;
+    const double side = cell.width();
+    // A level part of the outline is no arc, but arcs end where it lies.
+    const auto end = std::upper_bound(m_ends.begin(), m_ends.end(), cell.top);
+    bool crossed = end != m_ends.end() && *end < cell.bottom;
     for (const Arc &arc : m_arcs)
         crossed = crossed || arc.box.intersects(cell);
     if (!crossed)
-        return clippedAt(centre.y, cell) / side;
+        return clippedAt(0.5 * (cell.top + cell.bottom), cell) / side;
     double from = cell.top, sum = 0;
     const auto until = [&](double to) {
         if (to > from)

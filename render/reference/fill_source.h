@@ -7,7 +7,7 @@
 #include "model/painting/stroke.h"
 
 #include <array>
-#include <span>
+#include <memory>
 #include <vector>
 
 namespace suffuse::reference {
@@ -33,7 +33,7 @@ public:
     int level() const { return m_level; }
     /// Around all that it reaches, pixels.
     const Rect &box() const { return m_box; }
-    /// Whether the outline comes within 4 s (of the longer axis) of a square of pixels, so that `level` counts there.
+    /// Whether the area ends within 4 s (of the longer axis) of a square of pixels, so that `level` counts there.
     bool isNear(const Rect &square) const;
 
     /// φ_fill (ρ times the integral of the kernel over the area), ∇φ_fill and the mean place of what comes to a point.
@@ -72,6 +72,7 @@ private:
     void addLines(double from, double to);
     std::array<double, 2> measure(double from, double to, int order) const;
     double coveredBetween(double from, double to, const Rect &cell, int depth) const;
+    double coveredShare(const Rect &square) const;
     double clippedAt(double v, const Rect &cell) const;
 
     double m_a = 1, m_b = 0, m_c = 1;
@@ -84,7 +85,8 @@ private:
     std::array<double, 3> m_place{}; ///< place = m_place[0] + m_place[1] u + m_place[2] v
     std::array<double, 4> m_colourEnd{};
     std::vector<double> m_channels;
-    std::vector<Cubic> m_outline; ///< pixels
+    std::vector<Cubic> m_outline;         ///< pixels
+    std::shared_ptr<FillSource> m_pixels; ///< the same area in pixels, for `isNear`; null where it is not asked for
     std::vector<Arc> m_arcs;
     std::vector<double> m_ends; ///< of arcs, in order
     std::vector<ScanLine> m_lines;

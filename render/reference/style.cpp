@@ -149,7 +149,7 @@ double densityFunction(StyleKind kind, const Xi &xi, double density)
 double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h, double lifted)
 {
     if (h <= 1e-15 * std::abs(density) || h <= 0)
-        return densityFunction(kind, xi, density);
+        return reference::densityFunction(kind, xi, density);
     double mean = 0;
     switch (kind) {
     case StyleKind::Uniform:

@@ -152,6 +152,7 @@ private slots:
         const auto covered = [&](double x, double y) { return source.covered({x, y}, 1); };
         QVERIFY(std::abs(covered(10.5, 20.5) - 0.75) < 1e-6);
         QVERIFY(std::abs(covered(10.5, 10.5) - 0.375) < 1e-6);
+        QVERIFY2(std::abs(covered(15.5, 30.5) - 0.125) < 1e-6, "in the middle of a level edge");
         QVERIFY(std::abs(covered(20.5, 30.5) - 0.75 * 0.125) < 1e-6);
         QVERIFY(std::abs(covered(45.5, 15.5) - 0.5) < 1e-6);
         QCOMPARE(covered(15.5, 15.5), 1.0);
@@ -162,8 +163,8 @@ private slots:
     void nothingIsNothing()
     {
         Stroke s = emptyFill(1, 5, {});
-        addPolygon(s, {{10, 10}, {60, 40}});         // there and back
-        addPolygon(s, {{30, 30}, {30, 30}});         // a point
+        addPolygon(s, {{10, 10}, {60, 40}});           // there and back
+        addPolygon(s, {{30, 30}, {30, 30}});           // a point
         addPolygon(s, {{10, 70}, {90, 70}, {50, 70}}); // a line
         const FillSource source = sourceOf(s);
         for (const Point x : {Point{10, 10}, Point{35, 25}, Point{50, 70}})
