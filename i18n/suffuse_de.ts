@@ -424,6 +424,12 @@
 </translation>
     </message>
     <message>
+        <source>  fill: φ %1, share %2
+</source>
+        <translation>  Füllung: φ %1, Anteil %2
+</translation>
+    </message>
+    <message>
         <source>  segment %1: φ %2, share %3
 </source>
         <translation>  Segment %1: φ %2, Anteil %3
@@ -1554,6 +1560,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
         <translation>Das CUDA-Backend kann nicht laufen: %1. Bitte das CPU-Backend verwenden.</translation>
+    </message>
+    <message>
+        <source>%1. The CPU draws this painting.</source>
+        <translation>%1. Die CPU zeichnet dieses Bild.</translation>
+    </message>
+    <message>
+        <source>CUDA does not draw fills yet</source>
+        <translation>CUDA zeichnet noch keine Füllungen</translation>
     </message>
     <message>
         <source>%1 stopped: %2. The CPU draws now.</source>

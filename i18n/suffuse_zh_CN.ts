@@ -424,6 +424,12 @@
 </translation>
     </message>
     <message>
+        <source>  fill: φ %1, share %2
+</source>
+        <translation>  填充：φ %1，占比 %2
+</translation>
+    </message>
+    <message>
         <source>  segment %1: φ %2, share %3
 </source>
         <translation>  线段 %1：φ %2，占比 %3
@@ -1543,6 +1549,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
         <translation>CUDA 后端无法运行：%1。请使用 CPU 后端。</translation>
+    </message>
+    <message>
+        <source>%1. The CPU draws this painting.</source>
+        <translation>%1。此画由 CPU 绘制。</translation>
+    </message>
+    <message>
+        <source>CUDA does not draw fills yet</source>
+        <translation>CUDA 尚不能绘制填充</translation>
     </message>
     <message>
         <source>%1 stopped: %2. The CPU draws now.</source>

@@ -4,6 +4,7 @@
 #include "model/painting/influence.h"
 #include "render/reference/colour.h"
 #include "render/reference/density.h"
+#include "render/reference/stroke_source.h"
 #include "render/reference/paper.h"
 
 namespace suffuse {
@@ -25,6 +26,16 @@ double densityAt(const Stroke &stroke, const Segment &segment, Microseconds time
     return reference::segmentDensity(cubic, kernel, segment.density, x - stroke.origin).density;
 }
 
+reference::FillSample fillAt(const Stroke &stroke, Microseconds time, Point x)
+{
+    // As a picture of no size around the point, in which the spread has so many pixels that nothing is seen of them.
+    const Fill &fill = *stroke.fill;
+    View view;
+    view.centre = x;
+    view.scale = 64 / (fill.spread(time) * std::sqrt(std::min(1.0, double(fill.anisotropyRatio))));
+    return reference::FillSource(stroke, time, view, reference::reachOf(stroke, time)).at({});
+}
+
 ProbeStroke probeStroke(const Stroke &stroke, Microseconds time, Point x, double paper)
 {
     ProbeStroke result;
@@ -39,8 +50,14 @@ ProbeStroke probeStroke(const Stroke &stroke, Microseconds time, Point x, double
         local.add(segment, stroke.styleOf(segment), density);
         result.shares.push_back({int(k), segment.lift, density, 0});
     }
+    if (stroke.fill && stroke.fill->age(time) > 0 && stroke.fill->density > 0) {
+        const reference::FillSample sample = fillAt(stroke, time, x);
+        local.add(*stroke.fill, stroke.style, sample.density, sample.place);
+        result.fillDensity = sample.density;
+    }
     if (!(local.laid() > 0))
         return result;
+    result.fillShare = result.fillDensity / local.laid();
     for (ProbeShare &share : result.shares)
         share.share = share.density / local.laid();
     result.density = local.density();

@@ -29,6 +29,8 @@ struct ProbeStroke {
     std::array<double, 4> colour{};   ///< C̄ (20): R, Y, B, opacity
     double opacity = 0;               ///< w (21)
     std::vector<ProbeShare> shares;   ///< of the segments with φ_k > 0, in their order
+    double fillDensity = 0;           ///< φ_fill
+    double fillShare = 0;             ///< φ_fill/φ⁺
     std::array<double, 3> rybAfter{}; ///< canvas colour after the stroke
     std::array<double, 3> rgbAfter{};
 };

@@ -65,6 +65,7 @@ QJsonObject jsonOf(const ProbeStroke &s, bool all)
             {"opacity", s.opacity},
             {"segments", shares},
             {"segmentsLeftOut", qint64(s.shares.size() - listed.size())},
+            {"fill", QJsonObject{{"density", s.fillDensity}, {"share", s.fillShare}}},
             {"rybAfter", arrayOf(s.rybAfter)},
             {"rgbAfter", arrayOf(s.rgbAfter)}};
 }
@@ -103,6 +104,10 @@ QString textOf(const ProbeStroke &s, bool all)
                     .arg(k.segment)
                     .arg(k.density, 0, 'g', 8)
                     .arg(k.share, 0, 'g', 8);
+    if (s.fillDensity > 0)
+        text += QCoreApplication::translate("Cli", "  fill: φ %1, share %2\n")
+                    .arg(s.fillDensity, 0, 'g', 8)
+                    .arg(s.fillShare, 0, 'g', 8);
     if (const std::size_t left = s.shares.size() - listed.size(); left > 0)
         text += QCoreApplication::translate("Cli", "  %n segment(s) with a share below %1 left out (--all)\n", nullptr,
                                             int(left))

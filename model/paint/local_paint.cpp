@@ -8,10 +8,26 @@ void LocalPaint::add(const Segment &segment, const Style &style, double density)
         m_lifted += density;
         return;
     }
+    addLaid(segment.colour, segment.granulation, style, density);
+}
+
+void LocalPaint::add(const Fill &fill, const Style &style, double density, double place)
+{
+    Colour colour = fill.colour;
+    if (fill.gradient) {
+        const Colour &to = fill.gradient->colour;
+        const auto between = [place](float a, float b) { return float(double(a) + place * double(b - a)); };
+        colour = {between(colour.red, to.red), between(colour.yellow, to.yellow), between(colour.blue, to.blue),
+                  between(colour.opacity, to.opacity)};
+    }
+    addLaid(colour, fill.granulation, style, density);
+}
+
+void LocalPaint::addLaid(const Colour &paint, float granulation, const Style &style, double density)
+{
     m_laid += density;
-    m_granulation += density * double(segment.granulation);
-    const std::array<float, 4> colour{segment.colour.red, segment.colour.yellow, segment.colour.blue,
-                                      segment.colour.opacity};
+    m_granulation += density * double(granulation);
+    const std::array<float, 4> colour{paint.red, paint.yellow, paint.blue, paint.opacity};
     for (std::size_t i = 0; i < 4; ++i)
         m_colour[i] += density * double(colour[i]);
     KindSum &kind = m_kinds[std::size_t(style.kind)];

@@ -2,18 +2,20 @@
 #pragma once
 
 #include "model/paint/style_function.h"
-#include "model/painting/segment.h"
+#include "model/painting/fill.h"
 
 #include <array>
 
 namespace suffuse {
 
-/// Sums over the segments at a point. The values of segments are weighted by their densities there. Those that take
+/// Sums over the segments, and the fill, at a point. Their values are weighted by their densities there. Those that take
 /// paint away count only by their density.
 class LocalPaint {
 public:
     /// Adds the density φ_k of a segment with its values and its style.
     void add(const Segment &segment, const Style &style, double density);
+    /// Adds the density of a fill, which comes from this place between the colours of its gradient.
+    void add(const Fill &fill, const Style &style, double density, double place);
 
     /// φ = max(0, φ⁺ − φ⁻) (14).
     double density() const { return std::max(0.0, m_laid - m_lifted); }
@@ -31,6 +33,8 @@ public:
     double opacity(double eta) const { return coverage(eta) * colour()[3]; }
 
 private:
+    void addLaid(const Colour &colour, float granulation, const Style &style, double density);
+
     struct KindSum {
         double density = 0;
         std::array<double, 3> xi{};

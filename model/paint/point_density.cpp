@@ -1,5 +1,7 @@
 #include "model/paint/point_density.h"
 
+#include "model/paint/fill_density.h"
+
 #include "model/painting/influence.h"
 
 #include <numbers>
@@ -145,6 +147,7 @@ double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point)
     double density = 0;
     for (const Segment &segment : stroke.segments)
         density += (segment.lift ? -1 : 1) * segmentDensityAt(stroke, segment, time, point);
+    density += fillDensityAt(stroke, time, point);
     return std::max(0.0, density);
 }
 

@@ -1,7 +1,10 @@
 // How much of a stroke is seen at a point, quickly, for hit tests, which ask thousands of times.
 #pragma once
 
+#include "model/paint/fill_density.h"
 #include "model/paint/point_density.h"
+
+#include <optional>
 
 namespace suffuse {
 
@@ -12,7 +15,8 @@ inline constexpr double visibleOpacity = 0.02;
 struct SeenPaint {
     double density = 0; ///< φ (14)
     double opacity = 0; ///< w (21) on smooth paper, right to about a hundredth of it
-    /// the segment with the largest share of the density that is laid; -1 if none reaches the point
+    /// the segment with the largest share of the density that is laid or, where only the fill reaches the point, the
+    /// nearest one that bounds it; -1 if nothing reaches the point
     int segment = -1;
 };
 
@@ -30,6 +34,7 @@ private:
     };
     const Stroke *m_stroke;
     std::vector<Source> m_sources; ///< the segments that are there
+    std::optional<DensityOfFill> m_fill;
 };
 
 /// Computes it for one point with a few straight pieces for each curve, whose density has a closed form.

@@ -10,12 +10,24 @@ Rect influenceOf(const Stroke &stroke, const Segment &segment, Microseconds T)
     return stroke.cubicOf(segment).controlBox().grown(reachInSpreads * spread);
 }
 
+Rect influenceOfFill(const Stroke &stroke, Microseconds T)
+{
+    Rect box;
+    if (!stroke.fill || !(stroke.fill->age(T) > 0))
+        return box;
+    for (const Segment &segment : stroke.segments)
+        if (!segment.lift)
+            box = box.united(stroke.cubicOf(segment).controlBox());
+    const Fill &fill = *stroke.fill;
+    return box.grown(reachInSpreads * fill.spread(T) * std::sqrt(std::max(1.0, double(fill.anisotropyRatio))));
+}
+
 Rect influenceOf(const Stroke &stroke, Microseconds T)
 {
     Rect box;
     for (const Segment &segment : stroke.segments)
         box = box.united(influenceOf(stroke, segment, T));
-    return box;
+    return box.united(influenceOfFill(stroke, T));
 }
 
 Rect influenceOf(const Painting &painting, Microseconds T)

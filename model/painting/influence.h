@@ -12,7 +12,9 @@ inline constexpr double reachInSpreads = 4.0;
 /// The box of a segment's control points grown by reachInSpreads · s at time T, where s is along the longer axis of an
 /// anisotropic segment. It is empty at age ≤ 0. Canvas units.
 Rect influenceOf(const Stroke &stroke, const Segment &segment, Microseconds T);
-/// The union over all segments of a stroke.
+/// The same for a stroke's fill: the box of what bounds it, grown. It is empty where there is none.
+Rect influenceOfFill(const Stroke &stroke, Microseconds T);
+/// The union over all segments of a stroke and its fill.
 Rect influenceOf(const Stroke &stroke, Microseconds T);
 /// The box of the influence of all visible strokes; empty for an empty painting.
 Rect influenceOf(const Painting &painting, Microseconds T);

@@ -80,9 +80,11 @@ void forEachThatDiffers(const StrokeList &before, const StrokeList &after, Visit
 double reachedPixels(const Painting &painting, const View &view, Microseconds time)
 {
     Squares squares(view);
-    for (const StrokePtr &stroke : painting.strokes)
+    for (const StrokePtr &stroke : painting.strokes) {
+        squares.touch(influenceOfFill(*stroke, time));
         for (const Segment &segment : stroke->segments)
             squares.touch(influenceOf(*stroke, segment, time));
+    }
     return squares.pixels();
 }
 
@@ -92,6 +94,7 @@ Difference differenceOf(const Painting &before, const Painting &after, const Vie
     Squares squares(view);
     const auto touch = [&](const Stroke &stroke) {
         ++difference.strokes;
+        squares.touch(influenceOfFill(stroke, time));
         for (const Segment &segment : stroke.segments)
             squares.touch(influenceOf(stroke, segment, time));
     };

@@ -33,6 +33,8 @@ std::array<Point, 8> ringAround(Point point, double radius)
 bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
 {
     const Point at = point - stroke.origin;
+    if (influenceOfFill(stroke, T).grown(tolerance).contains(point))
+        return true;
     return std::any_of(stroke.segments.begin(), stroke.segments.end(), [&](const Segment &segment) {
         // This computes the same as influenceOf. Most segments are far away, so their distances are compared first, and
         // no roots are taken.
