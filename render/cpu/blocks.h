@@ -16,6 +16,7 @@ inline constexpr int blockSize = blockSide * blockSide;
 /// The distances of nodes are measured from the centres of cells of 8 × 8 samples, whose corners lie on the picture's
 /// 8-pixel grid. So the bits of a sample do not depend on the tile in which it is evaluated.
 inline constexpr int cellSide = 8;
+inline constexpr int cellSize = cellSide * cellSide;
 
 /// A rectangle of pixels, as its centre and half-sizes.
 struct Area {
@@ -61,6 +62,24 @@ struct Sums {
             std::memcpy(v, rows.data(), rows.size_bytes());
     }
     void give(std::span<float> rows) const { std::memcpy(rows.data(), v, rows.size_bytes()); }
+};
+
+/// What is needed to sum up a fill of density 1 in a cell, relative to its centre (render/scene/scene_fill.h).
+struct FillCell {
+    float a = 1, b = 0, c = 1; ///< u = a·dx + b·dy, v = c·dy
+    float step = 1;            ///< size of a sample, pixels
+    float entered = 0;         ///< what lies inside at the corner left above all that counts
+    const float *eventY = nullptr, *eventJump = nullptr;
+    int events = 0;
+    const float *x = nullptr, *y = nullptr, *weight = nullptr; ///< nodes
+    int nodes = 0;
+};
+
+/// The density, between 0 and 1, and its slopes per pixel.
+struct FillCellSums {
+    alignas(64) float density[cellSize];
+    alignas(64) float slopeX[cellSize];
+    alignas(64) float slopeY[cellSize];
 };
 
 /// How the sums of a block bend: ½∂²φ/∂x², ¼∂²φ/∂x∂y, ½∂²φ/∂y² (per pixel), then −½ of the slopes along x and y of

@@ -64,8 +64,80 @@ double cellSideFor(const SceneStroke &stroke)
     double steepest = 0;
     for (const DeepNode &n : stroke.deep)
         steepest = std::max(steepest, 0.5 * (n.a + n.c) + std::hypot(0.5 * (n.a - n.c), n.b));
-    const double spread = 1 / std::sqrt(steepest);
+    double spread = 1 / std::sqrt(steepest);
+    if (stroke.fill && stroke.fill->deep) {
+        const SceneFill &f = *stroke.fill;
+        const double own = 1 / std::sqrt(f.a * f.a + f.b * f.b + f.c * f.c);
+        spread = stroke.deep.empty() ? own : std::min(spread, own);
+    }
     return std::exp2(std::clamp(std::floor(std::log2(spread / deepSpread)), 0.0, 3.0)) * cellSide;
+}
+
+/// Adds the fill of density 1 as a polynomial about the cell's centre. Beyond the value all terms are made of the
+/// Gaussian's derivatives: with C(u) = ½erfc(−u) and E(v) = e^(−v²) the function is C(u)E(v), summed over the nodes.
+void addFill(const SceneFill &fill, Point centre, Cubic2 &out)
+{
+    constexpr double inverseRootPi = 0.56418958354775628695;
+    const auto squareOf = [](double x) { return int(std::floor(x / SceneFill::deepSide)); };
+    const int column = squareOf(centre.x) - fill.deepColumn, row = squareOf(centre.y) - fill.deepRow;
+    if (column < 0 || column >= fill.deepColumns || row < 0 ||
+        std::size_t(row) * std::size_t(fill.deepColumns) >= fill.deepSquares.size())
+        return;
+    const DeepFillSquare &square = fill.deepSquares[std::size_t(row) * std::size_t(fill.deepColumns) + std::size_t(column)];
+    std::array<double, 10> d{}; // by u and v: value, u, v, uu/2, uv, vv/2, uuu/6, uuv/2, uvv/2, vvv/6
+    d[0] = square.entered;
+    for (const FillEvent &event : square.events) {
+        const double v = fill.c * (centre.y - event.y), e = inverseRootPi * event.jump * std::exp(-v * v);
+        d[0] += 0.5 * event.jump * std::erfc(-v);
+        d[2] += e;
+        d[5] += -v * e;
+        d[9] += (2 * v * v - 1) / 3 * e;
+    }
+    for (const FillNode &node : square.nodes) {
+        const double dx = centre.x - node.x, dy = centre.y - node.y;
+        const double u = fill.a * dx + fill.b * dy, v = fill.c * dy;
+        const double C = 0.5 * std::erfc(-u), E = node.weight * std::exp(-v * v), g = inverseRootPi * std::exp(-u * u);
+        const double E1 = -2 * v * E, E2 = (2 * v * v - 1) * E, E3 = (2 * v - 4.0 / 3 * v * v * v) * E;
+        d[0] += C * E;
+        d[1] += g * E;
+        d[2] += C * E1;
+        d[3] += -u * g * E;
+        d[4] += g * E1;
+        d[5] += C * E2;
+        d[6] += (2 * u * u - 1) / 3 * g * E;
+        d[7] += -u * g * E1;
+        d[8] += g * E2;
+        d[9] += C * E3;
+    }
+    // u = a x + b y, v = c y.
+    const double a = fill.a, b = fill.b, c = fill.c;
+    out[0] += d[0];
+    out[1] += a * d[1];
+    out[2] += b * d[1] + c * d[2];
+    out[3] += a * a * d[3];
+    out[4] += 2 * a * b * d[3] + a * c * d[4];
+    out[5] += b * b * d[3] + b * c * d[4] + c * c * d[5];
+    out[6] += a * a * a * d[6];
+    out[7] += 3 * a * a * b * d[6] + a * a * c * d[7];
+    out[8] += 3 * a * b * b * d[6] + 2 * a * b * c * d[7] + a * c * c * d[8];
+    out[9] += b * b * b * d[6] + b * b * c * d[7] + b * c * c * d[8] + c * c * c * d[9];
+}
+
+/// The place between the colours of a gradient times the density, as a polynomial: place is linear in x and y, and the
+/// pull of the slope is linear in the derivatives.
+Cubic2 placedPolynomial(const SceneFill &fill, Point centre, const Cubic2 &p)
+{
+    const double t = fill.placeAt(centre.x, centre.y), tx = fill.placeSlope.x, ty = fill.placeSlope.y;
+    const auto &h = fill.half;
+    const double kx = tx * h[0] + ty * h[1], ky = tx * h[1] + ty * h[2];
+    Cubic2 out{};
+    const Cubic2 dx{p[1], 2 * p[3], p[4], 3 * p[6], 2 * p[7], p[8], 0, 0, 0, 0};
+    const Cubic2 dy{p[2], p[4], 2 * p[5], p[7], 2 * p[8], 3 * p[9], 0, 0, 0, 0};
+    const Cubic2 byX{0, p[0], 0, p[1], p[2], 0, p[3], p[4], p[5], 0};
+    const Cubic2 byY{0, 0, p[0], 0, p[1], p[2], 0, p[3], p[4], p[5]};
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = t * p[i] + tx * byX[i] + ty * byY[i] + kx * dx[i] + ky * dy[i];
+    return out;
 }
 
 /// The part of a block that lies in one cell.
@@ -91,6 +163,8 @@ public:
                 for (std::size_t i = 0; i < gaussian.size(); ++i)
                     m_polynomial[std::size_t(1 + c)][i] += gaussian[i] * double(value[c]);
         }
+        if (stroke.fill && stroke.fill->deep)
+            addFillOf(*stroke.fill, centre);
     }
 
     void addTo(Sums &sums, const Piece &p, double step) const
@@ -136,6 +210,29 @@ public:
     }
 
 private:
+    void addFillOf(const SceneFill &fill, Point centre)
+    {
+        Cubic2 own{};
+        addFill(fill, centre, own);
+        own[0] = std::clamp(own[0], 0.0, 1.0);
+        for (double &coefficient : own)
+            coefficient *= fill.density;
+        Cubic2 placed{};
+        if (fill.hasGradient) {
+            placed = placedPolynomial(fill, centre, own);
+            if (!(own[0] > 0) || placed[0] <= 0)
+                placed = {};
+            else if (placed[0] >= own[0])
+                placed = own;
+        }
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            m_polynomial[0][i] += own[i];
+            for (int c = 0; c < m_stroke.channels; ++c)
+                m_polynomial[std::size_t(1 + c)][i] += own[i] * double(fill.from[std::size_t(c)]) +
+                                                       placed[i] * double(fill.step[std::size_t(c)]);
+        }
+    }
+
     const SceneStroke &m_stroke;
     std::array<Cubic2, 1 + maxChannels> m_polynomial;
 };

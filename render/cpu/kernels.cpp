@@ -17,6 +17,7 @@
 #include "render/cpu/shading-inl.h"
 #include "render/cpu/sums-inl.h"
 #include "render/cpu/told-inl.h"
+#include "render/cpu/fill-inl.h"
 // It has templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
 
@@ -258,6 +259,7 @@ Kernels table()
             findRuns,
             listNodes,
             accumulate,
+            fillCell,
             accumulateBent,
             shadeBent,
             shade,

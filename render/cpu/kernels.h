@@ -19,6 +19,8 @@ struct Kernels {
     /// what `sums` has. `values` has rows of `channels` floats.
     void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
                        const float *values, int channels, bool add, Sums &sums);
+    /// Sums up a fill in a cell.
+    void (*fillCell)(const FillCell &cell, FillCellSums &out);
     /// Computes the sums at the pixels of a block, and how they bend.
     void (*accumulateBent)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
                            int separable, const float *values, int channels, Sums &sums, Bends &bends);

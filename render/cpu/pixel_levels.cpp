@@ -41,12 +41,29 @@ void PixelLevels::findCentres()
     m_area = m_area.grown(0.1 * m_view.px());
 }
 
-bool PixelLevels::mark(const SceneStroke &stroke)
+bool PixelLevels::mark(const SceneStroke &stroke, const TileFill *fill)
 {
-    if (stroke.small.empty())
+    const bool small = fill && fill->fill().level > 0;
+    if (stroke.small.empty() && !small)
         return false;
-    findCentres();
     m_marks.fill(0);
+    if (!stroke.small.empty())
+        markSmall(stroke);
+    if (small) {
+        const auto mark = std::uint8_t(levelQuarters * fill->fill().level);
+        const int x = int(m_first.x - 0.5), y = int(m_first.y - 0.5);
+        fill->forEachNear(x, y, [&](int column, int row) {
+            std::uint8_t &own = m_marks[std::size_t(row * blockSide + column)];
+            own = std::max(own, mark);
+        });
+    }
+    recount();
+    return m_levels > 1;
+}
+
+void PixelLevels::markSmall(const SceneStroke &stroke)
+{
+    findCentres();
     const double quarter = m_view.rotation / (0.5 * std::numbers::pi);
     const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
     const double margin = m_view.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2);
@@ -66,8 +83,6 @@ bool PixelLevels::mark(const SceneStroke &stroke)
             everywhere = mark;
         raise(box, std::uint8_t(mark));
     }
-    recount();
-    return m_levels > 1;
 }
 
 /// Raises the marks of the pixels whose centres lie in a box.

@@ -1,7 +1,7 @@
 // By how many samples the pixels of a block are drawn (docs/reference.md, "Supersampling").
 #pragma once
 
-#include "render/cpu/blocks.h"
+#include "render/cpu/tile_fill.h"
 #include "render/scene/scene.h"
 
 #include <array>
@@ -14,9 +14,9 @@ class PixelLevels {
 public:
     /// Begins the block whose first pixel is (x, y).
     void begin(const View &view, int x, int y);
-    /// Finds for each pixel the greatest level of the stroke's small segments that reach it. Returns false if it is 0
-    /// everywhere.
-    bool mark(const SceneStroke &stroke);
+    /// Finds for each pixel the greatest level of the stroke's small segments that reach it, and of its fill where the
+    /// outline is near. Returns false if it is 0 everywhere.
+    bool mark(const SceneStroke &stroke, const TileFill *fill);
     /// Looks at the marks again after they were changed.
     void recount();
 
@@ -29,6 +29,7 @@ public:
 private:
     void findCentres();
     void raise(const Rect &box, std::uint8_t mark);
+    void markSmall(const SceneStroke &stroke);
 
     View m_view;
     Point m_first; ///< the centre of the first pixel, in pixels

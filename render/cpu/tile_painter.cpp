@@ -21,6 +21,9 @@ struct Scratch {
     PixelLevels levels;
     Bends bends;
     alignas(64) float quarterEta[4][blockSize]; ///< at the four samples of each pixel
+    alignas(64) float covered[blockSize];       ///< by a crisp fill
+    Sums insideSums;
+    Shaded insideShaded;
     std::vector<std::uint32_t> runs;            ///< runs of boxes that meet the block, where it is supersampled,
     std::vector<std::uint32_t> whole;           ///< nodes that meet the block
     std::vector<std::uint32_t> group;           ///< and nodes that meet a group of its pixels
@@ -65,13 +68,15 @@ public:
     }
 
     /// Adds a stroke. `prefix` has the sums of the nodes before those that are listed; it is empty if there are none.
-    void add(const SceneStroke &scene, NodeList listed, std::span<const float> prefix)
+    void add(const SceneStroke &scene, NodeList listed, std::span<const float> prefix, BlockFill fill)
     {
+        m_fill = fill;
         const Block block{double(m_x), double(m_y), 1};
         const float *paper = scene.granulated ? eta() : nullptr;
-        const bool small = m_s.levels.mark(scene);
-        if (!small && scene.deep.empty()) {
+        const bool small = m_s.levels.mark(scene, fill.tile), crisp = fill && scene.fill->crisp;
+        if (!small && !isDeep(scene) && !crisp) {
             sum(scene, listed, block, prefix);
+            addFill(scene, block);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
@@ -110,15 +115,48 @@ private:
                                     m_s.sums);
     }
 
+    /// Adds a fill that is neither crisp nor deep to the sums.
+    void addFill(const SceneStroke &scene, const Block &block)
+    {
+        if (m_fill && !scene.fill->crisp && !scene.fill->deep)
+            m_fill.tile->addTo(*m_frame.kernels, block, scene.channels, m_s.sums);
+    }
+
     /// Computes opacity and colour of a stroke at a block of samples.
     void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out,
                   std::span<const float> prefix = {})
     {
         sum(scene, listed, block, prefix);
-        if (scene.deep.empty())
-            m_frame.kernels->shade(scene.shade, m_s.sums, eta, float(block.step), out);
+        addFill(scene, block);
+        if (m_fill && scene.fill->crisp)
+            shadeCrisp(scene, block, eta, out);
         else
-            shadeDeep(*m_frame.kernels, scene, block, m_s.sums, eta, out);
+            shadeSums(scene, block, m_s.sums, eta, out);
+    }
+
+    void shadeSums(const SceneStroke &scene, const Block &block, Sums &sums, const float *eta, Shaded &out)
+    {
+        if (isDeep(scene))
+            shadeDeep(*m_frame.kernels, scene, block, sums, eta, out);
+        else
+            m_frame.kernels->shade(scene.shade, sums, eta, float(block.step), out);
+    }
+
+    /// What a crisp fill covers of a sample, and what it leaves, are shaded each by itself.
+    void shadeCrisp(const SceneStroke &scene, const Block &block, const float *eta, Shaded &out)
+    {
+        m_fill.tile->cover(block, m_s.covered);
+        m_s.insideSums = m_s.sums;
+        m_fill.tile->addInside(block, scene.channels, m_s.insideSums);
+        shadeSums(scene, block, m_s.insideSums, eta, m_s.insideShaded);
+        shadeSums(scene, block, m_s.sums, eta, out);
+        for (int at = 0; at < blockSize; ++at) {
+            const float in = m_s.covered[at] * m_s.insideShaded.w[at], left = (1 - m_s.covered[at]) * out.w[at];
+            const float w = in + left, inverse = w > 0 ? 1 / w : 0;
+            out.w[at] = w;
+            for (int c = 0; c < 3; ++c)
+                out.colour[c][at] = (in * m_s.insideShaded.colour[c][at] + left * out.colour[c][at]) * inverse;
+        }
     }
 
     /// The paper at the block's pixels, which is computed once for all strokes.
@@ -226,7 +264,7 @@ private:
             const Meeting &cell = cells[std::size_t(k)];
             if (m_s.levels.has(level, x, y, side))
                 supersampleGroup(stroke, NodeList(m_s.group.data() + std::size_t(k) * room, std::size_t(cell.count)),
-                                 shows(stroke, cell), level, x, y, side);
+                                 m_fill || shows(stroke, cell), level, x, y, side);
         }
     }
 
@@ -270,21 +308,22 @@ private:
     int m_x;
     int m_y;
     Scratch &m_s;
+    BlockFill m_fill; ///< of the stroke in hand
     OverMap *m_map = nullptr;
     const float *m_eta = nullptr;
 };
 
 /// Adds the strokes [from, to) to a block of the tile.
-void addStrokes(BlockPainter &painter, const TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
+void addStrokes(BlockPainter &painter, TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i)
         if (const auto nodes = strokes.nodesAt(i, block))
-            painter.add(strokes[i], *nodes, strokes.sumsAt(i, block));
+            painter.add(strokes[i], *nodes, strokes.sumsAt(i, block), strokes.fillAt(i, block));
 }
 
 } // namespace
 
-void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();

@@ -30,7 +30,7 @@ struct TilePlan {
 
 /// Evaluates `tile`, whose corner lies on the grid's 8-pixel cells, into `rgba`, in rows of tile.width pixels.
 /// `strokes` are in order. With layers, the one at `plan.below` may be the edited one, which `edited` names.
-void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);
 
 } // namespace suffuse::cpu

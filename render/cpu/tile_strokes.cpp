@@ -31,7 +31,17 @@ int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange 
 
 bool shows(const SceneStroke &stroke, const Meeting &meeting)
 {
-    return meeting.count == 0 ? !stroke.deep.empty() : !canVanish(stroke, meeting.density, meeting.slope);
+    return meeting.count == 0 ? isDeep(stroke) : !canVanish(stroke, meeting.density, meeting.slope);
+}
+
+void include(const SceneFill &fill, FillPresence presence, Meeting &meeting)
+{
+    if (presence == FillPresence::Nothing)
+        return;
+    ++meeting.count;
+    meeting.density += float(fill.density);
+    if (presence == FillPresence::Outline && !fill.crisp)
+        meeting.slope += float(fill.steepest);
 }
 
 void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile, const PixelRect &window)
@@ -43,6 +53,27 @@ void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile, const Pix
     m_area = areaOf(Rect::of(m_grid.x, m_grid.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
     m_strokes.clear();
     m_used = 0;
+    m_usedFills = 0;
+}
+
+bool TileStrokes::findFill(const SceneStroke &stroke, Entry &entry)
+{
+    if (!stroke.fill || !m_tile.width)
+        return false;
+    if (m_fills.size() == m_usedFills)
+        m_fills.push_back(std::make_unique<TileFill>());
+    TileFill &fill = *m_fills[m_usedFills];
+    fill.begin(*stroke.fill, m_tile);
+    bool any = false;
+    for (std::size_t i = 0; i < blockCount(); ++i) {
+        const int column = int(i) % m_grid.columns, row = int(i) / m_grid.columns;
+        entry.presence[i] = fill.presence(Rect::of(m_tile.x + column * blockSide, m_tile.y + row * blockSide,
+                                                   blockSide, blockSide));
+        any |= entry.presence[i] != FillPresence::Nothing;
+    }
+    if (any)
+        entry.fill = int(m_usedFills++);
+    return any;
 }
 
 std::size_t TileStrokes::list(const SceneStroke &stroke, const NodeRange &range, int runs, Cells &cells)
@@ -62,11 +93,13 @@ bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
     const int runs = findRuns(*m_kernels, stroke, range, m_area, m_runs, tile);
     if (prefix)
         tile += prefix->meeting;
-    if (!shows(stroke, tile))
+    Entry filled;
+    const bool hasFill = stroke.fill && findFill(stroke, filled);
+    if (!hasFill && !shows(stroke, tile))
         return false;
     Cells cells;
     const std::size_t room = list(stroke, range, runs, cells);
-    Entry &entry = m_strokes.emplace_back();
+    Entry &entry = m_strokes.emplace_back(filled);
     entry.scene = &stroke;
     entry.prefix = prefix;
     bool shown = false;
@@ -74,6 +107,8 @@ bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
         const int listed = cells[i].count, column = int(i) % m_grid.columns, row = int(i) / m_grid.columns;
         if (prefix)
             cells[i] += prefix->blocks[i].meeting;
+        if (hasFill)
+            include(*stroke.fill, entry.presence[i], cells[i]);
         if (!shows(stroke, cells[i]) ||
             !meets(stroke.bounds, m_tile.x + column * blockSide, m_tile.y + row * blockSide))
             continue;

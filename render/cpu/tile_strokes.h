@@ -3,6 +3,7 @@
 
 #include "render/cpu/kernels.h"
 #include "render/cpu/prefix_sums.h"
+#include "render/cpu/tile_fill.h"
 
 #include <array>
 #include <optional>
@@ -28,6 +29,17 @@ bool shows(const SceneStroke &stroke, const Meeting &meeting);
 
 Area areaOf(const Rect &rect);
 
+/// A stroke's fill in a block; null where there is none.
+struct BlockFill {
+    TileFill *tile = nullptr;
+    FillPresence presence = FillPresence::Nothing;
+
+    explicit operator bool() const { return presence != FillPresence::Nothing; }
+};
+
+/// Adds bounds of what a fill has in an area.
+void include(const SceneFill &fill, FillPresence presence, Meeting &meeting);
+
 /// The strokes that show in a tile, in order, with their nodes by block (rows of blocks first).
 class TileStrokes {
 public:
@@ -48,6 +60,13 @@ public:
             return {};
         return NodeList(m_nodes.data() + run.from, std::size_t(run.count));
     }
+    BlockFill fillAt(std::size_t i, std::size_t block)
+    {
+        const Entry &entry = m_strokes[i];
+        if (entry.fill < 0)
+            return {};
+        return {m_fills[std::size_t(entry.fill)].get(), entry.presence[block]};
+    }
     /// The sums of the nodes before them; empty if there are none.
     std::span<const float> sumsAt(std::size_t i, std::size_t block) const
     {
@@ -64,9 +83,13 @@ private:
         const SceneStroke *scene = nullptr;
         const StrokePrefix *prefix = nullptr;
         std::array<Run, gridSide * gridSide> blocks;
+        int fill = -1; ///< index in m_fills
+        std::array<FillPresence, gridSide * gridSide> presence;
     };
     using Cells = std::array<Meeting, gridSide * gridSide>;
 
+    /// Finds what there is of a stroke's fill in each block. Returns false if there is nothing.
+    bool findFill(const SceneStroke &stroke, Entry &entry);
     /// Lists the nodes in the first runs of m_runs by block, behind the part of m_nodes that is in use. Returns the
     /// room of a block.
     std::size_t list(const SceneStroke &stroke, const NodeRange &range, int runs, Cells &cells);
@@ -77,6 +100,8 @@ private:
     Grid m_grid; ///< the blocks, in pixels from the corner of the window, as boxes are
     Area m_area;
     std::vector<Entry> m_strokes;
+    std::vector<std::unique_ptr<TileFill>> m_fills; ///< some of which are in use; they keep their memory
+    std::size_t m_usedFills = 0;
     std::vector<std::uint32_t> m_nodes, m_runs;
     std::size_t m_used = 0; ///< how much of m_nodes is in use
 };

@@ -206,6 +206,12 @@ Rect greatestReach(const Stroke &stroke, Microseconds T)
     for (const Segment &segment : stroke.segments)
         if (const Axes axes(segment, T); axes.across > 0)
             box = box.united(stroke.cubicOf(segment).controlBox().grown(radius * axes.larger));
+    if (stroke.fill && stroke.fill->age(T) > 0) {
+        const double larger = stroke.fill->spread(T) * std::sqrt(std::max(1.0, double(stroke.fill->anisotropyRatio)));
+        for (const Segment &segment : stroke.segments)
+            if (!segment.lift) // The hull of the boxes contains the area.
+                box = box.united(stroke.cubicOf(segment).controlBox().grown(radius * larger));
+    }
     return box;
 }
 

@@ -135,6 +135,17 @@ bool sameGroup(const StrokeNodes &a, const NodeGroup &g, const StrokeNodes &b, c
                       b.reaches.begin() + h.reachBegin, b.reaches.begin() + h.reachEnd);
 }
 
+/// Whether all numbers of two fills are the same, if there are any.
+bool sameFillValues(const SceneFill *a, const SceneFill *b)
+{
+    if (!a || !b)
+        return !a && !b;
+    return a->density == b->density && a->a == b->a && a->b == b->b && a->c == b->c && a->reach == b->reach &&
+           a->level == b->level && a->nearby == b->nearby && a->crisp == b->crisp && a->deep == b->deep &&
+           a->epsilon == b->epsilon && a->from == b->from && a->step == b->step && a->hasGradient == b->hasGradient &&
+           (!a->hasGradient || (a->place == b->place && a->placeSlope == b->placeSlope));
+}
+
 /// Whether everything about a stroke is the same that does not belong to single segments.
 bool samePlan(const SceneStroke &a, const SceneStroke &b)
 {
@@ -155,7 +166,73 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
            (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&
            (a.shade.lineChannel < 0 || a.shade.colourEnd == b.shade.colourEnd) &&
            (a.shade.grainChannel >= 0 || a.shade.grain == b.shade.grain) && a.deep.empty() == b.deep.empty() &&
-           a.stroke->origin == b.stroke->origin && sameKinds();
+           a.stroke->origin == b.stroke->origin && sameKinds() && sameFillValues(a.fill.get(), b.fill.get());
+}
+
+/// What lies inside at a point, as 0 or 1.
+int enteredIn(const SceneFill &fill, Point at)
+{
+    int entered = 0;
+    for (std::size_t run = 0; run < fill.arcRuns.size(); ++run) {
+        const Rect &box = fill.arcRuns[run];
+        const std::size_t first = run * fillRun, count = std::min(fillRun, fill.arcs.size() - first);
+        if (box.top <= at.y && at.y <= box.bottom && box.left <= at.x)
+            for (std::size_t i = 0; i < count; ++i) {
+                const RisingArc &arc = fill.arcs[first + i].arc;
+                if (arc.top() <= at.y && at.y < arc.bottom() && arc.left() < at.x &&
+                    (arc.right() < at.x || arc.xAt(at.y) < at.x))
+                    entered += fill.arcs[first + i].enters;
+            }
+    }
+    return entered;
+}
+
+/// Marks where the boundary of a fill differs, and what lies inside now and did not before.
+void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &region)
+{
+    const auto &a = before.panels, &b = after.panels;
+    const auto boxOf = [](const SceneFill &fill, const Rect &box) {
+        const double more = 1 + fill.nearby;
+        const double x = std::max(fill.reach.x, more), y = std::max(fill.reach.y, more);
+        const double limit = 1e8; // It is clipped to the picture anyhow.
+        const int left = int(std::clamp(std::floor(box.left - x), -limit, limit));
+        const int top = int(std::clamp(std::floor(box.top - y), -limit, limit));
+        return PixelRect{left, top, int(std::clamp(std::ceil(box.right + x), -limit, limit)) - left,
+                         int(std::clamp(std::ceil(box.bottom + y), -limit, limit)) - top};
+    };
+    const std::size_t shorter = std::min(a.size(), b.size());
+    const bool inPlace = a.size() == b.size();
+    std::size_t prefix = 0, suffix = 0;
+    while (!inPlace && prefix < shorter && a[prefix] == b[prefix])
+        ++prefix;
+    while (!inPlace && suffix < shorter - prefix && a[a.size() - 1 - suffix] == b[b.size() - 1 - suffix])
+        ++suffix;
+    std::vector<TileRange> ranges;
+    bool any = a.size() == 0 || b.size() == 0; // Then one may be all inside, and the other all outside.
+    for (std::size_t i = prefix; i < std::max(a.size(), b.size()) - suffix; ++i) {
+        if (inPlace && a[i] == b[i])
+            continue;
+        any = true;
+        if (i < a.size() - suffix)
+            ranges.push_back(region.tilesOf(region.clipped(boxOf(before, a[i].box))));
+        if (i < b.size() - suffix)
+            ranges.push_back(region.tilesOf(region.clipped(boxOf(after, b[i].box))));
+    }
+    if (!any && before.arcs == after.arcs)
+        return;
+    region.mark(ranges);
+    for (const PixelRect &bounds : {before.bounds, after.bounds}) {
+        const TileRange tiles = region.tilesOf(bounds);
+        for (int row = tiles.top; row < tiles.bottom; ++row)
+            for (int column = tiles.left; column < tiles.right; ++column) {
+                if (region.isDirty(column, row))
+                    continue;
+                const PixelRect tile = region.tile(column, row);
+                const Point middle{tile.x + 0.5 * tile.width, tile.y + 0.5 * tile.height};
+                if (enteredIn(before, middle) != enteredIn(after, middle))
+                    region.mark(TileRange{column, row, column + 1, row + 1});
+            }
+    }
 }
 
 } // namespace
@@ -164,9 +241,12 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const Pict
                  DirtyRegion &region)
 {
     const auto &a = before.source->groups, &b = after.source->groups;
-    if (before.source == after.source && samePlan(before, after))
+    const bool alike = samePlan(before, after), fillOnly = alike && before.fill && a.empty() && b.empty();
+    if (alike && before.fill)
+        markFill(*before.fill, *after.fill, region);
+    if ((before.source == after.source && alike) || fillOnly)
         return;
-    if (a.empty() || b.empty() || !samePlan(before, after)) {
+    if (a.empty() || b.empty() || !alike) {
         region.mark(before.bounds);
         region.mark(after.bounds);
         return;

@@ -238,8 +238,11 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
                      : bulk[k]          ? bulk[k]
                      : frozen[k]        ? buildNodes(m_sources[i], time, octave, visible, *frozen[k], threadsEach)
                                         : buildNodes(*m_sources[i], time, octave, visible, threadsEach);
-        auto stroke = std::make_shared<SceneStroke>(
-            makeSceneStroke(m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr));
+        const SceneStroke *before = m_strokes[i].get();
+        auto fill = makeSceneFill(*m_sources[i], time, grid, before ? before->stroke.get() : nullptr,
+                                  before ? before->fill.get() : nullptr);
+        auto stroke = std::make_shared<SceneStroke>(makeSceneStroke(
+            m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr, std::move(fill)));
         if (!m_cull)
             reachEverywhere(*stroke, grid.window);
         if (!dries)

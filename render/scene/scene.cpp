@@ -234,7 +234,8 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         bounds[g] = toPixelRect(box, grid.window);
     }
     const std::size_t rowsEnd = to < source.groups.size() ? source.groups[to].row : source.rows.size();
-    const NodeValues &first = *firstLaying(source.rows);
+    const NodeValues *laying = firstLaying(source.rows);
+    const NodeValues &first = laying ? *laying : source.rows.front();
     for (std::size_t k = source.groups[from].row; k < rowsEnd; ++k)
         out.differences.look(first, source.rows[k]);
     for (std::uint32_t k = source.groups[from].reachBegin; k < source.groups[to - 1].reachEnd; ++k)
@@ -250,6 +251,8 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
     const StrokeNodes &source = *s.source;
     constexpr std::size_t share = 64, worthSharing = 8 * share; // counted in groups
     const std::size_t count = source.groups.size();
+    if (count == 0)
+        return {};
     if (changes)
         s.groupBounds.resize(count);
     std::vector<PlacedNodes> parts(threads.count() == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
@@ -289,10 +292,30 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
     return differences;
 }
 
-/// Chooses constants where all segments agree, and channels where they differ.
-void planChannels(SceneStroke &s, const Differences &differ)
+/// What a fill carries beside its density: at the begin of its gradient, and at its end.
+std::array<NodeValues, 2> valuesOf(const Stroke &stroke)
 {
-    const auto &rows = s.source->rows;
+    const Fill &fill = *stroke.fill;
+    const NodeValues from{fill.colour, fill.granulation, stroke.style, false};
+    NodeValues to = from;
+    if (fill.gradient)
+        to.colour = fill.gradient->colour;
+    return {from, to};
+}
+
+/// Chooses constants where all segments and the fill agree, and channels where they differ.
+void planChannels(SceneStroke &s, Differences differ)
+{
+    std::vector<NodeValues> withFill;
+    std::span<const NodeValues> rows(s.source->rows);
+    if (s.fill) {
+        withFill.assign(rows.begin(), rows.end());
+        for (const NodeValues &values : valuesOf(*s.stroke))
+            withFill.push_back(values);
+        rows = withFill;
+        for (const NodeValues &values : rows.last(2))
+            differ.look(*firstLaying(rows), values);
+    }
     const NodeValues &first = *firstLaying(rows);
     s.shade.colour = first.colour;
     s.shade.grain = first.granulation;
@@ -328,7 +351,7 @@ void planChannels(SceneStroke &s, const Differences &differ)
 /// Finds the levels of styles. If ξ varies, the levels do, too, and a bound is not worth it.
 void findLevels(SceneStroke &s)
 {
-    s.hasLevels = s.deep.empty();
+    s.hasLevels = !isDeep(s);
     for (int k = 0; k < s.shade.kinds; ++k) {
         const KindParams &kind = s.shade.kind[k];
         s.hasLevels &= kind.xiChannel < 0;
@@ -338,37 +361,58 @@ void findLevels(SceneStroke &s)
     }
 }
 
+/// Writes the channels of what carries some values; they are 0 before.
+void writeChannels(const ShadeParams &shade, const NodeValues &v, float *row)
+{
+    if (v.lift)
+        return; // It only counts in the density.
+    if (shade.laidChannel >= 0)
+        row[shade.laidChannel] = 1;
+    if (const int c = shade.colourChannel; c >= 0) {
+        const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
+        std::copy_n(colour, 4, row + c);
+    }
+    if (shade.lineChannel >= 0)
+        row[shade.lineChannel] = ColourLine{shade.colour, shade.colourEnd}.placeOf(v.colour);
+    if (shade.grainChannel >= 0)
+        row[shade.grainChannel] = v.granulation;
+    for (int i = 0; i < shade.kinds; ++i) {
+        const KindParams &p = shade.kind[i];
+        if (p.kind != v.style.kind)
+            continue;
+        if (p.shareChannel >= 0)
+            row[p.shareChannel] = 1;
+        if (p.xiChannel >= 0)
+            std::copy_n(v.style.xi.begin(), xiCount(p.kind), row + p.xiChannel);
+    }
+}
+
 void fillValues(SceneStroke &s)
 {
     if (s.channels == 0)
         return;
     const auto &rows = s.source->rows;
     s.values.assign(std::size_t(s.channels) * rows.size(), 0.0f);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        float *row = s.values.data() + k * s.channels;
-        const NodeValues &v = rows[k];
-        if (v.lift)
-            continue; // It only counts in the density.
-        if (s.shade.laidChannel >= 0)
-            row[s.shade.laidChannel] = 1;
-        if (const int c = s.shade.colourChannel; c >= 0) {
-            const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
-            std::copy_n(colour, 4, row + c);
-        }
-        if (s.shade.lineChannel >= 0)
-            row[s.shade.lineChannel] = ColourLine{s.shade.colour, s.shade.colourEnd}.placeOf(v.colour);
-        if (s.shade.grainChannel >= 0)
-            row[s.shade.grainChannel] = v.granulation;
-        for (int i = 0; i < s.shade.kinds; ++i) {
-            const KindParams &p = s.shade.kind[i];
-            if (p.kind != v.style.kind)
-                continue;
-            if (p.shareChannel >= 0)
-                row[p.shareChannel] = 1;
-            if (p.xiChannel >= 0)
-                std::copy_n(v.style.xi.begin(), xiCount(p.kind), row + p.xiChannel);
-        }
-    }
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        writeChannels(s.shade, rows[k], s.values.data() + k * std::size_t(s.channels));
+}
+
+void setFillChannels(const SceneStroke &s, SceneFill &fill)
+{
+    const auto [from, to] = valuesOf(*s.stroke);
+    std::array<float, maxChannels> end{};
+    writeChannels(s.shade, from, fill.from.data());
+    writeChannels(s.shade, to, end.data());
+    for (std::size_t c = 0; c < end.size(); ++c)
+        fill.step[c] = end[c] - fill.from[c];
+}
+
+PixelRect unitedRects(const PixelRect &a, const PixelRect &b)
+{
+    if (a.isEmpty() || b.isEmpty())
+        return a.isEmpty() ? b : a;
+    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+    return {left, top, std::max(a.x + a.width, b.x + b.width) - left, std::max(a.y + a.height, b.y + b.height) - top};
 }
 
 } // namespace
@@ -403,19 +447,24 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
 }
 
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const PictureGrid &grid,
-                            Threads threads, bool changes)
+                            Threads threads, bool changes, std::shared_ptr<SceneFill> fill)
 {
     SceneStroke s;
     s.stroke = std::move(stroke);
     s.source = std::move(nodes);
-    if (!firstLaying(s.source->rows))
+    if (!firstLaying(s.source->rows) && !fill)
         return s;
+    s.fill = fill;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Differences differences = placeNodes(s, grid, threads, changes);
     planChannels(s, differences);
-    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty();
+    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty() && !fill;
     findLevels(s);
     fillValues(s);
+    if (fill) {
+        setFillChannels(s, *fill);
+        s.bounds = unitedRects(s.bounds, fill->bounds);
+    }
     return s;
 }
 

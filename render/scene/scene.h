@@ -6,6 +6,7 @@
 #include "render/picture_grid.h"
 #include "render/renderer.h"
 #include "render/scene/node_boxes.h"
+#include "render/scene/scene_fill.h"
 #include "render/threads/parallel.h"
 
 #include <unordered_map>
@@ -39,6 +40,7 @@ struct SceneStroke {
     NodeBoxStore boxes;          ///< the boxes of `nodes`, in pixels from the corner of the grid's window
     int separable = 0;
     std::vector<DeepNode> deep;
+    std::shared_ptr<const SceneFill> fill; ///< null if it has none that could be seen
     std::vector<SmallSegment> small;
     std::vector<Rect> smallRuns; ///< the box of each run of `smallRun` of them
     ShadeParams shade;
@@ -58,6 +60,12 @@ struct SceneStroke {
     std::shared_ptr<const SceneStroke> dry; ///< the stroke once it has dried, if LiveScene has seen it so in this view
 };
 
+/// Whether something of the stroke is evaluated in double.
+inline bool isDeep(const SceneStroke &stroke)
+{
+    return !stroke.deep.empty() || (stroke.fill && stroke.fill->deep);
+}
+
 /// True only if opacity is exactly zero for all densities φ⁺ and slopes (per pixel) up to these.
 inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 {
@@ -75,7 +83,7 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
 /// Prepares a stroke. `changes` says that it will be compared, group by group, with what it becomes. The bits are the
 /// same for any number of threads.
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const PictureGrid &grid,
-                            Threads threads = 1, bool changes = false);
+                            Threads threads = 1, bool changes = false, std::shared_ptr<SceneFill> fill = nullptr);
 
 /// The part of the canvas that lies in the grid's window, as a box in canvas units.
 Rect visibleBox(const PictureGrid &grid);

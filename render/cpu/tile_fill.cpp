@@ -1,0 +1,292 @@
+#include "render/cpu/tile_fill.h"
+
+#include "render/nodes/level0.h"
+
+#include <algorithm>
+
+namespace suffuse::cpu {
+
+namespace {
+
+Rect grownBy(const Rect &r, Point by)
+{
+    return {r.left - by.x, r.top - by.y, r.right + by.x, r.bottom + by.y};
+}
+
+bool meetsFlat(const Rect &area, const BoundaryFlat &flat)
+{
+    return flat.y >= area.top && flat.y <= area.bottom && flat.left <= area.right && flat.right >= area.left;
+}
+
+/// ∫(right − x) dy and ∫dy along a part of an arc that lies between two parameters, by a rule that is exact for cubics.
+struct Swept {
+    double area = 0, height = 0;
+
+    Swept(const Cubic &curve, double from, double to, double right)
+    {
+        const QuadratureRule &rule = gaussLegendre(3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double t = from + (to - from) * rule.x[i];
+            const double dy = curve.derivative(t).y * rule.weight[i] * (to - from);
+            area += (right - curve.at(t).x) * dy;
+            height += dy;
+        }
+    }
+};
+
+} // namespace
+
+void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
+{
+    m_fill = &fill;
+    m_panels.clear();
+    m_flats.clear();
+    m_arcs.clear();
+    m_levelCount = 0;
+    const double more = std::max({0.0, fill.nearby}) + 1;
+    const Rect pixels = Rect::of(tile.x, tile.y, tile.width + blockSide, tile.height + blockSide);
+    const Rect counted = grownBy(pixels, {std::max(fill.reach.x, more), std::max(fill.reach.y, more)});
+    for (std::size_t run = 0; run < fill.panelRuns.size(); ++run)
+        if (fill.panelRuns[run].intersects(counted))
+            for (std::size_t i = run * fillRun; i < std::min((run + 1) * fillRun, fill.panels.size()); ++i)
+                if (fill.panels[i].box.intersects(counted))
+                    m_panels.push_back(&fill.panels[i]);
+    for (const BoundaryFlat &flat : fill.flats)
+        if (meetsFlat(counted, flat))
+            m_flats.push_back(&flat);
+    for (std::size_t run = 0; run < fill.arcRuns.size(); ++run) {
+        const Rect &box = fill.arcRuns[run];
+        if (box.bottom < counted.top || box.top > counted.bottom || box.left > counted.right)
+            continue;
+        for (std::size_t i = run * fillRun; i < std::min((run + 1) * fillRun, fill.arcs.size()); ++i) {
+            const RisingArc &arc = fill.arcs[i].arc;
+            if (arc.bottom() >= counted.top && arc.top() <= counted.bottom && arc.left() <= counted.right)
+                m_arcs.push_back(fill.arcs[i]);
+        }
+    }
+}
+
+bool TileFill::meets(const Cubic &curve, const Rect &square, int depth)
+{
+    if (square.contains(curve.p[0]) || square.contains(curve.p[3]))
+        return true;
+    Rect box;
+    box.include(curve.p[0]);
+    box.include(curve.p[3]);
+    if (!box.intersects(square))
+        return false;
+    if (depth == 50 || std::max(box.width(), box.height()) < 0.01)
+        return true;
+    const auto [before, after] = curve.split(0.5);
+    return meets(before, square, depth + 1) || meets(after, square, depth + 1);
+}
+
+int TileFill::entered(Point at)
+{
+    const auto known = std::find_if(m_levels.begin(), m_levels.begin() + std::ptrdiff_t(m_levelCount),
+                                    [at](const Level &level) { return level.y == at.y; });
+    Level *level = nullptr;
+    if (known != m_levels.begin() + std::ptrdiff_t(m_levelCount)) {
+        level = &*known;
+    } else {
+        constexpr std::size_t most = 64;
+        if (m_levelCount == most)
+            m_levelCount = 0;
+        if (m_levels.size() == m_levelCount)
+            m_levels.emplace_back();
+        level = &m_levels[m_levelCount++];
+        level->y = at.y;
+        level->crossings.clear();
+        for (const BoundaryArc &part : m_arcs)
+            if (part.arc.top() <= at.y && at.y < part.arc.bottom())
+                level->crossings.emplace_back(part.arc.xAt(at.y), part.enters);
+    }
+    int entered = 0;
+    for (const auto &[x, enters] : level->crossings)
+        entered += x < at.x ? enters : 0;
+    return std::clamp(entered, 0, 1);
+}
+
+const TileFill::Near &TileFill::near(const Rect &counted)
+{
+    m_near.panels.clear();
+    m_near.flats.clear();
+    for (const FillPanel *panel : m_panels)
+        if (panel->box.intersects(counted))
+            m_near.panels.push_back(panel);
+    for (const BoundaryFlat *flat : m_flats)
+        if (meetsFlat(counted, *flat))
+            m_near.flats.push_back(flat);
+    return m_near;
+}
+
+FillPresence TileFill::presence(const Rect &area)
+{
+    const Rect counted = grownBy(area, m_fill->reach);
+    if (!near(counted).isEmpty() || m_fill->deep)
+        return FillPresence::Outline;
+    return entered(area.centre()) ? FillPresence::Inside : FillPresence::Nothing;
+}
+
+float TileFill::placeAt(double x, double y, double inverse, double slopeX, double slopeY) const
+{
+    const auto &h = m_fill->half;
+    const Point s = m_fill->placeSlope;
+    const double pull = s.x * (h[0] * slopeX + h[1] * slopeY) + s.y * (h[1] * slopeX + h[2] * slopeY);
+    return float(std::clamp(m_fill->placeAt(x, y) + pull * inverse, 0.0, 1.0));
+}
+
+void TileFill::addCell(const Block &block, int i0, int j0, int channels, const FillCellSums &cell, Sums &sums) const
+{
+    const float density = float(m_fill->density);
+    for (int j = 0; j < cellSide; ++j)
+        for (int i = 0; i < cellSide; ++i) {
+            const int at = (j0 + j) * blockSide + i0 + i, k = j * cellSide + i;
+            const float own = density * cell.density[k];
+            sums.v[0][at] += own;
+            sums.v[1][at] += -0.5f * density * cell.slopeX[k];
+            sums.v[2][at] += -0.5f * density * cell.slopeY[k];
+            if (channels == 0)
+                continue;
+            float place = 0;
+            if (m_fill->hasGradient && cell.density[k] > 0)
+                place = placeAt(block.x + (i0 + i + 0.5) * block.step, block.y + (j0 + j + 0.5) * block.step,
+                                1 / double(cell.density[k]), double(cell.slopeX[k]), double(cell.slopeY[k]));
+            for (int c = 0; c < channels; ++c)
+                sums.v[fixedSums + c][at] +=
+                    own * (m_fill->from[std::size_t(c)] + place * m_fill->step[std::size_t(c)]);
+        }
+}
+
+void TileFill::addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const
+{
+    const float density = float(m_fill->density);
+    for (int j = j0; j < j0 + cellSide; ++j) {
+        for (int i = i0; i < i0 + cellSide; ++i)
+            sums.v[0][j * blockSide + i] += density;
+        for (int c = 0; c < channels; ++c) {
+            const float from = m_fill->from[std::size_t(c)], step = m_fill->step[std::size_t(c)];
+            for (int i = i0; i < i0 + cellSide; ++i) {
+                float place = 0;
+                if (m_fill->hasGradient && step != 0)
+                    place = placeAt(block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step, 0, 0, 0);
+                sums.v[fixedSums + c][j * blockSide + i] += density * (from + place * step);
+            }
+        }
+    }
+}
+
+void TileFill::addTo(const Kernels &kernels, const Block &block, int channels, Sums &sums)
+{
+    const double side = cellSide * block.step;
+    for (int j0 = 0; j0 < blockSide; j0 += cellSide)
+        for (int i0 = 0; i0 < blockSide; i0 += cellSide) {
+            const double x = block.x + i0 * block.step, y = block.y + j0 * block.step;
+            const Rect counted = grownBy(Rect::of(x, y, side, side), m_fill->reach);
+            const Near &near = this->near(counted);
+            const int inside = entered({counted.left, counted.top});
+            if (near.isEmpty()) {
+                if (inside)
+                    addConstant(block, i0, j0, channels, sums);
+                continue;
+            }
+            m_events.clear();
+            m_nodes.clear();
+            collectFill(*m_fill, near.panels.data(), near.panels.size(), counted.left, counted.top, counted.bottom,
+                        m_events, m_nodes);
+            for (const BoundaryFlat *flat : near.flats)
+                if (flat->y > counted.top && flat->left < counted.left && counted.left <= flat->right)
+                    m_events.push_back({flat->y, flat->jump});
+            const Point centre{x + 0.5 * side, y + 0.5 * side};
+            m_x.resize(m_nodes.size()), m_y.resize(m_nodes.size()), m_weight.resize(m_nodes.size());
+            for (std::size_t k = 0; k < m_nodes.size(); ++k) {
+                m_x[k] = float(m_nodes[k].x - centre.x);
+                m_y[k] = float(m_nodes[k].y - centre.y);
+                m_weight[k] = float(m_nodes[k].weight);
+            }
+            m_eventY.resize(m_events.size()), m_eventJump.resize(m_events.size());
+            for (std::size_t k = 0; k < m_events.size(); ++k) {
+                m_eventY[k] = float(m_events[k].y - centre.y);
+                m_eventJump[k] = float(m_events[k].jump);
+            }
+            const FillCell cell{float(m_fill->a), float(m_fill->b), float(m_fill->c),   float(block.step),
+                                float(inside),    m_eventY.data(),  m_eventJump.data(), int(m_events.size()),
+                                m_x.data(),       m_y.data(),       m_weight.data(),    int(m_nodes.size())};
+            FillCellSums own;
+            kernels.fillCell(cell, own);
+            addCell(block, i0, j0, channels, own, sums);
+        }
+}
+
+void TileFill::addInside(const Block &block, int channels, Sums &sums) const
+{
+    for (int j0 = 0; j0 < blockSide; j0 += cellSide)
+        for (int i0 = 0; i0 < blockSide; i0 += cellSide)
+            addConstant(block, i0, j0, channels, sums);
+}
+
+void TileFill::cover(const Block &block, float *covered)
+{
+    for (int j0 = 0; j0 < blockSide; j0 += cellSide)
+        for (int i0 = 0; i0 < blockSide; i0 += cellSide)
+            coverCell({block.x + i0 * block.step, block.y + j0 * block.step}, block.step, covered + j0 * blockSide + i0,
+                      blockSide);
+}
+
+/// The area of each sample that lies right of what enters and left of what leaves, in samples.
+void TileFill::coverCell(Point corner, double step, float *covered, int stride)
+{
+    const double side = cellSide * step;
+    const Rect area = Rect::of(corner.x, corner.y, side, side);
+    const Near &near = this->near(area);
+    std::array<std::array<double, cellSide>, cellSide> cover{}; // by row and column
+    std::array<double, cellSide> base;                          // of each row
+    base.fill(entered(corner));
+    const auto inRow = [&](double y, int row) { return std::clamp((y - corner.y) / step - row, 0.0, 1.0); };
+    const auto changeBelow = [&](double y, int jump) {
+        for (int row = 0; row < cellSide; ++row)
+            base[std::size_t(row)] += jump * (1 - inRow(y, row));
+    };
+    for (const BoundaryFlat *flat : near.flats)
+        if (flat->y > area.top && flat->left < area.left && area.left <= flat->right)
+            changeBelow(flat->y, flat->jump);
+    for (const FillPanel *panel : near.panels) {
+        const RisingArc &arc = panel->part.arc;
+        const double from = std::max(arc.top(), area.top), to = std::min(arc.bottom(), area.bottom);
+        if (!(from < to))
+            continue;
+        // Where it crosses the borders of samples, between which it is integrated.
+        std::vector<double> cuts{arc.parameterAtY(from), arc.parameterAtY(to)};
+        for (int k = 0; k <= cellSide; ++k) {
+            if (const double y = corner.y + k * step; y > from && y < to)
+                cuts.push_back(arc.parameterAtY(y));
+            if (const double x = corner.x + k * step; x > arc.left() && x < arc.right())
+                if (const double t = arc.parameterAtX(x); t > cuts[0] && t < cuts[1])
+                    cuts.push_back(t);
+        }
+        const bool leftBefore = arc.xAt(from) < area.left, leftAfter = arc.xAt(to) < area.left;
+        if (leftBefore != leftAfter)
+            changeBelow(std::clamp(arc.curve.at(arc.parameterAtX(area.left)).y, from, to),
+                        leftBefore ? -panel->part.enters : panel->part.enters);
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const Point middle = arc.curve.at(0.5 * (cuts[k] + cuts[k + 1]));
+            // An upright arc on a border must not be on either side of it by rounding.
+            const double column = (std::clamp(middle.x, arc.left(), arc.right()) - corner.x) / step;
+            if (column < 0 || column >= cellSide)
+                continue; // What lies left of the cell is in the base.
+            const int row = std::clamp(int((middle.y - corner.y) / step), 0, cellSide - 1), first = int(column);
+            const Swept swept(arc.curve, cuts[k], cuts[k + 1], corner.x + (first + 1) * step);
+            cover[std::size_t(row)][std::size_t(first)] += panel->part.enters * swept.area / (step * step);
+            for (int right = first + 1; right < cellSide; ++right)
+                cover[std::size_t(row)][std::size_t(right)] += panel->part.enters * swept.height / step;
+        }
+    }
+    for (int row = 0; row < cellSide; ++row)
+        for (int column = 0; column < cellSide; ++column) {
+            const double sum = base[std::size_t(row)] + cover[std::size_t(row)][std::size_t(column)];
+            covered[row * stride + column] = float(std::clamp(sum, 0.0, 1.0));
+        }
+}
+
+} // namespace suffuse::cpu

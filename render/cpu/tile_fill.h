@@ -1,0 +1,87 @@
+// A stroke's fill in one tile.
+#pragma once
+
+#include "render/cpu/kernels.h"
+#include "render/scene/scene_fill.h"
+
+namespace suffuse::cpu {
+
+/// What there is of a fill in an area.
+enum class FillPresence : std::uint8_t { Nothing, Inside, Outline };
+
+/// The panels of a fill that count in a tile, and what is computed from them in its cells. Each cell takes what counts
+/// there, whatever the tile, so its bits do not depend on the tile.
+class TileFill {
+public:
+    /// Begins a tile. It keeps its memory.
+    void begin(const SceneFill &fill, const PixelRect &tile);
+
+    const SceneFill &fill() const { return *m_fill; }
+    /// In a rectangle of the tile, as far as the density goes.
+    FillPresence presence(const Rect &area);
+
+    /// Adds the fill to the sums at a block of the tile, which may have smaller samples than pixels. Neither deep nor
+    /// crisp.
+    void addTo(const Kernels &kernels, const Block &block, int channels, Sums &sums);
+    /// How much of each sample of a block a crisp fill covers.
+    void cover(const Block &block, float *covered);
+    /// Adds what a crisp fill lays where it covers a sample.
+    void addInside(const Block &block, int channels, Sums &sums) const;
+
+    /// Calls raise(column, row) for the pixels of a block near the boundary, in pixels from its corner.
+    template <class Raise>
+    void forEachNear(int x, int y, Raise raise) const
+    {
+        const double more = m_fill->nearby;
+        const auto visit = [&](const Rect &box, auto isMet) {
+            // Pixel i is the square from i to i + 1.
+            const int left = int(std::max(0.0, std::ceil(box.left - more - 1 - x)));
+            const int top = int(std::max(0.0, std::ceil(box.top - more - 1 - y)));
+            const int right = int(std::min(blockSide - 1.0, std::floor(box.right + more - x)));
+            const int bottom = int(std::min(blockSide - 1.0, std::floor(box.bottom + more - y)));
+            for (int row = top; row <= bottom; ++row)
+                for (int column = left; column <= right; ++column)
+                    if (isMet(Rect::of(x + column, y + row, 1, 1).grown(more)))
+                        raise(column, row);
+        };
+        for (const FillPanel *panel : m_panels)
+            visit(panel->box, [panel](const Rect &square) { return meets(panel->part.arc.curve, square); });
+        for (const BoundaryFlat *flat : m_flats)
+            visit({flat->left, flat->y, flat->right, flat->y}, [](const Rect &) { return true; });
+    }
+
+private:
+    /// Panels and flats that count in a square of the plane.
+    struct Near {
+        std::vector<const FillPanel *> panels;
+        std::vector<const BoundaryFlat *> flats;
+        bool isEmpty() const { return panels.empty() && flats.empty(); }
+    };
+
+    /// Whether a monotone curve meets a rectangle, to a hundredth of a pixel.
+    static bool meets(const Cubic &curve, const Rect &square, int depth = 0);
+    int entered(Point at);
+    const Near &near(const Rect &counted);
+    void coverCell(Point corner, double step, float *covered, int stride);
+    void addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const;
+    void addCell(const Block &block, int i0, int j0, int channels, const FillCellSums &cell, Sums &sums) const;
+    float placeAt(double x, double y, double inverse, double slopeX, double slopeY) const;
+
+    const SceneFill *m_fill = nullptr;
+    std::vector<const FillPanel *> m_panels;
+    std::vector<const BoundaryFlat *> m_flats;
+    std::vector<BoundaryArc> m_arcs;
+    Near m_near;
+    /// Where levels that were asked for are entered and left.
+    struct Level {
+        double y;
+        std::vector<std::pair<double, int>> crossings;
+    };
+    std::vector<Level> m_levels;
+    std::size_t m_levelCount = 0;
+    std::vector<FillEvent> m_events;
+    std::vector<FillNode> m_nodes;
+    std::vector<float> m_x, m_y, m_weight, m_eventY, m_eventJump;
+};
+
+} // namespace suffuse::cpu

@@ -1,0 +1,236 @@
+// One picture of fills: the same bits for any tiling, thread count, part, dirty region and history; and edits redraw no
+// more than they change.
+#include "tests/render/filled.h"
+
+#include "model/area/outline.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+namespace {
+
+bool same(const FloatPicture &a, const FloatPicture &b)
+{
+    return a.width == b.width && a.height == b.height && a.rgba == b.rgba;
+}
+
+QString whereDifferent(const FloatPicture &a, const FloatPicture &b)
+{
+    const Worst w = worst(a, b);
+    return QStringLiteral("%1 at %2, %3").arg(w.difference).arg(w.x).arg(w.y);
+}
+
+/// Fills of all kinds and some strokes without.
+PaintingPtr mixed(std::mt19937_64 &random, int fills, double width, double height, PaperKind paper)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    std::vector<Stroke> strokes = randomStrokes(random, 2, width, height);
+    for (int k = 0; k < fills; ++k) {
+        const double spread = random() % 4 == 0 ? 1e-4 : 1.5 * std::pow(10, u(random));
+        strokes.push_back(randomFill(random, StrokeId(k + 10), width, height, spread));
+    }
+    return painting(std::move(strokes), width, height, {paper, 1, 16, 0.7f, {}});
+}
+
+PaintingPtr withStroke(const PaintingPtr &p, std::size_t index, const Stroke &s)
+{
+    auto q = std::make_shared<Painting>(*p);
+    q->strokes[index] = std::make_shared<const Stroke>(s);
+    return q;
+}
+
+/// One random edit of a fill: of its outline, its values, or whether there is one.
+PaintingPtr withEditedFill(const PaintingPtr &p, std::mt19937_64 &random)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    const std::size_t j = random() % p->strokes.size();
+    Stroke s = *p->strokes[j];
+    if (!s.fill || random() % 12 == 0) {
+        s.fill = s.fill ? SharedFill() : SharedFill(Fill{});
+        return withStroke(p, j, s);
+    }
+    const std::size_t k = random() % s.segments.size();
+    Segment &g = s.segments[k];
+    switch (random() % 8) {
+    case 0:
+    case 1: // a node
+        if (!s.beginsChain(k)) {
+            const Offset to{g.bezier[0].x + float(10 * u(random) - 5), g.bezier[0].y + float(10 * u(random) - 5)};
+            g.bezier[0] = s.segments[k - 1].bezier[3] = to;
+        }
+        break;
+    case 2:
+        g.bezier[1].x += float(6 * u(random));
+        break;
+    case 3:
+        changeFill(s, [&](Fill &f) { f.density *= float(0.8 + 0.4 * u(random)); });
+        break;
+    case 4:
+        changeFill(s, [&](Fill &f) { f.colour.red = float(u(random)); });
+        break;
+    case 5:
+        changeFill(s, [&](Fill &f) { f.rule = FillRule(1 - int(f.rule)); });
+        break;
+    case 6:
+        changeFill(s, [&](Fill &f) { f.born += 100'000; });
+        break;
+    case 7:
+        s.origin.x += double(random() % 3);
+        break;
+    }
+    return withStroke(p, j, s);
+}
+
+} // namespace
+
+class TestFillEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tilingAndThreads()
+    {
+        std::mt19937_64 random(3);
+        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.3, 0.5, true, 40, 31},
+                              View{{60, 50}, 5000, 0, false, 70, 61}}) {
+            const FloatPicture first = test::render(*make(Backend::Cpu, 1, 16), p, v);
+            for (const int tile : {8, 24, 32, 64}) {
+                const FloatPicture other = test::render(*make(Backend::Cpu, tile % 3 + 1, tile), p, v);
+                QVERIFY2(same(first, other), qPrintable(QStringLiteral("tile %1, zoom %2: %3")
+                                                            .arg(tile)
+                                                            .arg(v.scale)
+                                                            .arg(whereDifferent(first, other))));
+            }
+        }
+    }
+
+    void cullingChangesNothing()
+    {
+        std::mt19937_64 random(4);
+        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 30, 0.2, false, 70, 61},
+                              View{{60, 50}, 900, 0, false, 70, 61}})
+            for (const int tile : {8, 32}) {
+                RendererOptions options{Backend::Cpu, 2, tile};
+                const FloatPicture culled = test::render(**makeRenderer(options), p, v);
+                options.cull = false;
+                QVERIFY(same(culled, test::render(**makeRenderer(options), p, v)));
+            }
+    }
+
+    void aCropIsAPartOfTheWhole()
+    {
+        std::mt19937_64 random(12);
+        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        for (const View &whole : {View::ofArea(p->canvas.area(), 390, 303), View{{60, 50}, 0.3, 0.5, true, 100, 91},
+                                  View{{60, 50}, 900, 0, false, 170, 161}, View{{60, 50}, 3e6, 1, true, 96, 64}}) {
+            const FloatPicture all = test::render(*make(Backend::Cpu, 2), p, whole);
+            for (int k = 0; k < 4; ++k) {
+                const int left = int(random() % 40), top = int(random() % 30);
+                View part = whole;
+                part.width -= left + int(random() % 20), part.height -= top + int(random() % 10);
+                part.centre = whole.toCanvas({left + 0.5 * part.width, top + 0.5 * part.height});
+                const FloatPicture cut = test::render(*make(Backend::Cpu, 1), p, part);
+                for (int y = 0; y < cut.height; ++y)
+                    QVERIFY2(std::equal(cut.at(0, y), cut.at(0, y) + cut.width * 4, all.at(left, top + y)),
+                             qPrintable(QStringLiteral("zoom %1, row %2").arg(whole.scale).arg(y)));
+            }
+        }
+    }
+
+    void dirtyRedrawIsFullRedraw_data()
+    {
+        QTest::addColumn<double>("scale");
+        QTest::newRow("1") << 1.0;
+        QTest::newRow("3") << 3.0;
+    }
+    void dirtyRedrawIsFullRedraw()
+    {
+        QFETCH(double, scale);
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> u(0, 1);
+        PaintingPtr p = mixed(random, 5, 96, 72, PaperKind::None);
+        const auto live = make(Backend::Cpu, 0, 16);
+        FloatPicture picture;
+        Microseconds time = p->end();
+        const View view{{48, 36}, scale, 0, false, 96, 72};
+        QVERIFY(live->render({p, time, view, false}, picture));
+        int partial = 0;
+        for (int step = 0; step < 150; ++step) {
+            p = random() % 5 == 0 ? randomlyEdited(p, random) : withEditedFill(p, random);
+            if (random() % 8 == 0)
+                time = Microseconds(u(random) * double(p->end()));
+            const bool drags = random() % 6 == 0;
+            const auto stats = live->render({p, time, view, false, drags}, picture);
+            QVERIFY(stats);
+            partial += stats->tilesEvaluated > 0 && stats->tilesEvaluated < stats->tiles;
+            if (drags)
+                QVERIFY(live->render({p, time, view, false}, picture));
+            const FloatPicture whole = test::render(*make(Backend::Cpu), p, view, time);
+            QVERIFY2(same(picture, whole),
+                     qPrintable(QStringLiteral("step %1: %2").arg(step).arg(whereDifferent(picture, whole))));
+        }
+        QVERIFY2(partial > 20, qPrintable(QString::number(partial)));
+    }
+
+    /// A node of a large area is moved: what is far from it is not drawn again, neither on the outline nor within.
+    void onlyWhatChangedIsEvaluated()
+    {
+        Stroke s = emptyFill(1, 4, styleOf(StyleKind::Uniform));
+        addPolygon(s, {{50, 50}, {200, 50}, {350, 50}, {350, 250}, {50, 250}});
+        const auto p = painting({s}, 400, 300);
+        const auto renderer = make(Backend::Cpu, 0, 16);
+        FloatPicture picture;
+        const View view = View::ofArea(p->canvas.area(), 400, 300);
+        QVERIFY(renderer->render({p, p->end(), view, false}, picture));
+        s.segments[0].bezier[3] = s.segments[1].bezier[0] = {200, 40};
+        const auto q = withStroke(p, 0, s);
+        const auto stats = renderer->render({q, q->end(), view, false}, picture);
+        QVERIFY(stats && stats->tilesEvaluated > 0);
+        for (const PixelRect &r : stats->dirty)
+            QVERIFY2(r.y + r.height <= 50 + 32 + 16, qPrintable(QStringLiteral("%1, %2").arg(r.x).arg(r.y)));
+        QVERIFY(same(picture, test::render(*make(Backend::Cpu), q, view)));
+        // A corner that swings far: what comes inside is drawn, though no outline is near.
+        s.segments[1].bezier[3] = s.segments[2].bezier[0] = {390, 10};
+        const auto r = withStroke(q, 0, s);
+        QVERIFY(renderer->render({r, r->end(), view, false}, picture));
+        QVERIFY(same(picture, test::render(*make(Backend::Cpu), r, view)));
+        // Another colour changes all of it, and nothing beyond.
+        changeFill(s, [](Fill &f) { f.colour = {1, 0, 0, 1}; });
+        const auto last = withStroke(r, 0, s);
+        QVERIFY(renderer->render({last, last->end(), view, false}, picture));
+        QVERIFY(same(picture, test::render(*make(Backend::Cpu), last, view)));
+    }
+
+    void extremeValuesGiveNoNaN()
+    {
+        std::mt19937_64 random(13);
+        std::uniform_real_distribution<double> u(0, 1);
+        const auto renderer = make(Backend::Cpu);
+        for (int i = 0; i < 100; ++i) {
+            std::vector<Stroke> strokes;
+            for (int k = 0; k < 3; ++k) {
+                Stroke s = randomFill(random, StrokeId(k + 1), 64, 48, 3);
+                changeFill(s, [&](Fill &f) {
+                    f.diffusion = float(std::pow(10, -38 + 50 * u(random)));
+                    f.density = float(std::pow(10, -20 + 32 * u(random)));
+                    f.maxAge = float(std::pow(10, -6 + 12 * u(random)));
+                    f.anisotropyRatio = float(std::pow(10, -6 + 12 * u(random)));
+                });
+                if (random() % 3 == 0)
+                    for (Segment &g : s.segments)
+                        for (Offset &o : g.bezier)
+                            o = {o.x * 1e9f, o.y * 1e-9f};
+                strokes.push_back(s);
+            }
+            const auto p = painting(strokes, 64, 48);
+            const FloatPicture picture =
+                test::render(*renderer, p, View{{32, 24}, std::pow(10, -2 + 4 * u(random)), 0, false, 16, 12});
+            for (const float v : picture.rgba)
+                QVERIFY(v >= 0 && v <= 1);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFillEdits)
+#include "test_fill_edits.moc"
