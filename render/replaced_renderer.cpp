@@ -21,12 +21,13 @@ QString ReplacedRenderer::notice() const
     return own.isEmpty() ? m_notice : own;
 }
 
-void ReplacedRenderer::replace(std::unique_ptr<Renderer> next, const QString &notice)
+std::unique_ptr<Renderer> ReplacedRenderer::replace(std::unique_ptr<Renderer> next, const QString &notice)
 {
     const std::lock_guard lock(m_mutex);
     if (next)
         m_renderer.swap(next);
     m_notice = notice;
+    return next;
 }
 
 } // namespace suffuse
