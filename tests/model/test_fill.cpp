@@ -81,12 +81,10 @@ private slots:
         b.fill = {};
         QVERIFY(!(a == b) && !(b == a));
         QVERIFY(hashOf(paintingOf(a)) != hashOf(paintingOf(b)));
-        QVERIFY(hashOf(paintingOf(a)) ==
-                hashOf(paintingOf(with(a, [](Fill &f) { f.anisotropyAngle = -0.0f; }))));
+        QVERIFY(hashOf(paintingOf(a)) == hashOf(paintingOf(with(a, [](Fill &f) { f.anisotropyAngle = -0.0f; }))));
         QVERIFY(hashOf(paintingOf(a)) != hashOf(paintingOf(with(a, [](Fill &f) { f.born = 1; }))));
         const Gradient gradient{{1, 2}, {3, 4}, {}};
-        QVERIFY(hashOf(paintingOf(a)) !=
-                hashOf(paintingOf(with(a, [&](Fill &f) { f.gradient = gradient; }))));
+        QVERIFY(hashOf(paintingOf(a)) != hashOf(paintingOf(with(a, [&](Fill &f) { f.gradient = gradient; }))));
     }
 
     /// Documents hold hashes of paintings, so those of strokes without a fill stay what they were.
@@ -169,10 +167,11 @@ private slots:
             f.born = 16'000;
         });
         const QByteArray text = textOf(s);
-        QVERIFY2(text.contains(R"("fill": {"diffusion": 12.5, "density": 1, "granulation": 1, "maxAge": 1, "born": 0.016, )"
-                               R"("colour": [0.5,0,0.25,0.75], "rule": "evenodd", "gradient": {"from": [1,-0.1], )"
-                               R"("to": [30,1e-30], "colour": [1,0.1,0,0.5]}, "anisotropy": {"ratio": 3, "angle": 0}})"),
-                 text.constData());
+        QVERIFY2(
+            text.contains(R"("fill": {"diffusion": 12.5, "density": 1, "granulation": 1, "maxAge": 1, "born": 0.016, )"
+                          R"("colour": [0.5,0,0.25,0.75], "rule": "evenodd", "gradient": {"from": [1,-0.1], )"
+                          R"("to": [30,1e-30], "colour": [1,0.1,0,0.5]}, "anisotropy": {"ratio": 3, "angle": 0}})"),
+            text.constData());
         const auto again = readTextForm(text, QStringLiteral("a.json"));
         QVERIFY2(again, again ? "" : qPrintable(again.error()));
         QVERIFY(*again->strokes[0] == s);
@@ -213,13 +212,14 @@ private slots:
         const Stroke a = filledTriangle();
         const auto changed = differenceOf(a, with(a, [](Fill &f) { f.density = 3; })).values;
         QCOMPARE(changed.size(), std::size_t(1));
-        QCOMPARE(changed[0], (ValueDifference{QStringLiteral("fill.density"), QStringLiteral("1"), QStringLiteral("3")}));
+        QCOMPARE(changed[0],
+                 (ValueDifference{QStringLiteral("fill.density"), QStringLiteral("1"), QStringLiteral("3")}));
         Stroke without = a;
         without.fill = {};
         const auto added = differenceOf(without, a).values;
         QVERIFY(added.size() > 5);
-        QCOMPARE(added[0], (ValueDifference{QStringLiteral("fill.diffusion"), QStringLiteral("null"),
-                                            QStringLiteral("12.5")}));
+        QCOMPARE(added[0],
+                 (ValueDifference{QStringLiteral("fill.diffusion"), QStringLiteral("null"), QStringLiteral("12.5")}));
     }
 
     void isMappedWithItsStroke()
@@ -230,8 +230,7 @@ private slots:
         QCOMPARE(twice.fill->density, s.fill->density);
         QCOMPARE(twice.fill->gradient->from, (Offset{-2, 4}));
         QCOMPARE(twice.fill->gradient->to, (Offset{-8, 12}));
-        QCOMPARE(transformed(s, Affine::about({}, 0, -2, 2, 0), SpreadRule::Stays).fill->diffusion,
-                 s.fill->diffusion);
+        QCOMPARE(transformed(s, Affine::about({}, 0, -2, 2, 0), SpreadRule::Stays).fill->diffusion, s.fill->diffusion);
         // The place between the colours is the same at mapped points, and so is the tensor's quadratic form.
         const Affine map = Affine::about({}, 3, 0.5, -1, 0.7);
         const Stroke uneven = transformed(s, map, SpreadRule::Scales);

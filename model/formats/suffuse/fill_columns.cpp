@@ -11,8 +11,8 @@ void FillColumns::add(const Stroke &stroke)
         return;
     }
     const Fill &fill = *stroke.fill;
-    m_marks.push_back(std::uint8_t(IsFilled | (fill.rule == FillRule::EvenOdd ? IsEvenOdd : 0) |
-                                   (fill.gradient ? HasGradient : 0)));
+    m_marks.push_back(
+        std::uint8_t(IsFilled | (fill.rule == FillRule::EvenOdd ? IsEvenOdd : 0) | (fill.gradient ? HasGradient : 0)));
     m_numbers.add(fill);
     m_born.push_back(zigzag64(std::uint64_t(fill.born) - std::uint64_t(stroke.segments.front().born)));
     if (!fill.gradient)
