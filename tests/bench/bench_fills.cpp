@@ -88,11 +88,12 @@ PaintingPtr shapes(int count, int segments, double spread)
     return paintingOf(std::move(strokes));
 }
 
-PaintingPtr coast(int segments, double spread)
+/// An outline that is as uneven as its segments are long or, if `jagged`, a hundred times as much.
+PaintingPtr coast(int segments, double spread, bool jagged = false)
 {
     std::mt19937 random(3);
     Stroke s = filled(1, spread);
-    addBlob(s, {512, 384}, 350, segments, 0.003, random);
+    addBlob(s, {512, 384}, 350, segments, jagged ? 3e-3 : 3e-5, random);
     return paintingOf({s});
 }
 
@@ -157,5 +158,6 @@ int main(int argc, char **argv)
     measure(out, {"1,000 shapes of 12 segments, crisp", shapes(1000, 12, 1e-4), 500}, runs);
     measure(out, {"outline of 100,000 segments, s = 8", coast(100'000, 8)}, std::min(runs, 5));
     measure(out, {"outline of 100,000 segments, crisp", coast(100'000, 1e-4)}, std::min(runs, 5));
+    measure(out, {"jagged outline of 100,000 segments, s = 8", coast(100'000, 8, true)}, std::min(runs, 3));
     return 0;
 }
