@@ -4398,6 +4398,34 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Um&amp;formen</translation>
     </message>
     <message>
+        <source>&amp;Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Wet what the selected strokes enclose; the inspector has its values</source>
+        <translation>Nässt, was die gewählten Striche umschließen; der Inspektor hat die Werte</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Remove Fill</source>
+        <translation>Füllung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove fill</source>
+        <translation>Füllung entfernen</translation>
+    </message>
+    <message>
+        <source>Leave of the selected strokes their outlines</source>
+        <translation>Lässt von den gewählten Strichen die Umrisse</translation>
+    </message>
+    <message>
         <source>Geome&amp;tric Shapes</source>
         <translation>Geometris&amp;che Formen</translation>
     </message>
@@ -5900,13 +5928,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>beschädigt und weggelassen: %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n fill(s)</source>
-        <translation>
-            <numerusform>%n Füllung</numerusform>
-            <numerusform>%n Füllungen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n element(s) not drawn freehand</source>
         <translation>
             <numerusform>%n nicht freihändig gezeichnetes Element</numerusform>
@@ -6031,10 +6052,6 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n &lt;use&gt; seiner selbst</numerusform>
             <numerusform>%n &lt;use&gt; ihrer selbst</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Filled shapes are painted along their outlines.</source>
-        <translation>Gefüllte Formen sind entlang ihrer Umrisse gemalt.</translation>
     </message>
     <message>
         <source>There is more in the drawing than is read; the rest was left out.</source>
@@ -8641,6 +8658,22 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::ShapeTool</name>
     <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Outline and fill</source>
+        <translation>Umriss und Füllung</translation>
+    </message>
+    <message>
+        <source>What of the shape is painted</source>
+        <translation>Was von der Form gemalt wird</translation>
+    </message>
+    <message>
         <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
         <translation>Von der Mitte zu einer Ecke ziehen. Umschalt: in 15°-Schritten. Eingabe: wie die letzte.</translation>
     </message>
@@ -8719,6 +8752,49 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>An arc is closed through the middle; else by a straight line</source>
         <translation>Ein Bogen wird durch die Mitte geschlossen, sonst durch eine Gerade</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FillSection</name>
+    <message>
+        <source>Density ρ deep within the fill. On its outline it is half of that, so that with 1 and a threshold of ½ the paint ends there.</source>
+        <translation>Dichte ρ tief in der Füllung. Auf dem Umriss ist sie halb so groß, sodass die Farbe mit 1 und einer Schwelle von ½ dort endet.</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>What the stroke encloses was wetted at once, and spreads like its paint</source>
+        <translation>Was der Strich umschließt, wurde auf einmal genässt und breitet sich aus wie seine Farbe</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>All that is enclosed</source>
+        <translation>Alles Umschlossene</translation>
+    </message>
+    <message>
+        <source>Every other area</source>
+        <translation>Jede zweite Fläche</translation>
+    </message>
+    <message>
+        <source>What is inside where the outline overlaps itself (nonzero and even-odd in SVG)</source>
+        <translation>Was innen ist, wo der Umriss sich überlappt (nonzero und evenodd in SVG)</translation>
+    </message>
+    <message>
+        <source>Change fill</source>
+        <translation>Füllung ändern</translation>
+    </message>
+    <message>
+        <source>Remove fill</source>
+        <translation>Füllung entfernen</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für alles Gewählte möglich: Ein Wert läge außerhalb des Bereichs.</translation>
     </message>
 </context>
 <context>

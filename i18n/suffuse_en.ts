@@ -140,13 +140,6 @@
 <context>
     <name>suffuse::Files</name>
     <message numerus="yes">
-        <source>%n fill(s)</source>
-        <translation>
-            <numerusform>%n fill</numerusform>
-            <numerusform>%n fills</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n element(s) not drawn freehand</source>
         <translation>
             <numerusform>%n element not drawn freehand</numerusform>

@@ -4381,6 +4381,34 @@ Arrow keys work too.</source>
         <translation>整形(&amp;P)</translation>
     </message>
     <message>
+        <source>&amp;Fill</source>
+        <translation>填充(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Wet what the selected strokes enclose; the inspector has its values</source>
+        <translation>润湿所选笔画围住的区域；其数值在检查器中</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Remove Fill</source>
+        <translation>移除填充</translation>
+    </message>
+    <message>
+        <source>Remove fill</source>
+        <translation>移除填充</translation>
+    </message>
+    <message>
+        <source>Leave of the selected strokes their outlines</source>
+        <translation>只保留所选笔画的轮廓</translation>
+    </message>
+    <message>
         <source>Geome&amp;tric Shapes</source>
         <translation>几何形状(&amp;T)</translation>
     </message>
@@ -5883,12 +5911,6 @@ Arrow keys work too.</source>
         <translation>已损坏并略去：%1</translation>
     </message>
     <message numerus="yes">
-        <source>%n fill(s)</source>
-        <translation>
-            <numerusform>%n 处填充</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n element(s) not drawn freehand</source>
         <translation>
             <numerusform>%n 个非手绘元素</numerusform>
@@ -5997,10 +6019,6 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%n 个引用自身的 &lt;use&gt;</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Filled shapes are painted along their outlines.</source>
-        <translation>填充的形状沿其轮廓绘制。</translation>
     </message>
     <message>
         <source>There is more in the drawing than is read; the rest was left out.</source>
@@ -8590,6 +8608,22 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::ShapeTool</name>
     <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Outline and fill</source>
+        <translation>轮廓和填充</translation>
+    </message>
+    <message>
+        <source>What of the shape is painted</source>
+        <translation>绘制形状的哪一部分</translation>
+    </message>
+    <message>
         <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
         <translation>从中心拖到一个角。Shift：按 15° 步进。回车：与上一个相同。</translation>
     </message>
@@ -8668,6 +8702,49 @@ Arrow keys work too.</source>
     <message>
         <source>An arc is closed through the middle; else by a straight line</source>
         <translation>弧经中心闭合；否则用直线闭合</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FillSection</name>
+    <message>
+        <source>Density ρ deep within the fill. On its outline it is half of that, so that with 1 and a threshold of ½ the paint ends there.</source>
+        <translation>填充深处的密度 ρ。在轮廓上为其一半，因此取 1 且阈值为 ½ 时颜料止于轮廓。</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>What the stroke encloses was wetted at once, and spreads like its paint</source>
+        <translation>笔画围住的区域一次被润湿，并像其颜料一样扩散</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>内部</translation>
+    </message>
+    <message>
+        <source>All that is enclosed</source>
+        <translation>所有围住的区域</translation>
+    </message>
+    <message>
+        <source>Every other area</source>
+        <translation>隔一的区域</translation>
+    </message>
+    <message>
+        <source>What is inside where the outline overlaps itself (nonzero and even-odd in SVG)</source>
+        <translation>轮廓自相重叠处何为内部（SVG 的 nonzero 与 even-odd）</translation>
+    </message>
+    <message>
+        <source>Change fill</source>
+        <translation>更改填充</translation>
+    </message>
+    <message>
+        <source>Remove fill</source>
+        <translation>移除填充</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于所有选中对象：某个值会超出范围。</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,9 @@ StrokePtr recoloured(const Stroke &now, const ColourPart &part, const ColourMap 
     if (now.segments.size() != before.size())
         return nullptr;
     std::shared_ptr<Stroke> result;
+    bool whole = true;
     for (std::size_t k = 0; k < before.size(); ++k) {
+        whole = whole && (part.has(k) || before[k].lift);
         if (!part.has(k))
             continue;
         const Colour colour = map(before[k].colour);
@@ -26,6 +28,19 @@ StrokePtr recoloured(const Stroke &now, const ColourPart &part, const ColourMap 
             result = std::make_shared<Stroke>(now);
         result->segments[k].colour = colour;
     }
+    if (!whole || !now.fill || !part.stroke->fill)
+        return result;
+    // The fill belongs to the stroke as a whole.
+    Fill fill = *now.fill;
+    fill.colour = map(part.stroke->fill->colour);
+    if (fill.gradient && part.stroke->fill->gradient)
+        fill.gradient->colour = map(part.stroke->fill->gradient->colour);
+    if (fill == *now.fill || !problemOf(fill.colour).isEmpty() ||
+        (fill.gradient && !problemOf(fill.gradient->colour).isEmpty()))
+        return result;
+    if (!result)
+        result = std::make_shared<Stroke>(now);
+    result->fill = fill;
     return result;
 }
 

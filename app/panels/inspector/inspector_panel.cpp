@@ -2,6 +2,7 @@
 
 #include "app/panels/inspector/along_dialog.h"
 #include "app/panels/inspector/figures_section.h"
+#include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/selection_summary.h"
 #include "app/panels/inspector/stroke_section.h"
@@ -48,9 +49,10 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     addHead(*selection);
     m_segments = new SegmentSection(editor, m_selectionPage);
     m_style = new StyleSection(editor, m_selectionPage);
+    m_fill = new FillSection(editor, m_selectionPage);
     m_figures = new FiguresSection(editor, m_selectionPage);
     m_strokes = new StrokeSection(editor, m_selectionPage);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_segments, m_style, m_figures, m_strokes})
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_segments, m_style, m_fill, m_figures, m_strokes})
         selection->addWidget(widget);
 
     auto *canvas = new QVBoxLayout(m_canvasPage);
@@ -70,6 +72,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
 
     connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_fill, &FillSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showRefusal);
@@ -161,6 +164,7 @@ void InspectorPanel::refresh()
     // What takes paint away has no style of its own: it weakens what is there.
     m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->lift; }));
     m_style->refresh(inspected);
+    m_fill->refresh(inspected);
     m_figures->refresh(inspected);
     m_strokes->refresh(inspected);
 }

@@ -17,6 +17,7 @@ class CanvasSection;
 class CompareButton;
 class Editor;
 class FiguresSection;
+class FillSection;
 class HintLabel;
 class SegmentSection;
 class StrokeSection;
@@ -33,6 +34,7 @@ public:
 
     SegmentSection *segmentSection() const { return m_segments; }
     StyleSection *styleSection() const { return m_style; }
+    FillSection *fillSection() const { return m_fill; }
     FiguresSection *figuresSection() const { return m_figures; }
     StrokeSection *strokeSection() const { return m_strokes; }
     CanvasSection *canvasSection() const { return m_canvas; }
@@ -67,6 +69,7 @@ private:
     QPointer<AlongDialog> m_along;
     SegmentSection *m_segments = nullptr;
     StyleSection *m_style = nullptr;
+    FillSection *m_fill = nullptr;
     FiguresSection *m_figures = nullptr;
     StrokeSection *m_strokes = nullptr;
     QWidget *m_selectionPage = nullptr;

@@ -74,6 +74,8 @@ enum class Command {
     TouchPath,
     GroupStrokes,
     UngroupStrokes,
+    FillStrokes,
+    RemoveFills,
     CombineStrokes,
     BreakApart,
     RemoveErasures,

@@ -7,6 +7,8 @@
 
 #include <functional>
 
+#include "undo/fill_edits.h"
+
 namespace suffuse {
 
 namespace {
@@ -116,6 +118,30 @@ bool hasChains(const Stroke &stroke)
                        [](const Segment &segment) { return segment.start && !segment.lift; });
 }
 
+void addFillRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    table
+        .add(FillStrokes, "fill", Commands::tr("&Fill"), "", key(Commands::tr("Ctrl+Shift+F")),
+             Commands::tr("Wet what the selected strokes enclose; the inspector has its values"))
+        .when([&editor] {
+            return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return !stroke.fill; });
+        })
+        .runs([&editor] {
+            editor.push(addFills(editor.document(), editor.document().selection().strokes), Commands::tr("Fill"));
+        });
+    table
+        .add(RemoveFills, "removeFill", Commands::tr("Remove Fill"), "", {},
+             Commands::tr("Leave of the selected strokes their outlines"))
+        .when([&editor] {
+            return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return bool(stroke.fill); });
+        })
+        .runs([&editor] {
+            editor.push(removeFills(editor.document(), editor.document().selection().strokes),
+                        Commands::tr("Remove fill"));
+        });
+}
+
 void addChainRows(Commands &table, Editor &editor)
 {
     using enum Command;
@@ -172,6 +198,7 @@ void addObjectRows(Commands &table, OpenPainting &open)
     addOrderRows(table, editor);
     addSelectingRows(table, editor);
     addGroupRows(table, editor);
+    addFillRows(table, editor);
     addChainRows(table, editor);
     addShapeRows(table, editor);
     table

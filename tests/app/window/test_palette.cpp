@@ -116,7 +116,7 @@ private slots:
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
                 "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork "
                 "mapToSwatches lasso touchPath "
-                "group ungroup combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross "
+                "group ungroup fill removeFill combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross "
                 "flipDown quarterLeft quarterRight "
                 "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
                 "applyBrushColour applyBrushTexture vary along "

@@ -1,0 +1,172 @@
+#include "app/panels/inspector/fill_section.h"
+
+#include "app/session/editor.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
+#include "undo/fill_edits.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+namespace {
+
+FieldSpec densitySpec()
+{
+    FieldSpec spec = specOf(Quantity::Density);
+    spec.toolTip = FillSection::tr("Density ρ deep within the fill. On its outline it is half of that, so that with 1 "
+                                   "and a threshold of ½ the paint ends there.");
+    spec.display.unit.clear();
+    spec.sliderMinimum = 0.1;
+    spec.sliderMaximum = 10;
+    spec.defaultValue = 1;
+    return spec;
+}
+
+} // namespace
+
+FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_filled = new QCheckBox(tr("Fill"), this);
+    QFont bold = m_filled->font();
+    bold.setWeight(QFont::DemiBold);
+    m_filled->setFont(bold);
+    m_filled->setToolTip(tr("What the stroke encloses was wetted at once, and spreads like its paint"));
+    column->addWidget(m_filled);
+    m_values = new QWidget(this);
+    auto *values = new QVBoxLayout(m_values);
+    values->setContentsMargins(0, 0, 0, 0);
+    values->setSpacing(4);
+    QGridLayout *grid = addFieldGrid(*values);
+    addRow(specOf(Quantity::Diffusion), *grid, &Fill::diffusion);
+    addRow(densitySpec(), *grid, &Fill::density);
+    addRow(specOf(Quantity::Granulation), *grid, &Fill::granulation);
+    addRow(specOf(Quantity::MaxAge), *grid, &Fill::maxAge);
+    auto *label = new QLabel(tr("Inside"), m_values);
+    m_rule = new QComboBox(m_values);
+    m_rule->addItems({tr("All that is enclosed"), tr("Every other area")});
+    m_rule->setPlaceholderText(QStringLiteral("—"));
+    m_rule->setAccessibleName(tr("Inside"));
+    m_rule->setToolTip(tr("What is inside where the outline overlaps itself (nonzero and even-odd in SVG)"));
+    m_rule->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_rule->setMinimumContentsLength(8);
+    label->setBuddy(m_rule);
+    grid->addWidget(label, grid->rowCount(), 0);
+    grid->addWidget(m_rule, grid->rowCount() - 1, 1, 1, 2);
+    m_colour = new ColourRows(true, m_values);
+    values->addWidget(m_colour);
+    column->addWidget(m_values);
+
+    connect(m_filled, &QCheckBox::clicked, this, &FillSection::fillSelected);
+    connect(m_rule, &QComboBox::activated, this, [this](int index) {
+        const Document &document = m_editor.document();
+        m_editor.push(changeFills(document, *document.painting(), document.selection().strokes,
+                                  [index](Fill &now, const Fill &) { now.rule = FillRule(index); }),
+                      tr("Change fill"));
+    });
+    const auto channelOf = [](int channel) -> Member {
+        return [channel](Fill &fill) -> float & { return ColourRows::channelOf(fill.colour, channel); };
+    };
+    connect(m_colour, &ColourRows::edited, this,
+            [=, this](int channel, double value, ValueEntry *entry) { set(channelOf(channel), value, entry); });
+    connect(m_colour, &ColourRows::editedRelative, this,
+            [=, this](int channel, const ValueMap &map) { changeEach(channelOf(channel), map); });
+    connect(m_colour, &ColourRows::changed, this, [=, this](int channel, const ValueChange &change, ValueEntry *entry) {
+        changeTogether(channelOf(channel), change, entry);
+    });
+    connect(m_colour, &ColourRows::refused, this, &FillSection::refused);
+}
+
+void FillSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Fill::*member)
+{
+    auto *field = new SliderField(spec, grid, grid.rowCount(), m_values);
+    m_rows.emplace_back(member, field);
+    const Member value = [member](Fill &fill) -> float & { return fill.*member; };
+    connect(field, &SliderField::edited, this,
+            [=, this](double number, ValueEntry *entry) { set(value, number, entry); });
+    connect(field, &SliderField::editedRelative, this, [=, this](const ValueMap &map) { changeEach(value, map); });
+    connect(field, &SliderField::changed, this,
+            [=, this](const ValueChange &change, ValueEntry *entry) { changeTogether(value, change, entry); });
+    connect(field, &SliderField::refused, this, &FillSection::refused);
+}
+
+SliderField *FillSection::row(float Fill::*member) const
+{
+    const auto at = std::ranges::find(m_rows, member, &std::pair<float Fill::*, SliderField *>::first);
+    return at == m_rows.end() ? nullptr : at->second;
+}
+
+void FillSection::set(const Member &member, double value, ValueEntry *entry)
+{
+    const Document &document = m_editor.document();
+    m_editor.push(changeFills(document, *document.painting(), document.selection().strokes,
+                              [&](Fill &now, const Fill &) { member(now) = float(value); }),
+                  tr("Change fill"), entry);
+}
+
+void FillSection::changeEach(const Member &member, const ValueMap &map)
+{
+    const Document &document = m_editor.document();
+    bool possible = true;
+    Edit edit = changeFills(document, *document.painting(), document.selection().strokes, [&](Fill &now, const Fill &) {
+        const std::optional<double> mapped = map(double(member(now)));
+        possible = possible && mapped;
+        member(now) = float(mapped.value_or(double(member(now))));
+    });
+    if (possible)
+        m_editor.push(std::move(edit), tr("Change fill"));
+    else
+        emit refused(tr("Not possible for all that is selected: a value would be out of range."));
+}
+
+void FillSection::changeTogether(const Member &member, const ValueChange &change, ValueEntry *entry)
+{
+    const Document &document = m_editor.document();
+    const PaintingPtr start = entry->start(document);
+    m_editor.push(changeFills(document, *start, document.selection().strokes,
+                              [&](Fill &now, const Fill &then) {
+                                  Fill before = then;
+                                  member(now) = float(change.applied(double(member(before))));
+                              }),
+                  tr("Change fill"), entry);
+}
+
+void FillSection::fillSelected(bool on)
+{
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &strokes = document.selection().strokes;
+    m_editor.push(on ? addFills(document, strokes) : removeFills(document, strokes),
+                  on ? tr("Fill") : tr("Remove fill"));
+}
+
+void FillSection::refresh(const Inspected &inspected)
+{
+    std::vector<const Fill *> fills;
+    for (const Stroke *stroke : inspected.strokes)
+        if (stroke->fill)
+            fills.push_back(&*stroke->fill);
+    const bool some = !fills.empty() && fills.size() < inspected.strokes.size();
+    m_filled->setTristate(some);
+    m_filled->setCheckState(some ? Qt::PartiallyChecked : fills.empty() ? Qt::Unchecked : Qt::Checked);
+    m_values->setVisible(!fills.empty());
+    if (fills.empty())
+        return;
+    for (const auto &[member, field] : m_rows)
+        field->setValue(commonNumber(fills, [member = member](const Fill *fill) { return fill->*member; }));
+    std::array<std::optional<double>, 4> channels;
+    for (int channel = 0; channel < 4; ++channel)
+        channels[std::size_t(channel)] =
+            commonNumber(fills, [channel](const Fill *fill) { return ColourRows::channelOf(fill->colour, channel); });
+    m_colour->setColour(channels, fills.front()->colour);
+    const auto rule = commonValue(fills, [](const Fill *fill) { return fill->rule; });
+    m_rule->setCurrentIndex(rule ? int(*rule) : -1);
+}
+
+} // namespace suffuse

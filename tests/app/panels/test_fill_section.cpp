@@ -1,0 +1,97 @@
+// The fill in the inspector: switched on and off, its values, and what is selected of several strokes.
+#include "app/panels/inspector/fill_section.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/numbers/number_field.h"
+#include "tests/app/panel_bench.h"
+#include "tests/app/session.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestFillSection : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void theSwitchFillsAndEmpties()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        FillSection &section = *panel.fillSection();
+        bench.select({1, 2});
+        QCOMPARE(section.filled()->checkState(), Qt::Unchecked);
+        QVERIFY(!section.colour()->isVisible());
+        QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
+        QCOMPARE(bench.steps(), 1);
+        QVERIFY(bench.stroke(1).fill && bench.stroke(2).fill && !bench.stroke(3).fill);
+        QVERIFY(section.colour()->isVisible());
+        QVERIFY(!section.row(&Fill::diffusion)->number()->value()); // 10 and 20
+        bench.select({2, 3});
+        QCOMPARE(section.filled()->checkState(), Qt::PartiallyChecked);
+        QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
+        QVERIFY(bench.stroke(2).fill && bench.stroke(3).fill); // what is partly so becomes so
+        QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
+        QVERIFY(!bench.stroke(2).fill && !bench.stroke(3).fill);
+        QCOMPARE(bench.steps(), 3);
+    }
+
+    void numbersChangeTheFillAlone()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        FillSection &section = *panel.fillSection();
+        bench.select({1, 2});
+        QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
+        const Stroke before = bench.stroke(1);
+        type(*section.row(&Fill::density)->number(), "2.5");
+        QCOMPARE(bench.stroke(1).fill->density, 2.5f);
+        QCOMPARE(bench.stroke(2).fill->density, 2.5f);
+        type(*section.row(&Fill::diffusion)->number(), "*2"); // each from what it is
+        QCOMPARE(bench.stroke(1).fill->diffusion, 20.0f);
+        QCOMPARE(bench.stroke(2).fill->diffusion, 40.0f);
+        type(*section.colour()->row(ColourRows::Blue)->number(), "75");
+        QCOMPARE(bench.stroke(1).fill->colour.blue, 0.75f);
+        section.rule()->setCurrentIndex(1);
+        emit section.rule()->activated(1);
+        QCOMPARE(bench.stroke(2).fill->rule, FillRule::EvenOdd);
+        QVERIFY(bench.stroke(1).segments == before.segments);
+        QCOMPARE(bench.steps(), 5);
+        bench.editor.undoStack().undo();
+        QCOMPARE(section.rule()->currentIndex(), 0);
+    }
+
+    void aCommandFills()
+    {
+        Session s;
+        s.paintLine({200, 200}, {400, 260});
+        const StrokeId id = s.painting().strokes.front()->id;
+        s.editor().document().setSelection({{id}, {}});
+        QVERIFY(s.window.action(Command::FillStrokes).isEnabled());
+        QVERIFY(!s.window.action(Command::RemoveFills).isEnabled());
+        s.use(Command::FillStrokes);
+        QVERIFY(s.painting().find(id)->fill);
+        QVERIFY(!s.window.action(Command::FillStrokes).isEnabled());
+        s.use(Command::RemoveFills);
+        QVERIFY(!s.painting().find(id)->fill);
+        QCOMPARE(s.editor().undoStack().count(), 3);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestFillSection)
+#include "test_fill_section.moc"

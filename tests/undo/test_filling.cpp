@@ -1,0 +1,114 @@
+// Edits of fills: what begins, what changes, and what stays.
+#include "model/paint/style_function.h"
+#include "model/painting/validate.h"
+#include "undo/colour_edits.h"
+#include "undo/fill_edits.h"
+
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Colour red{1, 0, 0, 1}, blue{0, 0, 1, 1};
+
+StrokePtr triangle(StrokeId id, bool locked = false)
+{
+    Stroke stroke;
+    stroke.id = id;
+    stroke.locked = locked;
+    stroke.style = {StyleKind::Feathering, {0.8f, 1.5f, 0}};
+    const Offset corners[] = {{0, 0}, {60, 0}, {30, 50}, {0, 0}};
+    for (int i = 0; i < 3; ++i) {
+        Segment segment;
+        segment.bezier = {corners[i], corners[i], corners[i + 1], corners[i + 1]};
+        segment.diffusion = 7;
+        segment.granulation = 0.4f;
+        segment.maxAge = 3;
+        segment.born = 2'000'000 + i;
+        segment.colour = red;
+        stroke.segments.push_back(segment);
+    }
+    return std::make_shared<const Stroke>(stroke);
+}
+
+struct Work {
+    Document document;
+
+    Work()
+    {
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = {triangle(1), triangle(2), triangle(3, true)};
+        document.reset(painting);
+    }
+    void apply(Edit edit) { document.exchange(edit); }
+    const Stroke &stroke(StrokeId id) { return *document.painting()->find(id); }
+};
+
+} // namespace
+
+class TestFilling : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFillBeginsAsItsStrokeIs()
+    {
+        const Fill fill = usualFill(*triangle(1));
+        QCOMPARE(fill.diffusion, 7.0f);
+        QCOMPARE(fill.granulation, 0.4f);
+        QCOMPARE(fill.maxAge, 3.0f);
+        QCOMPARE(fill.born, Microseconds(2'000'000));
+        QCOMPARE(fill.colour, red);
+        // Half of its density is where the style's paint ends.
+        QVERIFY(std::abs(0.5 * double(fill.density) - visibleCut(triangle(1)->style)) < 1e-6);
+        Stroke filled = *triangle(1);
+        filled.fill = fill;
+        QCOMPARE(problemOf(filled), QString());
+    }
+
+    void onlyWhatIsNotFilledIsFilled()
+    {
+        Work w;
+        w.apply(addFills(w.document, {1, 3}));
+        QVERIFY(w.stroke(1).fill && !w.stroke(2).fill && !w.stroke(3).fill); // that one is locked
+        w.apply(changeFills(w.document, *w.document.painting(), {1, 2},
+                            [](Fill &now, const Fill &) { now.colour = blue; }));
+        QCOMPARE(w.stroke(1).fill->colour, blue);
+        QVERIFY(!w.stroke(2).fill);
+        QVERIFY(addFills(w.document, {1}).isEmpty());
+        w.apply(removeFills(w.document, {1, 2}));
+        QVERIFY(w.stroke(1) == *triangle(1));
+        QVERIFY(removeFills(w.document, {1, 2}).isEmpty());
+    }
+
+    void changesCountFromWhereTheyBegan()
+    {
+        Work w;
+        w.apply(addFills(w.document, {1, 2}));
+        const PaintingPtr before = w.document.painting();
+        for (const float by : {2.0f, 5.0f, 1.5f}) // as a drag does
+            w.apply(changeFills(w.document, *before, {1, 2},
+                                [by](Fill &now, const Fill &then) { now.diffusion = by * then.diffusion; }));
+        QCOMPARE(w.stroke(1).fill->diffusion, 10.5f);
+        QCOMPARE(w.stroke(2).fill->diffusion, 10.5f);
+        QVERIFY(changeFills(w.document, *before, {1}, [](Fill &now, const Fill &) { now.maxAge = -1; }).isEmpty());
+    }
+
+    /// The fill belongs to the stroke: it is recoloured with all of it, and not with a part.
+    void recolouringTakesTheFillAlong()
+    {
+        Work w;
+        w.apply(addFills(w.document, {1}));
+        const auto toBlue = [](const Colour &) { return blue; };
+        w.apply(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {{1, 0}}}), toBlue));
+        QCOMPARE(w.stroke(1).segments[0].colour, blue);
+        QCOMPARE(w.stroke(1).fill->colour, red);
+        w.apply(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {}}), toBlue));
+        QCOMPARE(w.stroke(1).segments[2].colour, blue);
+        QCOMPARE(w.stroke(1).fill->colour, blue);
+        QVERIFY(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {}}), toBlue).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFilling)
+#include "test_filling.moc"

@@ -1,0 +1,55 @@
+#include "undo/fill_edits.h"
+
+#include "model/paint/style_function.h"
+#include "model/painting/validate.h"
+#include "undo/edits.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+Fill usualFill(const Stroke &stroke)
+{
+    const auto paints = std::ranges::find_if(stroke.segments, [](const Segment &s) { return !s.lift; });
+    Fill fill;
+    fill.density = float(2 * visibleCut(stroke.style)); // It is half of that along a long straight edge.
+    fill.born = stroke.born();
+    if (paints == stroke.segments.end())
+        return fill;
+    fill.diffusion = paints->diffusion;
+    fill.granulation = paints->granulation;
+    fill.maxAge = paints->maxAge;
+    fill.colour = paints->colour;
+    return fill;
+}
+
+Edit addFills(const Document &document, const std::set<StrokeId> &strokes)
+{
+    return changeStrokes(document, strokes, [](Stroke &stroke) {
+        if (!stroke.fill)
+            stroke.fill = usualFill(stroke);
+    });
+}
+
+Edit removeFills(const Document &document, const std::set<StrokeId> &strokes)
+{
+    return changeStrokes(document, strokes, [](Stroke &stroke) { stroke.fill = {}; });
+}
+
+Edit changeFills(const Document &document, const Painting &before, const std::set<StrokeId> &strokes,
+                 const std::function<void(Fill &now, const Fill &then)> &change)
+{
+    return changeStrokes(document, strokes, [&](Stroke &stroke) {
+        if (!stroke.fill)
+            return;
+        const StrokePtr then = before.find(stroke.id);
+        Stroke changed = stroke;
+        Fill fill = *stroke.fill;
+        change(fill, then && then->fill ? *then->fill : *stroke.fill);
+        changed.fill = fill;
+        if (problemOf(changed).isEmpty())
+            stroke.fill = changed.fill;
+    });
+}
+
+} // namespace suffuse
