@@ -8,6 +8,7 @@
 #include "app/widgets/numbers/quantity.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
+#include "undo/fill_edits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -41,6 +42,9 @@ ShapeForm storedForm()
     int kind = 0;
     stored("kind", kind, 0, int(ShapeKind::Star));
     form.kind = ShapeKind(kind);
+    int paint = int(form.paint);
+    stored("paint", paint, 0, int(ShapePaint::Both));
+    form.paint = ShapePaint(paint);
     stored("radius", form.radius, 0, 1e6);
     stored("rounding", form.rounding, 0, 1);
     stored("corners", form.corners, ShapeForm::leastCorners, ShapeForm::mostCorners);
@@ -55,6 +59,7 @@ void store(const ShapeForm &form)
 {
     QSettings &store = settings::store();
     store.setValue(keyOf("kind"), int(form.kind));
+    store.setValue(keyOf("paint"), int(form.paint));
     store.setValue(keyOf("radius"), form.radius);
     store.setValue(keyOf("rounding"), form.rounding);
     store.setValue(keyOf("corners"), form.corners);
@@ -107,6 +112,17 @@ QWidget *ShapeTool::options()
         setForm(form);
     });
     row->addWidget(kinds);
+    auto *paints = new QComboBox(m_options);
+    paints->setObjectName("paint");
+    paints->addItems({tr("Outline"), tr("Fill"), tr("Outline and fill")});
+    paints->setToolTip(tr("What of the shape is painted"));
+    paints->setAccessibleName(tr("What of the shape is painted"));
+    connect(paints, &QComboBox::activated, this, [this](int index) {
+        ShapeForm form = m_form;
+        form.paint = ShapePaint(index);
+        setForm(form);
+    });
+    row->addWidget(paints);
     row->addSpacing(10);
 
     // Each field stands in a row of its own with its label, so that they are shown and hidden together.
@@ -171,6 +187,7 @@ void ShapeTool::showFields()
     if (!m_options)
         return;
     m_options->findChild<QComboBox *>("kind")->setCurrentIndex(int(m_form.kind));
+    m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(m_form.paint));
     for (QWidget *field : m_options->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly))
         if (const QVariant shapes = field->property("shapes"); shapes.isValid())
             field->setVisible(shapes.toList().contains(int(m_form.kind)));
@@ -189,6 +206,11 @@ void ShapeTool::showFields()
 StrokePtr ShapeTool::strokeBetween(Point a, Point b) const
 {
     Stroke stroke = strokeAlong(outlineOf(m_form, a, b), m_editor.brush(), m_id, m_born);
+    if (m_form.paint != ShapePaint::Outline && !stroke.segments.empty())
+        stroke.fill = usualFill(stroke);
+    if (m_form.paint == ShapePaint::Fill)
+        for (Segment &segment : stroke.segments)
+            segment.density = 0; // it bounds the fill, and lays no paint
     if (stroke.segments.empty() || !problemOf(stroke).isEmpty())
         return nullptr;
     return std::make_shared<const Stroke>(std::move(stroke));

@@ -10,7 +10,7 @@ class QHBoxLayout;
 
 namespace suffuse {
 
-/// Paints the outline of a rectangle, an ellipse, a polygon or a star with the brush in hand. The shape is drawn from
+/// Paints a rectangle, an ellipse, a polygon or a star with the brush in hand: its outline, what is within it, or both. The shape is drawn from
 /// corner to corner or, with Ctrl, from its middle; polygons and stars always are. It shows as paint while it is
 /// dragged, and is selected then. What it was is forgotten: from then on it is a stroke like others.
 class ShapeTool : public CanvasTool {

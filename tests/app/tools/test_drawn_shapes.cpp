@@ -86,6 +86,22 @@ private slots:
         QCOMPARE(s.painting().strokes.size(), std::size_t(2));
     }
 
+    void whatIsPaintedIsChosen()
+    {
+        Drawing s;
+        for (const ShapePaint paint : {ShapePaint::Outline, ShapePaint::Fill, ShapePaint::Both}) {
+            ShapeForm form;
+            form.paint = paint;
+            s.tool().setForm(form);
+            s.drag({200, 200}, {500, 350});
+            const Stroke &stroke = *s.painting().strokes.back();
+            QCOMPARE(bool(stroke.fill), paint != ShapePaint::Outline);
+            QCOMPARE(stroke.segments.front().density > 0, paint != ShapePaint::Fill);
+            if (stroke.fill)
+                QCOMPARE(stroke.fill->colour, s.editor().brush().colour);
+        }
+    }
+
     void eachKindHasItsOutline()
     {
         Drawing s;
