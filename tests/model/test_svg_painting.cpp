@@ -67,8 +67,14 @@ private slots:
                                 << QSizeF(200, 160) << QPointF(20, 20) << 16.0;
         QTest::newRow("by its width") << QByteArray("viewBox=\"0 0 100 80\" width=\"50\"") << QSizeF(50, 40)
                                       << QPointF(10, 15) << 4.0;
-        QTest::newRow("by the smaller") << QByteArray("viewBox=\"0 0 100 80\" width=\"900\" height=\"160\"")
-                                        << QSizeF(200, 160) << QPointF(40, 60) << 16.0;
+        QTest::newRow("in the middle") << QByteArray("viewBox=\"0 0 100 80\" width=\"900\" height=\"160\"")
+                                       << QSizeF(900, 160) << QPointF(390, 60) << 16.0;
+        QTest::newRow("a slice") << QByteArray("viewBox=\"0 0 100 80\" width=\"200\" height=\"80\" "
+                                               "preserveAspectRatio=\"xMidYMax slice\"")
+                                 << QSizeF(200, 80) << QPointF(40, -20) << 16.0;
+        QTest::newRow("stretched") << QByteArray("viewBox=\"0 0 100 80\" width=\"900\" height=\"160\" "
+                                                 "preserveAspectRatio=\"none\"")
+                                   << QSizeF(200, 160) << QPointF(40, 60) << 16.0;
         QTest::newRow("per cents") << QByteArray("viewBox=\"0 0 100 80\" width=\"100%\" height=\"100%\"")
                                    << QSizeF(100, 80) << QPointF(20, 30) << 8.0;
         QTest::newRow("millimetres") << QByteArray("viewBox=\"0 0 96 96\" width=\"25.4mm\" height=\"25.4mm\"")
@@ -118,10 +124,11 @@ private slots:
         QCOMPARE(painting->strokes[0]->segments.size(), std::size_t(1));
         QCOMPARE(painting->strokes[1]->segments.size(), std::size_t(4));
         QCOMPARE(painting->strokes[0]->segments[0].colour, rybFromSrgb(1, 0, 0));
-        QCOMPARE(painting->strokes[1]->segments[0].colour, rybFromSrgb(0, 0, 1));
+        QCOMPARE(painting->strokes[1]->fill->colour, rybFromSrgb(0, 0, 1));
+        QCOMPARE(painting->strokes[0]->brush, brush.name);
+        QVERIFY(!painting->strokes[0]->fill);
         for (std::size_t i = 0; i < 2; ++i) {
             QCOMPARE(painting->strokes[i]->id, StrokeId(i + 1));
-            QCOMPARE(painting->strokes[i]->brush, brush.name);
             QCOMPARE(painting->strokes[i]->segments[0].born, Microseconds(0));
         }
     }
@@ -144,12 +151,6 @@ private slots:
             const Result<LoadedDocument> document = readDocument(svg("", content), "a.svg");
             return document ? document->leftOut : document.error();
         };
-        const QString outlined = " Filled shapes are painted along their outlines.";
-        QCOMPARE(leftOut("<circle r=\"9\" fill=\"green\"/>"), "1 fill(s) were left out." + outlined);
-        // Black, unless it says none.
-        QCOMPARE(leftOut("<path d=\"M0 0h9v9z\" stroke=\"red\"/>"), QString("1 fill(s) were left out."));
-        QCOMPARE(leftOut("<path d=\"M0 0q9 9 18 0\" stroke=\"red\"/>"), QString("1 fill(s) were left out."));
-        QCOMPARE(leftOut("<path d=\"M0 0h9v9zM20 0h9v9z\"/>"), "1 fill(s) were left out." + outlined); // of one shape
         for (const char *unfilled :
              {"<circle r=\"9\" fill=\"none\" stroke=\"red\"/>",
               "<style>circle{fill:none;stroke:red}</style><circle r=\"9\"/>",
@@ -168,7 +169,7 @@ private slots:
                                        "<g clip-path=\"url(#c)\"><rect width=\"9\" height=\"9\" fill=\"url(#g)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url('#g') red\" clip-path=\"url(#c)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url(#h)\"/></g>"),
-                 "3 fill(s), 2 gradient(s), 1 clip path(s), 2 dash(es) were left out." + outlined);
+                 QString("1 gradient(s), 1 clip path(s), 2 dash(es) were left out.")); // the radial one
         QCOMPARE(leftOut(definitions + "<g marker=\"url(#m)\" mask=\"url(#k)\" style=\"filter:url(#f)\">" + line +
                          "<text>words</text></g><path d=\"M0 0h9\" stroke=\"url(#p)\"/>"),
                  QString("1 pattern(s), 1 mask(s), 1 filter(s), 1 marker(s), 1 text(s) were left out."));
@@ -181,6 +182,71 @@ private slots:
                  QString());
         QCOMPARE(leftOut("<style>path[d]{stroke:red} @import 'a.css'; path:hover{stroke:blue}</style>" + line),
                  QString("2 style rule(s) were left out."));
+    }
+
+    void areasAreFills()
+    {
+        const auto read = [](const QByteArray &content) {
+            const Result<Painting> painting = readPainting(svg("viewBox=\"0 0 100 100\"", content), "a.svg");
+            return painting ? painting->strokes : StrokeList();
+        };
+        const StrokeList both = read("<path d='M10 10h30v30zM50 10h30v30' fill='#0f0' fill-opacity='.5' stroke='red'/>");
+        QCOMPARE(both.size(), std::size_t(3)); // the area below, then a line along each subpath
+        const Stroke &area = *both[0];
+        QCOMPARE(area.fill->colour, rybFromSrgb(0, 1, 0, 0.5));
+        QCOMPARE(area.fill->rule, FillRule::NonZero);
+        QCOMPARE(area.segments.size(), std::size_t(5)); // an open subpath is closed by the fill itself
+        QVERIFY(area.segments[3].start && !area.segments[0].start);
+        for (const Segment &segment : area.segments)
+            QCOMPARE(segment.density, 0.0f); // only the area has paint
+        QVERIFY(!both[1]->fill && !both[2]->fill && both[1]->segments[0].density > 0);
+
+        const StrokeList odd = read("<g fill-rule='evenodd'><path d='M0 0h9v9h-9z'/></g>"
+                                    "<path style='fill-rule:evenodd' fill-rule='nonzero' d='M0 0h9v9z'/>");
+        QCOMPARE(odd.size(), std::size_t(2));
+        QCOMPARE(odd[0]->fill->rule, FillRule::EvenOdd);
+        QCOMPARE(odd[1]->fill->rule, FillRule::EvenOdd);
+    }
+
+    void linearGradientsAreGradients()
+    {
+        const auto read = [](const QByteArray &attributes, const QByteArray &stops, const QByteArray &shape) {
+            const Result<Painting> painting =
+                readPainting(svg("viewBox=\"0 0 100 100\"", "<linearGradient id='g' " + attributes + ">" + stops +
+                                                                "</linearGradient>" + shape),
+                             "a.svg");
+            return painting ? *painting : Painting();
+        };
+        const QByteArray greys = "<stop stop-color='#888'/><stop offset='1' stop-color='#999'/>";
+        const QByteArray box = "<rect x='20' y='10' width='60' height='80' fill='url(#g)'/>";
+        const auto places = [](const Stroke &stroke) {
+            const Gradient &g = *stroke.fill->gradient;
+            return std::array{stroke.origin + g.from, stroke.origin + g.to};
+        };
+        const auto near = [](Point a, Point b) { return length(a - b) < 1e-4; };
+        const Painting across = read("", greys, box);
+        QCOMPARE(across.strokes.size(), std::size_t(1));
+        QCOMPARE(across.strokes[0]->fill->colour, rybFromSrgb(0x88 / 255.0, 0x88 / 255.0, 0x88 / 255.0));
+        QVERIFY(near(places(*across.strokes[0])[0], {20, 10}) && near(places(*across.strokes[0])[1], {80, 10}));
+        const Painting own = read("gradientUnits='userSpaceOnUse' x1='30' y1='40' x2='50%' y2='40'", greys, box);
+        QVERIFY(near(places(*own.strokes[0])[0], {30, 40}) && near(places(*own.strokes[0])[1], {50, 40}));
+        const Painting turned = read("gradientTransform='rotate(90)'", greys, box); // downwards, as long as it is high
+        QVERIFY(near(places(*turned.strokes[0])[0], {20, 10}) && near(places(*turned.strokes[0])[1], {20, 90}));
+        // A shear keeps lines of one colour upright lines, along which they are moved.
+        const Painting sheared =
+            read("gradientUnits='userSpaceOnUse' x1='0' y1='0' x2='10' y2='0' gradientTransform='skewX(45)'", greys, box);
+        const std::array<Point, 2> slanted = places(*sheared.strokes[0]);
+        QVERIFY(near(slanted[0], {0, 0}) && near(slanted[1], {5, -5}));
+
+        const Painting many = read("", "<stop stop-color='red'/><stop offset='.5' stop-color='yellow'/>"
+                                       "<stop offset='1' stop-color='blue'/>", box);
+        QVERIFY(many.strokes.size() >= 2); // over each other, in a group
+        QCOMPARE(many.groups.size(), std::size_t(1));
+        QCOMPARE(many.strokes[1]->fill->colour.opacity, 0.0f);
+        QCOMPARE(many.strokes[1]->fill->gradient->colour.opacity, 1.0f);
+        const Painting one = read("", "<stop stop-color='red'/>", box);
+        QCOMPARE(one.strokes.size(), std::size_t(1));
+        QVERIFY(!one.strokes[0]->fill->gradient);
     }
 
     void gradientsOfStrokesBecomeTheirMean()

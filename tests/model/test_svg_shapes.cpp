@@ -43,7 +43,7 @@ private slots:
     void linesAndPolygons()
     {
         const auto paths = read("<line x1='1' y1='2' x2='30' y2='4' stroke='red'/>"
-                                "<polyline points='0,0 10,0 10 20' stroke='red'/>"
+                                "<polyline points='0,0 10,0 10 20' fill='none' stroke='red'/>"
                                 "<polygon points='0,0 10,0 10 20'/>");
         QCOMPARE(paths.size(), std::size_t(3));
         QVERIFY(near(nodesOf(paths[0]), {{1, 2}, {30, 4}}));

@@ -6,6 +6,7 @@
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -45,8 +46,35 @@ double wholeUnits(double size)
     return std::max(1.0, std::ceil(size - 1e-3));
 }
 
-/// The stroke along a path whose units are `scale` canvas units, and whose point `corner` comes to (0, 0). No value if
-/// files could not store it.
+/// What an area paints: its edge is as sharp as a screen shows it, up to a hundred pixels a unit, and only the area has
+/// paint.
+template <class Placed>
+Stroke valuesOfArea(const SvgPath &path, Segment &values, Point origin, const Placed &placed)
+{
+    constexpr double spread = 0.01;
+    Fill fill;
+    fill.maxAge = 1;
+    fill.diffusion = float(spread * spread / 4);
+    fill.born = values.born;
+    fill.colour = values.colour;
+    if (path.shade) {
+        const auto &c = path.shade->colour;
+        fill.gradient = Gradient{toOffset(placed(path.shade->from), origin), toOffset(placed(path.shade->to), origin),
+                                 rybFromSrgb(c[0], c[1], c[2], c[3])};
+    }
+    fill.rule = path.isEvenOdd ? FillRule::EvenOdd : FillRule::NonZero;
+    values.density = 0;
+    values.diffusion = fill.diffusion;
+    values.maxAge = fill.maxAge;
+    values.granulation = 1;
+    Stroke stroke;
+    stroke.style = {StyleKind::Uniform, {0.5f, 0.05f, 0}};
+    stroke.fill = fill;
+    return stroke;
+}
+
+/// The stroke along a path, or around an area, whose units are `scale` canvas units, and whose point `corner` comes to
+/// (0, 0). No value if files could not store it.
 std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scale, const Brush &brush,
                                   Microseconds born)
 {
@@ -55,24 +83,34 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     values.colour = rgba ? rybFromSrgb((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]) : brush.colour;
     values.born = born;
     const auto placed = [&](Point p) { return scale * (p - corner); };
+    const Point origin = placed(path.curves.front().p[0]);
     Stroke stroke;
+    if (path.fill) {
+        stroke = valuesOfArea(path, values, origin, placed);
+    } else {
+        stroke.style = brush.style;
+        stroke.mix = brush.mix;
+        stroke.brush = brush.name;
+    }
     stroke.id = 1; // A stroke needs an id to be checked.
     stroke.name = path.name;
-    stroke.style = brush.style;
-    stroke.mix = brush.mix;
-    stroke.brush = brush.name;
-    stroke.origin = placed(path.curves.front().p[0]);
+    stroke.origin = origin;
     stroke.segments.reserve(path.curves.size());
-    for (const Cubic &cubic : path.curves) {
+    bool begins = false;
+    for (std::size_t k = 0; k < path.curves.size(); ++k) {
         Segment segment = values;
         for (std::size_t i = 0; i < 4; ++i)
-            segment.bezier[i] = toOffset(placed(cubic.p[i]), stroke.origin);
-        if (!stroke.segments.empty())
+            segment.bezier[i] = toOffset(placed(path.curves[k].p[i]), stroke.origin);
+        begins = begins || std::ranges::binary_search(path.chains, k);
+        if (!stroke.segments.empty() && !begins)
             segment.bezier[0] = stroke.segments.back().bezier[3];
         const bool isPoint = segment.bezier[0] == segment.bezier[1] && segment.bezier[1] == segment.bezier[2] &&
                              segment.bezier[2] == segment.bezier[3];
-        if (!isPoint)
-            stroke.segments.push_back(std::move(segment));
+        if (isPoint)
+            continue;
+        segment.start = begins && !stroke.segments.empty();
+        begins = false;
+        stroke.segments.push_back(std::move(segment));
     }
     if (stroke.segments.empty() || !problemOf(stroke).isEmpty())
         return {};
@@ -118,7 +156,6 @@ QString leftOutOf(const SvgDrawing &drawing)
 {
     const SvgLosses &l = drawing.losses;
     QStringList sentences{leftOutSentence({
-        {l.fills, FileMessages::tr("%n fill(s)", nullptr, l.fills)},
         {l.gradients, FileMessages::tr("%n gradient(s)", nullptr, l.gradients)},
         {l.patterns, FileMessages::tr("%n pattern(s)", nullptr, l.patterns)},
         {l.clipPaths, FileMessages::tr("%n clip path(s)", nullptr, l.clipPaths)},
@@ -131,8 +168,6 @@ QString leftOutOf(const SvgDrawing &drawing)
         {l.rules, FileMessages::tr("%n style rule(s)", nullptr, l.rules)},
         {l.cycles, FileMessages::tr("%n <use> of itself", nullptr, l.cycles)},
     })};
-    if (l.outlined > 0)
-        sentences << FileMessages::tr("Filled shapes are painted along their outlines.");
     if (l.isCut)
         sentences << FileMessages::tr("There is more in the drawing than is read; the rest was left out.");
     sentences.removeAll(QString());

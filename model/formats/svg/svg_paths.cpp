@@ -1,7 +1,9 @@
 #include "model/formats/svg/svg_paths.h"
 
+#include "model/formats/svg/svg_gradient.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/formats/svg/svg_style.h"
+#include "model/shaping/transform.h"
 
 #include <QCoreApplication>
 
@@ -64,10 +66,32 @@ std::vector<std::vector<Cubic>> placed(const QString &data, const SvgMatrix &mat
     return subpaths;
 }
 
+/// The box of path data.
+Rect boxOf(const QString &data)
+{
+    Rect box;
+    for (const std::vector<Cubic> &subpath : parsePathData(data))
+        for (const Cubic &curve : subpath)
+            box = box.united(curveBox(curve));
+    return box;
+}
+
+/// The view box of the document, or its size.
+Rect viewportOf(const SvgTree &tree)
+{
+    if (tree.root().children.empty())
+        return {};
+    const QXmlStreamAttributes &root = tree.root().children.front()->attributes;
+    if (const Rect viewBox = svgViewBox(root); !viewBox.isEmpty())
+        return viewBox;
+    return Rect::of(0, 0, svgLength(root.value(QLatin1String("width")).toString()).value_or(0),
+                    svgLength(root.value(QLatin1String("height")).toString()).value_or(0));
+}
+
 /// Collects what a document draws.
 class Drawing {
 public:
-    explicit Drawing(SvgTree &tree) : m_tree(tree) {}
+    explicit Drawing(SvgTree &tree) : m_tree(tree), m_viewport(viewportOf(tree)) {}
 
     SvgDrawing draw()
     {
@@ -212,15 +236,14 @@ private:
     {
         const SvgPaint stroke = svgPaint(style.stroke, style.strokeOpacity * style.opacity, style.current, m_tree);
         const SvgPaint fill = svgPaint(style.fill, style.fillOpacity * style.opacity, style.current, m_tree);
-        SvgPath path;
-        path.fill = fill.colour;
-        path.strokeWidth = style.strokeWidth * (style.keepsWidth ? 1 : style.matrix.scale());
-        if (path.strokeWidth > 0)
-            path.stroke = stroke.colour;
-        if (!style.isVisible || (!path.stroke && !path.fill))
+        SvgPath line;
+        line.strokeWidth = style.strokeWidth * (style.keepsWidth ? 1 : style.matrix.scale());
+        if (line.strokeWidth > 0)
+            line.stroke = stroke.colour;
+        if (!style.isVisible || (!line.stroke && !fill.colour))
             return;
-        path.name = place.name.isEmpty() ? element.givenName() : place.name;
-        path.group = place.group;
+        line.name = place.name.isEmpty() ? element.givenName() : place.name;
+        line.group = place.group;
         std::vector<std::vector<Cubic>> subpaths = placed(data, style.matrix);
         std::size_t curves = 0;
         for (const std::vector<Cubic> &subpath : subpaths)
@@ -230,19 +253,58 @@ private:
             return;
         }
         SvgLosses &losses = m_out.losses;
-        const bool hasFill = path.fill && std::ranges::any_of(subpaths, enclosesArea);
-        losses.fills += hasFill ? 1 : 0;
-        losses.outlined += hasFill && !path.stroke ? 1 : 0;
-        losses.dashes += path.stroke && style.isDashed ? 1 : 0;
-        for (const SvgElement *replaced : {path.stroke ? stroke.replaced : nullptr, hasFill ? fill.replaced : nullptr})
+        const bool hasFill = fill.colour && std::ranges::any_of(subpaths, enclosesArea);
+        losses.dashes += line.stroke && style.isDashed ? 1 : 0;
+        std::vector<SvgShade> shades;
+        if (hasFill && fill.replaced && fill.gradient)
+            shades = svgShades(*fill.gradient, boxOf(data), style.matrix, m_viewport, style.fillOpacity * style.opacity,
+                               style.current, m_tree);
+        const SvgElement *lost = hasFill && shades.empty() ? fill.replaced : nullptr;
+        for (const SvgElement *replaced : {line.stroke ? stroke.replaced : nullptr, lost})
             if (replaced)
                 m_lost.insert(replaced);
         if (mayHaveMarkers(element.name))
             for (const QString &marker : style.markers)
                 lose(marker, "marker");
+        if (hasFill)
+            addAreas(subpaths, line, *fill.colour, shades, style.isEvenOdd);
+        if (!line.stroke)
+            return;
         for (std::vector<Cubic> &subpath : subpaths) {
-            m_out.paths.push_back(path);
+            m_out.paths.push_back(line);
             m_out.paths.back().curves = std::move(subpath);
+        }
+    }
+
+    /// The area lies below the lines of the same element, whose name and group it has. Shades of it that lie over each
+    /// other are a group.
+    void addAreas(const std::vector<std::vector<Cubic>> &subpaths, const SvgPath &line, const SvgColour &colour,
+                  const std::vector<SvgShade> &shades, bool isEvenOdd)
+    {
+        SvgPath area = line;
+        area.stroke.reset();
+        area.fill = colour;
+        area.isEvenOdd = isEvenOdd;
+        for (const std::vector<Cubic> &subpath : subpaths) {
+            if (!area.curves.empty())
+                area.chains.push_back(area.curves.size());
+            area.curves.insert(area.curves.end(), subpath.begin(), subpath.end());
+        }
+        if (shades.empty()) {
+            m_out.paths.push_back(std::move(area));
+            return;
+        }
+        if (shades.size() > 1) {
+            m_out.groups.push_back({area.name, area.group});
+            area.group = int(m_out.groups.size()) - 1;
+        }
+        for (const SvgShade &shade : shades) {
+            area.fill = shade.first;
+            area.shade.reset();
+            if (shade.first != shade.last)
+                area.shade = {shade.from, shade.to, shade.last};
+            if ((*area.fill)[3] > 0 || area.shade)
+                m_out.paths.push_back(area);
         }
     }
 
@@ -284,6 +346,7 @@ private:
     }
 
     SvgTree &m_tree;
+    const Rect m_viewport; ///< what per cents count by
     SvgDrawing m_out;
     std::set<const SvgElement *> m_lost, m_cycles;
     int m_drawn = 0, m_copied = 0;
@@ -297,8 +360,7 @@ std::optional<double> sizeOf(const QXmlStreamAttributes &root, const char *name)
     return size && *size > 0 ? size : std::nullopt;
 }
 
-/// Finds area and scale. The ratio of the sides is that of the view box, however that is to be placed in width ×
-/// height.
+/// Finds area and scale. Where the document gives itself width and height, what they show of the view box is seen.
 void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
 {
     const std::optional<double> width = sizeOf(root, "width"), height = sizeOf(root, "height");
@@ -308,10 +370,18 @@ void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
             drawing.area = Rect::of(0, 0, *width, *height);
         return;
     }
-    const double byWidth = width.value_or(HUGE_VAL) / drawing.area.width();
-    const double byHeight = height.value_or(HUGE_VAL) / drawing.area.height();
+    const Rect box = drawing.area;
+    const double byWidth = width.value_or(HUGE_VAL) / box.width(), byHeight = height.value_or(HUGE_VAL) / box.height();
     const double scale = std::min(byWidth, byHeight);
     drawing.scale = std::isfinite(scale) ? scale : 1;
+    if (!width || !height)
+        return;
+    const SvgMatrix placing = svgViewport(box, Rect::of(0, 0, *width, *height),
+                                          root.value(QLatin1String("preserveAspectRatio")).toString());
+    if (placing.a != placing.d || !(placing.a > 0)) // "none" stretches, which a canvas cannot
+        return;
+    drawing.scale = placing.a;
+    drawing.area = Rect::of(-placing.e / placing.a, -placing.f / placing.a, *width / placing.a, *height / placing.a);
 }
 
 } // namespace

@@ -13,11 +13,20 @@
 
 namespace suffuse {
 
-/// A subpath of a <path>, or a shape.
+/// What an element paints: the area within its subpaths, or a line along one of them.
 struct SvgPath {
-    std::vector<Cubic> curves;                   ///< each starts where the one before it ends; there is at least one
-    std::optional<std::array<double, 4>> stroke; ///< sRGB-encoded colour and opacity
-    std::optional<std::array<double, 4>> fill;
+    /// Each starts where the one before it ends, unless a chain begins there. There is at least one.
+    std::vector<Cubic> curves;
+    std::vector<std::size_t> chains;             ///< the curves with which the second and further chains begin
+    std::optional<std::array<double, 4>> stroke; ///< sRGB-encoded colour and opacity of a line
+    std::optional<std::array<double, 4>> fill;   ///< of an area; one of the two is there
+    /// Of an area whose colour changes: from `fill` at the first point to the colour at the second one, and not beyond.
+    struct Shade {
+        Point from, to;
+        std::array<double, 4> colour;
+    };
+    std::optional<Shade> shade;
+    bool isEvenOdd = false;                      ///< the rule by which an area is inside its curves
     double strokeWidth = 1; ///< user units of the drawing
     QString name;           ///< Inkscape's label, <title> or id; may be empty
     int group = -1;         ///< the index of a group of the drawing; −1: none
@@ -31,8 +40,6 @@ struct SvgGroup {
 
 /// How much of a drawing strokes cannot show.
 struct SvgLosses {
-    int fills = 0;    ///< shapes whose inside would have been painted
-    int outlined = 0; ///< those of them that have only a fill, with whose colour their outline is painted
     int dashes = 0;   ///< shapes whose strokes are dashed
     int texts = 0, images = 0;
     /// definitions that are used by what is drawn

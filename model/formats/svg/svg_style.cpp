@@ -50,7 +50,7 @@ const QSet<QString> &knownProperties()
 {
     static const QSet<QString> names{
         "fill",    "stroke", "fill-opacity", "stroke-opacity", "opacity",          "stroke-width", "visibility",
-        "display", "color",  "stop-color",   "stop-opacity",   "stroke-dasharray", "marker",       "clip-path",
+        "display", "color",  "stop-color",   "stop-opacity",   "stroke-dasharray", "fill-rule", "marker",       "clip-path",
         "mask",    "filter", "marker-start", "marker-mid",     "marker-end",       "transform",    "vector-effect"};
     return names;
 }
@@ -102,23 +102,6 @@ SvgColour colourFrom(const QString &text, const SvgColour &current)
     return cssColour(text).value_or(current); // It is currentColor.
 }
 
-/// The colours of a gradient's stops, or of the stops of the gradient from which it takes them.
-std::vector<SvgColour> stopsOf(const SvgElement *gradient, const SvgColour &current, SvgTree &tree)
-{
-    std::vector<SvgColour> stops;
-    for (int hops = 0; gradient && stops.empty() && hops < 32; ++hops, gradient = tree.target(*gradient)) {
-        for (const auto &child : gradient->children) {
-            if (child->name != QLatin1String("stop") || stops.size() >= 1000)
-                continue;
-            const Properties p = propertiesOf(*child, tree.sheet());
-            SvgColour colour = colourFrom(p.value("stop-color", "black"), current);
-            colour[3] *= shareOf(p.value("stop-opacity", "1")).value_or(1);
-            stops.push_back(colour);
-        }
-    }
-    return stops;
-}
-
 } // namespace
 
 SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
@@ -146,6 +129,7 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     style.opacity *= own;
     take("stroke-width", [&](const QString &v) { style.strokeWidth = *svgLength(v); });
     take("stroke-dasharray", [&](const QString &v) { style.isDashed = areDashes(v); });
+    take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
     take("visibility", [&](const QString &v) { style.isVisible = v == QLatin1String("visible"); });
     take("display", [&](const QString &v) { style.isDisplayed = v != QLatin1String("none"); });
     take("vector-effect",
@@ -164,20 +148,41 @@ QString svgReference(const QString &paint)
     return paint.startsWith(QLatin1String("url")) ? form.match(paint).captured(1) : QString();
 }
 
+std::vector<SvgStop> svgStops(const SvgElement *gradient, const SvgColour &current, SvgTree &tree)
+{
+    std::vector<SvgStop> stops;
+    for (int hops = 0; gradient && stops.empty() && hops < 32; ++hops, gradient = tree.target(*gradient)) {
+        for (const auto &child : gradient->children) {
+            if (child->name != QLatin1String("stop") || stops.size() >= 1000)
+                continue;
+            const Properties p = propertiesOf(*child, tree.sheet());
+            SvgStop stop;
+            stop.colour = colourFrom(p.value("stop-color", "black"), current);
+            stop.colour[3] *= shareOf(p.value("stop-opacity", "1")).value_or(1);
+            stop.offset = shareOf(child->attribute("offset").trimmed()).value_or(0);
+            if (!stops.empty())
+                stop.offset = std::max(stop.offset, stops.back().offset);
+            stops.push_back(stop);
+        }
+    }
+    return stops;
+}
+
 SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree)
 {
     SvgPaint result;
     const QString reference = svgReference(paint);
     const SvgElement *server = tree.find(reference);
     if (server && server->name.endsWith(QLatin1String("Gradient"))) {
-        const std::vector<SvgColour> stops = stopsOf(server, current, tree);
+        const std::vector<SvgStop> stops = svgStops(server, current, tree);
         SvgColour mean{};
-        for (const SvgColour &stop : stops)
+        for (const SvgStop &stop : stops)
             for (std::size_t i = 0; i < 4; ++i)
-                mean[i] += stop[i] / double(stops.size());
+                mean[i] += stop.colour[i] / double(stops.size());
         if (!stops.empty())
             result.colour = mean;
-        if (std::ranges::any_of(stops, [&stops](const SvgColour &stop) { return stop != stops.front(); }))
+        result.gradient = server;
+        if (std::ranges::any_of(stops, [&](const SvgStop &stop) { return stop.colour != stops.front().colour; }))
             result.replaced = server;
     } else if (!reference.isEmpty()) {
         const QString instead = paint.mid(paint.indexOf(u')') + 1).trimmed();

@@ -21,6 +21,7 @@ struct SvgStyle {
     double fillOpacity = 1, strokeOpacity = 1, opacity = 1, strokeWidth = 1;
     bool isVisible = true;
     bool isDashed = false;
+    bool isEvenOdd = false; ///< fill-rule
     // What follows counts for this element alone.
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
@@ -34,9 +35,18 @@ struct SvgStyle {
 /// The "#id" of "url(#id) fallback"; empty for other paints.
 QString svgReference(const QString &paint);
 
+/// A place on a gradient's way, and its colour there.
+struct SvgStop {
+    double offset = 0; ///< [0, 1]; none is before that of the stop before it
+    SvgColour colour{0, 0, 0, 1};
+};
+/// The stops of a gradient, or of the gradient from which it takes them; empty if there are none.
+std::vector<SvgStop> svgStops(const SvgElement *gradient, const SvgColour &current, SvgTree &tree);
+
 /// A stroke or a fill as one colour. For a gradient it is the mean of its stops.
 struct SvgPaint {
     std::optional<SvgColour> colour;      ///< no value: nothing is painted
+    const SvgElement *gradient = nullptr; ///< whose mean it is
     const SvgElement *replaced = nullptr; ///< the gradient or pattern that the colour stands for
 };
 SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree);
