@@ -43,6 +43,8 @@ public:
 
     /// Sets the tool in use, which belongs to whoever made it. The tool before it is cancelled.
     void setTool(Tool *tool);
+    /// Ends what the tool has in hand as the release of the button would, before something else is done.
+    void finishGesture() { m_input.finish(); }
     Tool *tool() const { return m_input.hand().tool(); }
     /// Whether the tool has seen a press and no release yet.
     bool isPressed() const { return m_input.hand().isPressed(); }

@@ -263,9 +263,8 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    EntryField::takeTypedIn(*this); // it is asked about, too
-    if (m_canvas->tool())
-        m_canvas->tool()->cancel();
+    EntryField::takeTypedIn(*this); // What is typed or in hand is part of the work that is asked about.
+    m_canvas->finishGesture();
     if (!m_saving->maySwitch()) {
         event->ignore();
         return;

@@ -195,6 +195,14 @@ void CanvasInput::finishHand(PointerDevice device)
     noteBusy();
 }
 
+void CanvasInput::finish()
+{
+    if (m_pen.isDown())
+        lostPen();
+    else if (!m_hand.isFree())
+        finishHand(PointerDevice::Mouse);
+}
+
 bool CanvasInput::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::TabletEnterProximity) {
@@ -360,15 +368,7 @@ void CanvasInput::focusOut(Qt::FocusReason reason)
     const bool opens = reason == Qt::PopupFocusReason || reason == Qt::MenuBarFocusReason ||
                        QApplication::activePopupWidget() || QApplication::activeModalWidget();
     if (opens && !m_hand.isFree()) // Later, since the tool itself may be opening something.
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                if (m_pen.isDown())
-                    lostPen();
-                else if (!m_hand.isFree())
-                    finishHand(PointerDevice::Mouse);
-            },
-            Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &CanvasInput::finish, Qt::QueuedConnection);
     const bool wasBare = m_keys.isBare();
     m_keys.forget(); // The release of the keys will go elsewhere.
     if (wasBare)

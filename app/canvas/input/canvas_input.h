@@ -62,6 +62,8 @@ public:
     /// Takes the loss of the keyboard. Where a menu or a dialog has taken it, the pointer's release goes there, too, so
     /// what is in hand is finished as if it had been let go.
     void focusOut(Qt::FocusReason reason);
+    /// Ends what is in hand as the release of the button would.
+    void finish();
     /// Emits `busyChanged` if something has come into the tool's hand, or has left it, since it was last emitted.
     void noteBusy();
 

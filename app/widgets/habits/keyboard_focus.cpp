@@ -3,6 +3,7 @@
 #include "app/session/commands/keys.h"
 #include "app/widgets/habits/entry_field.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -163,6 +164,15 @@ bool leavesAfterClicks(const QWidget *widget)
     return widget;
 }
 
+/// Whether a click elsewhere is about something else than the field that has the keyboard: on a button, or on the tab
+/// of another dock, which may hide the field.
+bool endsTyping(const QWidget *clicked, const QWidget &field)
+{
+    const bool isElsewhere =
+        clicked && clicked != &field && !clicked->isAncestorOf(&field) && !field.isAncestorOf(clicked);
+    return isElsewhere && (qobject_cast<const QAbstractButton *>(clicked) || qobject_cast<const QTabBar *>(clicked));
+}
+
 bool takesFocus(const QWidget &widget)
 {
     return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
@@ -273,7 +283,7 @@ void KeyboardFocus::letClicked(const QWidget *clicked)
     QWidget *focus = QApplication::focusWidget();
     // This works behind a dialog, too, that the click has opened.
     for (QWidget *had : {focus, m_window.focusWidget()})
-        if (had && panelOf(had) && (!canBeTypedInto(*had) || leavesAfterClicks(clicked))) {
+        if (had && panelOf(had) && (!canBeTypedInto(*had) || leavesAfterClicks(clicked) || endsTyping(clicked, *had))) {
             if (had == focus)
                 toCanvas();
             else
@@ -345,7 +355,9 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
             return true;
         break;
     case QEvent::MouseButtonRelease:
-        if (widget && panelOf(widget)) // after the widget has handled the release
+        if (widget &&
+            (panelOf(widget) || (qobject_cast<QTabBar *>(widget) &&
+                                 widget->parentWidget() == &m_window))) // after the widget has handled the release
             QMetaObject::invokeMethod(
                 this, [this, clicked = QPointer<QWidget>(widget)] { letClicked(clicked); }, Qt::QueuedConnection);
         break;
@@ -399,7 +411,8 @@ void KeyboardFocus::walk(bool forward)
         }
 }
 
-/// Docks that the walk has brought to the front, and in which nothing was done, go back behind the one that stood there.
+/// Docks that the walk has brought to the front, and in which nothing was done, go back behind the one that stood
+/// there.
 void KeyboardFocus::putBack(const QWidget &stop)
 {
     if (!m_front || m_front == &stop)

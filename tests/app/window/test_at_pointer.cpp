@@ -1,4 +1,5 @@
 // What opens where the pointer is: the menu, the brush palette, the values; and the brushes in the row over the canvas.
+#include "app/widgets/asking/messages.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/session/colour/colour_target.h"
 #include "app/session/colour_convert.h"
@@ -298,6 +299,32 @@ private slots:
         QCOMPARE(s.painting().strokes.size(), std::size_t(6));
         QVERIFY(s.painting().strokes.back()->segments.size() > 0);
         QCOMPARE(s.steps(), 3);
+    }
+
+    /// A stroke in hand when the window closes belongs to the work that is asked about.
+    void closingFinishesTheStroke()
+    {
+        Crossing s;
+        QTemporaryDir folder;
+        QVERIFY(s.window.saveTo(folder.filePath("a.suffuse")));
+        int asked = 0;
+        MessageHooks hooks;
+        hooks.unsaved = [&](const QString &) {
+            ++asked;
+            return SaveAnswer::Cancel;
+        };
+        setMessageHooks(hooks);
+        const auto back = qScopeGuard([] { setMessageHooks({}); });
+        s.use(Command::Brush);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 200}));
+        for (int i = 1; i <= 10; ++i) {
+            s.advance(interval);
+            QTest::mouseMove(&s.canvas(), s.at({250 + 10.0 * i, 200}));
+        }
+        QVERIFY(!s.window.close());
+        QCOMPARE(asked, 1);
+        QVERIFY(!s.canvas().tool()->isBusy());
+        QCOMPARE(s.painting().strokes.size(), std::size_t(4));
     }
 
     /// The pen's button asks when it is let go: what opens would not let the canvas hear of it.

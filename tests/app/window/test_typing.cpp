@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
@@ -305,6 +306,37 @@ private slots:
         QVERIFY(!s.window.close());
         QCOMPARE(asked, 1);
         QCOMPARE(now(), 16.0f);
+    }
+
+    /// Who has left a field by a click on a tool or on another dock's tab types to the canvas from then on.
+    void aClickElsewhereEndsTyping()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        s.editor().document().setSelection({{s.painting().strokes.front()->id}, {}});
+        auto *inspector = s.window.findChild<QDockWidget *>("inspectorDock");
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        s.window.tabifyDockWidget(inspector, strokes);
+        inspector->raise();
+        QTRY_VERIFY(!inspector->visibleRegion().isEmpty());
+        NumberField *field = s.window.findChild<InspectorPanel *>()->segmentSection()->granulation()->number();
+        const auto begin = [&] {
+            inspector->raise();
+            field->setFocus();
+            return field->hasFocus();
+        };
+        QVERIFY(begin());
+        auto *tools = s.window.findChild<QToolBar *>("tools");
+        QTest::mouseClick(tools->widgetForAction(&s.window.action(Command::Eraser)), Qt::LeftButton);
+        QTRY_VERIFY(s.canvas().hasFocus());
+        QVERIFY(begin());
+        for (QTabBar *bar : s.window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+            for (int i = 0; i < bar->count(); ++i)
+                if (bar->tabText(i) == strokes->windowTitle())
+                    QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(i).center());
+        QTRY_VERIFY(s.canvas().hasFocus());
+        QTRY_VERIFY(!strokes->visibleRegion().isEmpty());
     }
 
     /// A double click is the start of another number, not of its digits before the point.
