@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace suffuse {
@@ -47,6 +48,18 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(m_filter, signal, this, &StrokesPanel::showWhetherFound);
     connect(m_filter, &QAbstractItemModel::modelReset, this, &StrokesPanel::showWhetherFound);
+    // Where a stroke goes into a group or out of it, rows are made anew. What was open stays so.
+    connect(m_filter, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+        m_openBefore = openGroups();
+        m_scrolledTo = m_view->verticalScrollBar()->value();
+    });
+    connect(m_filter, &QAbstractItemModel::modelReset, this, [this] {
+        forEachGroup({}, [this](const QModelIndex &group) {
+            if (m_openBefore.contains(group.data(StrokesModel::GroupIdRole).toULongLong()))
+                m_view->expand(group);
+        });
+        m_view->verticalScrollBar()->setValue(m_scrolledTo);
+    });
     m_search->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -284,6 +284,32 @@ private slots:
         QCOMPARE(bench.steps(), 1);
     }
 
+    /// A row that is dropped into an open group is seen there.
+    void openGroupsStayOpen()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 2}, {2, 2}, {3, 1}, {4, 1}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        const auto isOpen = [&](int row) { return panel.view()->isExpanded(panel.view()->model()->index(row, 0)); };
+        panel.view()->expand(panel.view()->model()->index(1, 0)); // rows: 5, Trees, Sky
+        StrokesModel &model = *panel.model();
+        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(5)}));
+        model.dropMimeData(data.get(), Qt::MoveAction, 1, 0, model.index(1, 0));
+        QCOMPARE(bench.stroke(5).group, GroupId(1));
+        QVERIFY(isOpen(0) && !isOpen(1)); // rows: Trees, Sky
+        QVERIFY(panel.view()->visualRect(panel.viewIndexOf(5)).isValid());
+        bench.editor.undoStack().undo();
+        QVERIFY(isOpen(1) && !isOpen(2));
+    }
+
     /// A stroke of several chains says so in its row and in its tool tip; others say nothing of it.
     void rowsTellOfPiecesAndErasures()
     {
