@@ -8702,6 +8702,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Was gezeichnet wird</translation>
     </message>
     <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
         <source>Corners</source>
         <translation>Ecken</translation>
     </message>

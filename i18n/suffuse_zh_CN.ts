@@ -8652,8 +8652,12 @@ Arrow keys work too.</source>
         <translation>绘制的形状</translation>
     </message>
     <message>
+        <source>Corner radius</source>
+        <translation>圆角半径</translation>
+    </message>
+    <message>
         <source>Corners</source>
-        <translation>圆角</translation>
+        <translation>角数</translation>
     </message>
     <message>
         <source>Radius of the corners; half of the shorter side is the most</source>

@@ -144,7 +144,7 @@ QWidget *ShapeTool::options()
         row->addWidget(pair);
     };
     using enum ShapeKind;
-    FieldSpec radius{tr("Corners"), tr("Radius of the corners; half of the shorter side is the most"), lengthDisplay(),
+    FieldSpec radius{tr("Corner radius"), tr("Radius of the corners; half of the shorter side is the most"), lengthDisplay(),
                      0, 1e6};
     FieldSpec corners{tr("Corners"),
                       tr("How many corners a polygon, or tips a star has"),
