@@ -151,11 +151,16 @@ private:
         shadeSums(scene, block, m_s.insideSums, eta, m_s.insideShaded);
         shadeSums(scene, block, m_s.sums, eta, out);
         for (int at = 0; at < blockSize; ++at) {
-            const float in = m_s.covered[at] * m_s.insideShaded.w[at], left = (1 - m_s.covered[at]) * out.w[at];
+            const float covered = m_s.covered[at];
+            if (covered == 0)
+                continue; // as in a tile that the fill does not meet, to the bit
+            const float in = covered * m_s.insideShaded.w[at], left = (1 - covered) * out.w[at];
             const float w = in + left, inverse = w > 0 ? 1 / w : 0;
             out.w[at] = w;
-            for (int c = 0; c < 3; ++c)
-                out.colour[c][at] = (in * m_s.insideShaded.colour[c][at] + left * out.colour[c][at]) * inverse;
+            for (int c = 0; c < 3; ++c) {
+                const float inside = m_s.insideShaded.colour[c][at]; // and as in one that lies within it
+                out.colour[c][at] = covered == 1 ? inside : (in * inside + left * out.colour[c][at]) * inverse;
+            }
         }
     }
 
