@@ -17,6 +17,8 @@ inline constexpr int levelQuarters = 4;
 /// How one kind of style of a stroke is evaluated: from constants, or from channels where segments differ.
 struct KindParams {
     StyleKind kind = StyleKind::Uniform;
+    /// What would be padding with any content. Records are compared by their bytes before they go to a device.
+    unsigned char zeros[3] = {0, 0, 0};
     float xi[3] = {0, 0, 0};
     int xiChannel = -1;    ///< Σφξ1, Σφξ2 (, Σφξ3) from this channel on; −1: constant `xi`
     int shareChannel = -1; ///< Σφ over the segments of this kind; −1: it is the only kind
