@@ -8761,6 +8761,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::FillSection</name>
     <message>
+        <source>Density ρ</source>
+        <translation>Dichte ρ</translation>
+    </message>
+    <message>
         <source>Density ρ deep within the fill. On its outline it is half of that, so that with 1 and a threshold of ½ the paint ends there.</source>
         <translation>Dichte ρ tief in der Füllung. Auf dem Umriss ist sie halb so groß, sodass die Farbe mit 1 und einer Schwelle von ½ dort endet.</translation>
     </message>

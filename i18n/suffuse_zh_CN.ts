@@ -8711,6 +8711,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::FillSection</name>
     <message>
+        <source>Density ρ</source>
+        <translation>密度 ρ</translation>
+    </message>
+    <message>
         <source>Density ρ deep within the fill. On its outline it is half of that, so that with 1 and a threshold of ½ the paint ends there.</source>
         <translation>填充深处的密度 ρ。在轮廓上为其一半，因此取 1 且阈值为 ½ 时颜料止于轮廓。</translation>
     </message>

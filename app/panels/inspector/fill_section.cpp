@@ -18,6 +18,7 @@ namespace {
 FieldSpec densitySpec()
 {
     FieldSpec spec = specOf(Quantity::Density);
+    spec.name = FillSection::tr("Density ρ"); // of an area; φ of a segment is that of a line, and a length
     spec.toolTip = FillSection::tr("Density ρ deep within the fill. On its outline it is half of that, so that with 1 "
                                    "and a threshold of ½ the paint ends there.");
     spec.display.unit.clear();
