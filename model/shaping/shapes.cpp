@@ -119,8 +119,7 @@ bool goesOn(const Cubic &before, const Cubic &next)
 
 std::vector<Cubic> outlineOf(const ShapeForm &form, Point a, Point b)
 {
-    const bool fromMiddle = form.kind == ShapeKind::Polygon || form.kind == ShapeKind::Star;
-    if (fromMiddle ? a == b : a.x == b.x || a.y == b.y)
+    if (isFromMiddle(form.kind) ? a == b : a.x == b.x || a.y == b.y)
         return {};
     switch (form.kind) {
     case ShapeKind::Rectangle:

@@ -32,6 +32,12 @@ struct ShapeForm {
     bool isPie = true; ///< of arcs: they are closed through the middle; else by a straight line
 };
 
+/// Whether a shape is drawn from its middle to a corner, and not in the box between two points.
+constexpr bool isFromMiddle(ShapeKind kind)
+{
+    return kind == ShapeKind::Polygon || kind == ShapeKind::Star;
+}
+
 /// The outline of a shape. A rectangle or an ellipse stands in the box of which `a` and `b` are opposite corners; a
 /// polygon or a star has its middle at `a` and a corner at `b`. Ellipses and the round corners of rectangles are off by
 /// at most 3e-4 of their radius. It is empty where the shape has no size.

@@ -4,10 +4,9 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/settings/settings.h"
+#include "undo/fill_edits.h"
 
 #include <functional>
-
-#include "undo/fill_edits.h"
 
 namespace suffuse {
 

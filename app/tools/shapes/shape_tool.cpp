@@ -69,11 +69,6 @@ void store(const ShapeForm &form)
     store.setValue(keyOf("pie"), form.isPie);
 }
 
-bool isFromMiddle(ShapeKind kind)
-{
-    return kind == ShapeKind::Polygon || kind == ShapeKind::Star;
-}
-
 } // namespace
 
 ShapeTool::ShapeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_form(storedForm()) {}

@@ -60,9 +60,7 @@ private slots:
     void initTestCase()
     {
         QVERIFY(m_folder.isValid());
-        qputenv("SUFFUSE_PRESENTER", "raster");
-        qputenv("SUFFUSE_BACKEND", "cpu");
-        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+        keepSettingsIn(m_folder);
     }
 
     void init() { window_layout::reset(); }
