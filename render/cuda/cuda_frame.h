@@ -1,7 +1,7 @@
 // A CUDA device keeps a picture for the canvas.
 #pragma once
 
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 #include "render/device_frame.h"
 
 #include <cstdint>

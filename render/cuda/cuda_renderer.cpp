@@ -1,6 +1,6 @@
 #include "render/cuda/cuda_renderer.h"
 
-#include "render/cuda/failing_device.h"
+#include "render/cuda/device/failing_device.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

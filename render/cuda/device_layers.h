@@ -2,7 +2,7 @@
 // "Layers").
 #pragma once
 
-#include "render/cuda/device_memory.h"
+#include "render/cuda/device/device_memory.h"
 
 #include <cstdint>
 #include <vector>

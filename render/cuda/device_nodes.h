@@ -1,7 +1,7 @@
 // This has nodes built by a device (docs/cuda.md, "Nodes").
 #pragma once
 
-#include "render/cuda/device_memory.h"
+#include "render/cuda/device/device_memory.h"
 #include "render/nodes/bulk_nodes.h"
 
 namespace suffuse::cuda {

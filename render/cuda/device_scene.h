@@ -1,7 +1,7 @@
 // This keeps the scene in a device's memory, and follows what changes.
 #pragma once
 
-#include "render/cuda/device_memory.h"
+#include "render/cuda/device/device_memory.h"
 #include "render/cuda/run_pool.h"
 #include "render/scene/live_scene.h"
 #include "render/threads/parallel.h"

@@ -1,7 +1,7 @@
 // This makes a stroke of the scene into the records that a device reads.
 #pragma once
 
-#include "render/cuda/records.h"
+#include "render/cuda/tiles/records.h"
 #include "render/scene/scene.h"
 
 namespace suffuse::cuda {

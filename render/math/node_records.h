@@ -1,5 +1,5 @@
 // Segments as plain records, and what becomes of them: the host writes the former and reads the latter where a device
-// builds nodes (render/nodes/bulk_nodes, render/cuda/node_program). The header is C++17, since .cu files include it.
+// builds nodes (render/nodes/bulk_nodes, render/cuda/nodes). The header is C++17, since .cu files include it.
 #pragma once
 
 #include <cstdint>

@@ -68,8 +68,21 @@ const QList<Rule> &rules()
          {"QtCore"},
          {"cuda_runtime.h", "cuda_pipeline.h"},
          allBut("render/cuda/")},
+        // Programs of one warp, for device and host: what they work on, and nothing of who starts them.
+        {"render/cuda/tiles/",
+         {"render/cuda/tiles/", "render/cuda/warp.h", "render/math/"},
+         {},
+         {"cuda_runtime.h", "cuda_pipeline.h"}},
+        {"render/cuda/nodes/",
+         {"render/cuda/nodes/", "render/cuda/warp.h", "render/math/"},
+         {},
+         {"cuda_runtime.h", "cuda_pipeline.h"}},
+        {"render/cuda/device/",
+         {"render/cuda/device/", "render/cuda/nodes/", "render/cuda/tiles/", "model/environment.h"},
+         {"QtCore"},
+         {"cuda_runtime.h"}},
         // OpenGL by its types only: no library of it is linked.
-        {"render/cuda/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
+        {"render/cuda/device/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where the libraries of image files are known, the program is not; where OpenImageIO is, none of the others.
         {"render/image_io/module_",
          {"render/image_io/module_"},
@@ -341,11 +354,13 @@ void TestLayering::breachesAreFound_data()
     row("and not in the light one", "render/image_io/module_png.cpp", "#include <OpenImageIO/imageio.h>", 1);
     row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
     row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
-    row("OpenGL where CUDA meets it", "render/cuda/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
-    row("and nowhere else", "render/cuda/device.cu", "#include <cuda_gl_interop.h>\n#include <GL/gl.h>", 2);
+    row("OpenGL where CUDA meets it", "render/cuda/device/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
+    row("and nowhere else", "render/cuda/device/device.cu", "#include <cuda_gl_interop.h>\n#include <GL/gl.h>", 2);
+    row("a warp's program without its host", "render/cuda/tiles/a.h", "#include \"render/cuda/device/device.h\"", 1);
+    row("a device without its renderer", "render/cuda/device/a.cpp", "#include \"render/cuda/cuda_renderer.h\"", 1);
     row("a scene without backends", "render/scene/a.cpp",
         "#include \"render/cpu/kernels.h\"\n#include \"render/nodes/a.h\"", 1);
-    row("nodes without backends", "render/nodes/a.h", "#include \"render/cuda/records.h\"", 1);
+    row("nodes without backends", "render/nodes/a.h", "#include \"render/cuda/tiles/records.h\"", 1);
     row("a backend without others", "render/cuda/a.cpp",
         "#include \"render/cuda/a.h\"\n#include \"render/cpu/kernels.h\"\n#include \"render/scene/a.h\"", 1);
     row("render without its factory", "render/a.cpp", "#include \"render/backends.h\"", 1);

@@ -1,9 +1,9 @@
 #include "tests/render/emulated_device.h"
 
-#include "render/cuda/node_merge.h"
-#include "render/cuda/node_place.h"
-#include "render/cuda/tile_lists.h"
-#include "render/cuda/tile_program.h"
+#include "render/cuda/nodes/node_merge.h"
+#include "render/cuda/nodes/node_place.h"
+#include "render/cuda/tiles/tile_lists.h"
+#include "render/cuda/tiles/tile_program.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 // A device in host memory that runs the kernels' own programs, lane after lane.
 #pragma once
 
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 // Whichever call of the device fails: the picture comes from the CPU, bit for bit, and the notice says why.
-#include "render/cuda/failing_device.h"
+#include "render/cuda/device/failing_device.h"
 #include "render/fallback_renderer.h"
 #include "tests/render/cuda_checks.h"
 #include "tests/render/emulated_device.h"

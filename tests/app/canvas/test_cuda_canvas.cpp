@@ -2,7 +2,7 @@
 // whichever call fails, the picture that was asked for is shown.
 #include "render/cpu/cpu_renderer.h"
 #include "render/cuda/cuda_renderer.h"
-#include "render/cuda/failing_device.h"
+#include "render/cuda/device/failing_device.h"
 #include "render/fallback_renderer.h"
 #include "tests/app/worker_frames.h"
 #include "tests/render/emulated_device.h"

@@ -1,8 +1,8 @@
 // These programs of a warp and of a block find which chunks meet a macro-tile, and in which tiles strokes can show.
 #pragma once
 
-#include "render/cuda/tile_cull.h"
-#include "render/cuda/tile_order.h"
+#include "render/cuda/tiles/tile_cull.h"
+#include "render/cuda/tiles/tile_order.h"
 
 namespace suffuse::cuda {
 

@@ -1,4 +1,4 @@
-#include "render/cuda/failing_device.h"
+#include "render/cuda/device/failing_device.h"
 
 #include "model/environment.h"
 

@@ -1,5 +1,5 @@
 // This stands in for the CUDA device where the program was built without nvcc.
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
 namespace suffuse::cuda {
 

@@ -2,7 +2,7 @@
 // into windows. A warp takes a few neighbouring segments, one a lane.
 #pragma once
 
-#include "render/cuda/node_records.h"
+#include "render/cuda/nodes/node_records.h"
 #include "render/cuda/warp.h"
 
 namespace suffuse::cuda {

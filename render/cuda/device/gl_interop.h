@@ -1,7 +1,7 @@
 // CUDA writes to OpenGL textures here. The header is C++17 and knows no Qt.
 #pragma once
 
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
 #include <memory>
 

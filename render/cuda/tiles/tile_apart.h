@@ -4,8 +4,8 @@
 // it had evaluated the stroke itself: sums run over the same nodes in the same order, so no bit depends on who did.
 #pragma once
 
-#include "render/cuda/tile_general.h"
-#include "render/cuda/tile_plain.h"
+#include "render/cuda/tiles/tile_general.h"
+#include "render/cuda/tiles/tile_plain.h"
 
 namespace suffuse::cuda {
 

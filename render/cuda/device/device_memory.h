@@ -1,7 +1,7 @@
 // Objects of these types own memory of a device. The header is C++20 and knows no Qt.
 #pragma once
 
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 // registers.
 #pragma once
 
-#include "render/cuda/tile_paper.h"
-#include "render/cuda/tile_shade.h"
+#include "render/cuda/tiles/tile_paper.h"
+#include "render/cuda/tiles/tile_shade.h"
 
 namespace suffuse::cuda {
 

@@ -1,7 +1,7 @@
 // A warp turns sums into what a stroke shows here, and mixes strokes.
 #pragma once
 
-#include "render/cuda/tile_sums.h"
+#include "render/cuda/tiles/tile_sums.h"
 #include "render/math/colour.h"
 
 namespace suffuse::cuda {

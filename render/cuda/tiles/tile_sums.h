@@ -2,8 +2,8 @@
 // (docs/solver.md, "Separable blocks").
 #pragma once
 
-#include "render/cuda/tile_deep.h"
-#include "render/cuda/tile_nodes.h"
+#include "render/cuda/tiles/tile_deep.h"
+#include "render/cuda/tiles/tile_nodes.h"
 
 namespace suffuse::cuda {
 

@@ -1,7 +1,7 @@
 // This program of one warp evaluates one tile: all strokes that meet it, from bottom to top.
 #pragma once
 
-#include "render/cuda/tile_apart.h"
+#include "render/cuda/tiles/tile_apart.h"
 
 namespace suffuse::cuda {
 

@@ -1,8 +1,8 @@
 // This is what the host asks of a device that renders, without how CUDA does it. The header is C++17 and knows no Qt.
 #pragma once
 
-#include "render/cuda/node_records.h"
-#include "render/cuda/records.h"
+#include "render/cuda/nodes/node_records.h"
+#include "render/cuda/tiles/records.h"
 
 #include <cstddef>
 #include <memory>
@@ -59,9 +59,9 @@ public:
     virtual Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                             int count) = 0;
     virtual Fault clear(void *memory, std::size_t bytes) = 0; ///< sets the memory to zeros
-    /// Runs the kernels for lists, then those for tiles (render/cuda/tile_program.h).
+    /// Runs the kernels for lists, then those for tiles (render/cuda/tiles/tile_program.h).
     virtual Fault run(const Frame &frame, Work work) = 0;
-    /// Runs the programs that build nodes (render/cuda/node_place.h and node_merge.h).
+    /// Runs the programs that build nodes (render/cuda/nodes/node_place.h and node_merge.h).
     virtual Fault buildNodes(const NodeWork &work) = 0;
     /// Waits for everything that was asked for. `milliseconds`, if not null, gets the time of the last run() on the
     /// device's clock.

@@ -1,7 +1,7 @@
 // A warp finds here in which tiles of half a macro-tile a stroke can show, and what it costs there.
 #pragma once
 
-#include "render/cuda/tile_nodes.h"
+#include "render/cuda/tiles/tile_nodes.h"
 
 namespace suffuse::cuda {
 

@@ -1,7 +1,7 @@
 // Through this header device.cu launches the kernels.
 #pragma once
 
-#include "render/cuda/records.h"
+#include "render/cuda/tiles/records.h"
 
 #include <cuda_runtime.h>
 

@@ -1,7 +1,7 @@
 // The nodes of one stroke come here in runs, as many as there are near a tile.
 #pragma once
 
-#include "render/cuda/tile_sums.h"
+#include "render/cuda/tiles/tile_sums.h"
 
 namespace suffuse::cuda {
 

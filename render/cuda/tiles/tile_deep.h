@@ -2,7 +2,7 @@
 // polynomial of their sums for a block of samples, in double (docs/solver.md, "Deep zoom").
 #pragma once
 
-#include "render/cuda/records.h"
+#include "render/cuda/tiles/records.h"
 #include "render/cuda/warp.h"
 
 #include <cmath>

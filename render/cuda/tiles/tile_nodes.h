@@ -1,7 +1,7 @@
 // Nodes are copied from memory here, and placed as a tile sees them.
 #pragma once
 
-#include "render/cuda/records.h"
+#include "render/cuda/tiles/records.h"
 #include "render/cuda/warp.h"
 #include "render/math/scalar.h"
 // This header has templates over the numbers of scalar.h, which must be declared before it.

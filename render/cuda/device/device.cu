@@ -1,10 +1,10 @@
 // This is the CUDA device. It does its calls in order, in one stream. The lists and tiles of a frame are one graph,
 // which is made once; its kernels get the frame of each call.
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
-#include "render/cuda/gl_interop.h"
-#include "render/cuda/kernels.cuh"
-#include "render/cuda/node_kernels.cuh"
+#include "render/cuda/device/gl_interop.h"
+#include "render/cuda/tiles/kernels.cuh"
+#include "render/cuda/nodes/node_kernels.cuh"
 
 namespace suffuse::cuda {
 

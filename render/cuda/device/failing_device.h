@@ -1,7 +1,7 @@
 // Tests of what happens when a call fails use a device whose n-th call does.
 #pragma once
 
-#include "render/cuda/device.h"
+#include "render/cuda/device/device.h"
 
 #include <atomic>
 

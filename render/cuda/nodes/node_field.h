@@ -3,7 +3,7 @@
 // does all the rest, and says what is to be done; the others help.
 #pragma once
 
-#include "render/cuda/node_records.h"
+#include "render/cuda/nodes/node_records.h"
 #include "render/cuda/warp.h"
 
 namespace suffuse::cuda {

@@ -1,7 +1,7 @@
-#include "render/cuda/node_kernels.cuh"
+#include "render/cuda/nodes/node_kernels.cuh"
 
-#include "render/cuda/node_merge.h"
-#include "render/cuda/node_place.h"
+#include "render/cuda/nodes/node_merge.h"
+#include "render/cuda/nodes/node_place.h"
 
 namespace suffuse::cuda {
 

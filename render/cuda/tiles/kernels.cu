@@ -1,7 +1,7 @@
-#include "render/cuda/kernels.cuh"
+#include "render/cuda/tiles/kernels.cuh"
 
-#include "render/cuda/tile_lists.h"
-#include "render/cuda/tile_program.h"
+#include "render/cuda/tiles/tile_lists.h"
+#include "render/cuda/tiles/tile_program.h"
 
 namespace suffuse::cuda {
 

@@ -1,5 +1,5 @@
 // CUDA writes to OpenGL textures here. This links no libGL, since the driver knows the context that is current.
-#include "render/cuda/gl_interop.h"
+#include "render/cuda/device/gl_interop.h"
 
 #include <cuda_gl_interop.h>
 #include <cuda_runtime.h>

@@ -1,7 +1,7 @@
 // Through this header device.cu launches the kernels that build nodes.
 #pragma once
 
-#include "render/cuda/node_records.h"
+#include "render/cuda/nodes/node_records.h"
 
 #include <cuda_runtime.h>
 

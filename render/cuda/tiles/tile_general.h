@@ -2,10 +2,10 @@
 // wide on screen for floats, or too narrow for single samples.
 #pragma once
 
-#include "render/cuda/tile_deep.h"
-#include "render/cuda/tile_paper.h"
-#include "render/cuda/tile_shade.h"
-#include "render/cuda/tile_stream.h"
+#include "render/cuda/tiles/tile_deep.h"
+#include "render/cuda/tiles/tile_paper.h"
+#include "render/cuda/tiles/tile_shade.h"
+#include "render/cuda/tiles/tile_stream.h"
 
 namespace suffuse::cuda {
 

@@ -1,7 +1,7 @@
 // This finds the paper texture at samples (16).
 #pragma once
 
-#include "render/cuda/tile_sums.h"
+#include "render/cuda/tiles/tile_sums.h"
 #include "render/math/paper.h"
 
 namespace suffuse::cuda {

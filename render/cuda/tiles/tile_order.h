@@ -4,7 +4,7 @@
 // on it.
 #pragma once
 
-#include "render/cuda/tile_nodes.h"
+#include "render/cuda/tiles/tile_nodes.h"
 
 namespace suffuse::cuda {
 

@@ -3,7 +3,7 @@
 // order.
 #pragma once
 
-#include "render/cuda/node_field.h"
+#include "render/cuda/nodes/node_field.h"
 
 namespace suffuse::cuda {
 
