@@ -3,15 +3,24 @@
 #include "model/area/crossings.h"
 
 #include <numeric>
+#include <optional>
 
 namespace suffuse {
 
 namespace {
 
-bool isInside(int winding, FillRule rule)
-{
-    return rule == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
-}
+/// Which winding numbers are inside.
+struct InsideRule {
+    std::optional<FillRule> fill;
+    int least = 1; ///< where there is no rule of a fill
+
+    bool isInside(int winding) const
+    {
+        if (!fill)
+            return winding >= least;
+        return *fill == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
+    }
+};
 
 /// An arc that is lower than this in proportion to its width may be so low that it has no section.
 constexpr double levelness = 1e-6;
@@ -25,7 +34,7 @@ struct Section {
 
 class BoundaryFinder {
 public:
-    BoundaryFinder(const std::vector<std::vector<Cubic>> &loops, FillRule rule) : m_rule(rule)
+    BoundaryFinder(const std::vector<std::vector<Cubic>> &loops, InsideRule rule) : m_rule(rule)
     {
         for (const std::vector<Cubic> &loop : loops)
             addLoop(loop);
@@ -195,7 +204,7 @@ private:
         for (const std::uint32_t i : run) {
             const bool falls = m_parts[m_sections[i].arc].falls;
             const int before = falls ? side + 1 : side, after = falls ? side : side + 1;
-            m_sections[i].enters = int(isInside(after, m_rule)) - int(isInside(before, m_rule));
+            m_sections[i].enters = int(m_rule.isInside(after)) - int(m_rule.isInside(before));
         }
         run.clear();
     }
@@ -245,7 +254,7 @@ private:
         }
     }
 
-    FillRule m_rule;
+    InsideRule m_rule;
     std::vector<RisingPart> m_parts;
     std::vector<char> m_interrupted; ///< whether something level lies between a part and the one before it
     bool m_level = false;
@@ -261,7 +270,12 @@ private:
 
 AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule)
 {
-    return BoundaryFinder(loops, rule).find();
+    return BoundaryFinder(loops, {rule, 1}).find();
+}
+
+AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least)
+{
+    return BoundaryFinder(loops, {std::nullopt, least}).find();
 }
 
 } // namespace suffuse

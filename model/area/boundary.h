@@ -33,5 +33,7 @@ struct AreaBoundary {
 /// Finds it for closed loops of curves (see closedOutline). Where the outline crosses itself arcs are cut; all others
 /// stay whole, and none depends on what lies elsewhere, but for being inside or not.
 AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule);
+/// The same for what the loops run around at least so often (≥ 1).
+AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least);
 
 } // namespace suffuse

@@ -2,6 +2,7 @@
 #include "model/area/boundary.h"
 #include "model/area/outline.h"
 #include "tests/model/awkward_strokes.h"
+#include "tests/model/windings.h"
 #include "tests/trials.h"
 
 #include <QElapsedTimer>
@@ -41,24 +42,6 @@ Loop reversed(Loop loop)
     return loop;
 }
 
-/// The winding number at a point, by short straight pieces.
-int windingAt(const std::vector<Loop> &loops, Point x)
-{
-    int winding = 0;
-    for (const Loop &loop : loops)
-        for (const Cubic &c : loop) {
-            constexpr int pieces = 400;
-            Point a = c.p[0];
-            for (int i = 1; i <= pieces; ++i) {
-                const Point b = i == pieces ? c.p[3] : c.at(double(i) / pieces);
-                if ((a.y <= x.y) != (b.y <= x.y) && a.x + (x.y - a.y) / (b.y - a.y) * (b.x - a.x) < x.x)
-                    winding += a.y < b.y ? 1 : -1;
-                a = b;
-            }
-        }
-    return winding;
-}
-
 bool isInside(int winding, FillRule rule)
 {
     return rule == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
@@ -72,17 +55,6 @@ int enteredAt(const AreaBoundary &boundary, Point x)
         if (b.arc.top() <= x.y && x.y < b.arc.bottom() && b.arc.xAt(x.y) < x.x)
             entered += b.enters;
     return entered;
-}
-
-/// The distance from a point to the loops, roughly.
-double distanceTo(const std::vector<Loop> &loops, Point x)
-{
-    double least = 1e300;
-    for (const Loop &loop : loops)
-        for (const Cubic &c : loop)
-            for (int i = 0; i <= 100; ++i)
-                least = std::min(least, length(c.at(i / 100.0) - x));
-    return least;
 }
 
 /// Along every vertical line inside begins and ends where arcs cross it or flats lie.

@@ -1,0 +1,29 @@
+// Areas with and without each other.
+#pragma once
+
+#include "model/painting/fill.h"
+#include "model/painting/geometry.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// An area as closed loops that run around it once: the winding number is 1 inside and 0 outside, however the loops
+/// touch. Parts of curves stay curves.
+struct Area {
+    std::vector<std::vector<Cubic>> loops;
+
+    bool isEmpty() const { return loops.empty(); }
+    Rect box() const; ///< of the control points
+    std::size_t curves() const;
+};
+
+/// What lies inside closed loops of any kind.
+Area areaOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule);
+
+Area intersection(const Area &a, const Area &b);
+/// What lies in a and not in b.
+Area difference(const Area &a, const Area &b);
+Area united(const Area &a, const Area &b);
+
+} // namespace suffuse
