@@ -15,15 +15,13 @@ struct Kernels {
     /// stand in `nodes` from i·runCount·boxRun on.
     void (*listNodes)(const NodeBoxes &in, int count, const std::uint32_t *runs, int runCount, const Grid &grid,
                       std::uint32_t *nodes, Meeting *cells);
-    /// Computes the sums of the listed nodes, of which the first `separable` have b = 0. With `add` they are added to
-    /// what `sums` has. `values` has rows of `channels` floats.
-    void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
-                       const float *values, int channels, bool add, Sums &sums);
+    /// Computes the sums of the listed nodes. With `add` they are added to what `sums` has, which are sums of nodes that
+    /// come before them in the stroke.
+    void (*accumulate)(const Block &block, const ListedNodes &listed, bool add, Sums &sums);
     /// Sums up a fill in a cell.
     void (*fillCell)(const FillCell &cell, FillCellSums &out);
     /// Computes the sums at the pixels of a block, and how they bend.
-    void (*accumulateBent)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
-                           int separable, const float *values, int channels, Sums &sums, Bends &bends);
+    void (*accumulateBent)(const Block &block, const ListedNodes &listed, Sums &sums, Bends &bends);
     /// Computes opacity and colour of the pixels of level 0, and of those of level 1 (`marks`: levelQuarters times the
     /// level, plus the quarter) whose four samples can be told from their centres: their marks become 0. The densities
     /// are lost. `etaOfSamples` is η at the samples (left and right ones above, then below), or null for 1.

@@ -24,8 +24,8 @@ std::size_t steadyNodes(const SceneStroke &before, const SceneStroke &now)
     const auto separable = [](const SceneStroke &s) { return s.nodes.begin() + s.separable; };
     const auto differ =
         std::mismatch(before.nodes.begin(), separable(before), now.nodes.begin(), separable(now)).second;
-    const auto end =
-        std::partition_point(now.nodes.begin(), differ, [rows](const ViewNode &n) { return n.row < rows; });
+    // Rows rise among the nodes that lay paint, and once more among those that take it away.
+    const auto end = std::find_if(now.nodes.begin(), differ, [rows](const ViewNode &n) { return n.row >= rows; });
     return std::size_t(end - now.nodes.begin());
 }
 

@@ -29,27 +29,27 @@ HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, co
     }
 }
 
-/// Computes the long form of the mean for single samples of a block, wherever they lie, a vector at a time.
-class LongMeans {
+/// Computes a form of the mean for single samples of a block, wherever they lie, a vector at a time.
+class PackedMeans {
 public:
-    HWY_INLINE void add(hn::Vec<hn::RebindToSigned<Tag>> samples, Mask where, Lanes phi, Lanes h2)
+    HWY_INLINE void add(int from, Mask where, Lanes phi, Lanes h2)
     {
+        const auto samples = hn::Iota(indexTag, from);
         hn::StoreU(hn::Compress(phi.v, where), tag, m_phi + m_count);
         hn::StoreU(hn::Compress(h2.v, where), tag, m_h2 + m_count);
         hn::StoreU(hn::Compress(samples, hn::RebindMask(indexTag, where)), indexTag, m_at + m_count);
         m_count += int(hn::CountTrue(tag, where));
     }
-    template <class Style>
-    HWY_INLINE void write(const Style &style, float *f)
+    /// `mean(φ, h)` goes to `f`, which has room for one more than a block.
+    template <class Mean>
+    HWY_INLINE void write(Mean mean, float *f)
     {
         // The padding stands beside the block.
         hn::StoreU(hn::Zero(tag), tag, m_phi + m_count);
         hn::StoreU(hn::Zero(tag), tag, m_h2 + m_count);
         hn::StoreU(hn::Set(indexTag, blockSize), indexTag, m_at + m_count);
-        for (int i = 0; i < m_count; i += int(hn::Lanes(tag))) {
-            const Lanes mean = style.longMean(load(m_phi + i), sqrt_(load(m_h2 + i)));
-            hn::ScatterIndex(mean.v, tag, f, hn::Load(indexTag, m_at + i));
-        }
+        for (int i = 0; i < m_count; i += int(hn::Lanes(tag)))
+            hn::ScatterIndex(mean(load(m_phi + i), sqrt_(load(m_h2 + i))).v, tag, f, hn::Load(indexTag, m_at + i));
     }
 
 private:
@@ -70,9 +70,7 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
     alignas(64) float phi[blockSize], h2[blockSize], f[blockSize + 1];
     std::uint8_t seen[blockSize]; // the first samples of vectors that show something
     int vectors = 0;
-    LongMeans others;
-    const hn::RebindToSigned<Tag> indexTag;
-    const auto iota = hn::Iota(indexTag, 0);
+    PackedMeans others;
     const auto sum = [&](int i, int at) { return load(sums.v[i] + at); };
     for (int at = 0; at < count; at += int(hn::Lanes(tag))) {
         const auto channel = [&](int c) { return sum(fixedSums + c, at); };
@@ -84,13 +82,13 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
         seen[vectors] = std::uint8_t(at);
         vectors += !hn::AllFalse(tag, isSeen);
         if (!hn::AllTrue(tag, simple))
-            others.add(hn::Add(iota, hn::Set(indexTag, at)), hn::Not(simple), m.phi, m.h2);
+            others.add(at, hn::Not(simple), m.phi, m.h2);
     }
     for (int i = 0; i < vectors; ++i)
         store(style.begin(load(phi + seen[i])), f + seen[i]);
     for (int i = 0; i < vectors; ++i)
         store(style.finish(load(f + seen[i]), load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
-    others.write(style, f);
+    others.write([&style](Lanes p, Lanes h) { return style.longMean(p, h); }, f);
     for (int i = 0; i < vectors; ++i) {
         const int at = seen[i];
         const auto channel = [&](int c) { return sum(fixedSums + c, at); };
@@ -101,20 +99,59 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
     }
 }
 
-/// Shades one style whose mean depends on how much paint is lifted. Where none is, it gives the same bits as above.
+/// Whether paint is lifted at any sample.
+HWY_INLINE bool anyLifted(const ShadeParams &params, const Sums &sums, int count)
+{
+    const float *laid = sums.v[fixedSums + params.laidChannel];
+    Mask lifted = hn::FirstN(tag, 0);
+    for (int at = 0; at < count; at += int(hn::Lanes(tag)))
+        lifted = or_(lifted, less_(load(sums.v[0] + at), load(laid + at)));
+    return !hn::AllFalse(tag, lifted);
+}
+
+/// Shades one style whose mean depends on how much paint is lifted, in passes, too. Where none is, it gives the same
+/// bits as above.
 template <class Use>
 HWY_INLINE void shadeLifted(const Edge<Lanes> &style, const ShadeParams &params, const Sums &sums, const float *eta,
                             float step, Use use, int count = blockSize)
 {
+    alignas(64) float phi[blockSize], h2[blockSize], share[blockSize];
+    alignas(64) float f[blockSize + 1], left[blockSize + 1]; // over ln φ, and over φ
+    std::uint8_t seen[blockSize];                            // the first samples of vectors that show something
+    int vectors = 0;
+    PackedMeans others, lifted;
+    const auto sum = [&](int i, int at) { return load(sums.v[i] + at); };
     for (int at = 0; at < count; at += int(hn::Lanes(tag))) {
-        const auto sum = [&](int i) { return load(sums.v[i] + at); };
-        const auto channel = [&](int c) { return sum(fixedSums + c); };
-        const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
-        const Lanes beyond =
-            m.phi - style.phiE; // Where no part of a vector's pixels lies inside the edge nothing shows.
-        if (all_(not_(or_(style.seen(m.phi, m.h2), or_(less_(Lanes(0), beyond), less_(beyond * beyond, m.h2))))))
-            continue;
-        use(at, paintOf(params, m.inverse, channel, meanWhere(style, m.phi, m.h2, m.lifted)));
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        const auto m =
+            modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Lanes beyond = m.phi - style.phiE;
+        const Mask isSeen = and_(style.seen(m.phi, m.h2), less_(m.lifted, Lanes(1)));
+        const Mask isLeft =
+            and_(or_(less_(Lanes(0), beyond), less_(beyond * beyond, m.h2)), less_(Lanes(0), m.lifted));
+        const Mask isLong = and_(isSeen, not_(style.simple(m.phi, m.h2)));
+        store(Lanes(hn::IfThenElseZero(isSeen, m.phi.v)), phi + at);
+        store(Lanes(hn::IfThenElseZero(isSeen, m.h2.v)), h2 + at);
+        store(m.lifted, share + at);
+        store(Lanes(0), left + at);
+        seen[vectors] = std::uint8_t(at);
+        vectors += !hn::AllFalse(tag, or_(isSeen, isLeft));
+        if (!hn::AllFalse(tag, isLong))
+            others.add(at, isLong, m.phi, m.h2);
+        if (!hn::AllFalse(tag, isLeft))
+            lifted.add(at, isLeft, m.phi, m.h2);
+    }
+    for (int i = 0; i < vectors; ++i)
+        store(style.begin(load(phi + seen[i])), f + seen[i]);
+    for (int i = 0; i < vectors; ++i)
+        store(style.finish(load(f + seen[i]), load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
+    others.write([&style](Lanes p, Lanes h) { return style.longMean(p, h); }, f);
+    lifted.write([&style](Lanes p, Lanes h) { return style.meanOverDensity(p, h); }, left);
+    for (int i = 0; i < vectors; ++i) {
+        const int at = seen[i];
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        const Lanes mean = blended(load(f + at), load(left + at), load(share + at));
+        use(at, paintOf(params, inverseDensity(laidOf(params, sum(0, at), channel)), channel, mean));
     }
 }
 
@@ -125,7 +162,7 @@ HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const fl
     if (!hasOneStyle(params))
         return shadeMixedStyles(params, sums, eta, step, use, count);
     const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
-    if (params.laidChannel >= 0 && params.kind[0].kind == StyleKind::Edge)
+    if (params.laidChannel >= 0 && params.kind[0].kind == StyleKind::Edge && anyLifted(params, sums, count))
         return shadeLifted(Edge<Lanes>(xi(0), xi(1), xi(2)), params, sums, eta, step, use, count);
     withStyle<Lanes>(params.kind[0].kind, xi,
                      [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use, count); });

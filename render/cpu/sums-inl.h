@@ -160,26 +160,28 @@ HWY_INLINE void scaleRows(const float (*rows)[blockSide], const ViewNode *nodes,
     }
 }
 
-void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
-                  const float *values, int channels, bool addFirst, Sums &sums)
+/// Adds separable nodes, and of channels the first ones. With `begin` the sums begin.
+HWY_INLINE void addSeparable(const Block &block, const ListedNodes &listed, int from, int to, int channels, bool begin,
+                             Sums &sums)
 {
     Tables t;
     alignas(64) float offsets[blockSide];
     cellOffsets(block.step, offsets);
-    for (int first = 0; first < count || (first == 0 && !addFirst); first += chunk) {
-        const int n = std::min(chunk, count - first);
-        fillPlaces(block, nodes, listed + first, n, t);
+    for (int first = from; first < to || (first == from && begin); first += chunk) {
+        const int n = std::min(chunk, to - first);
+        const std::uint32_t *at = listed.at + first;
+        fillPlaces(block, listed.nodes, at, n, t);
         for (int i = 0; i < n; ++i) {
-            const ViewNode &node = nodes[listed[first + i]];
+            const ViewNode &node = listed.nodes[at[i]];
             const float *place = t.place[i];
             axisTable<false>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
             axisTable<true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
         }
-        const bool add = addFirst || first > 0;
+        const bool add = !begin || first > from;
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
         addOuter(t.column, t.rowSlope, n, add, sums.v[2]);
         for (int c = 0; c < channels; ++c) {
-            scaleRows(t.row, nodes, listed + first, n, values, channels, c, t.scaledRow);
+            scaleRows(t.row, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
             addOuter(t.column, t.scaledRow, n, add, sums.v[fixedSums + c]);
         }
     }
@@ -187,20 +189,20 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
 
 /// Adds nodes whose axes are oblique, and so are no product of two tables. `bends` only counts if `bent`.
 template <bool bent>
-void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, const float *values,
-                int channels, Sums &sums, Bends *bends)
+void addOblique(const Block &block, const ListedNodes &listed, Sums &sums, Bends *bends)
 {
+    const int channels = listed.channels;
     alignas(64) float dx[blockSide], dy[blockSide], offsets[blockSide];
     cellOffsets(block.step, offsets);
     const double toCell = block.step * (cellSide / 2);
-    for (int n = 0; n < count; ++n) {
-        const ViewNode &node = nodes[listed[n]];
+    for (int n = listed.separable; n < listed.count; ++n) {
+        const ViewNode &node = listed.nodes[listed.at[n]];
         const double x = node.x - block.x - toCell, y = node.y - block.y - toCell;
         for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
             store(distances(float(x), float(x - 2 * toCell), offsets, i), dx + i);
             store(distances(float(y), float(y - 2 * toCell), offsets, i), dy + i);
         }
-        const float *value = values + std::size_t(node.row) * channels;
+        const float *value = listed.values + std::size_t(node.row) * channels;
         for (int y = 0; y < blockSide; ++y)
             for (int x = 0; x < blockSide; x += int(hn::Lanes(tag))) {
                 const Lanes X = load(dx + x), Y(dy[y]);
@@ -235,45 +237,77 @@ struct alignas(64) BendTables {
     float row[chunk][blockSide];    // the same, weighted
 };
 
-void accumulateBent(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
-                    const float *values, int channels, Sums &sums, Bends &bends)
+/// The same as addSeparable, and how the sums bend.
+HWY_INLINE void addSeparableBent(const Block &block, const ListedNodes &listed, int from, int to, int channels,
+                                 bool begin, Sums &sums, Bends &bends)
 {
     Tables t;
     BendTables b;
     alignas(64) float offsets[blockSide];
     cellOffsets(block.step, offsets);
-    for (int first = 0; first < separable || first == 0; first += chunk) {
-        const int n = std::min(chunk, separable - first);
-        fillPlaces(block, nodes, listed + first, n, t);
+    for (int first = from; first < to || (first == from && begin); first += chunk) {
+        const int n = std::min(chunk, to - first);
+        const std::uint32_t *at = listed.at + first;
+        fillPlaces(block, listed.nodes, at, n, t);
         for (int i = 0; i < n; ++i) {
-            const ViewNode &node = nodes[listed[first + i]];
+            const ViewNode &node = listed.nodes[at[i]];
             const float *place = t.place[i];
             axisTable<false, true>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i],
                                    b.column[i]);
             axisTable<true, true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i],
                                   b.row[i]);
         }
-        const bool add = first > 0;
+        const bool add = !begin || first > from;
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
         addOuterPair(t.column, t.columnSlope, t.rowSlope, n, add, sums.v[2], bends.v[1]);
         addOuter(b.column, t.row, n, add, bends.v[0]);
         addOuter(t.column, b.row, n, add, bends.v[2]);
         for (int c = 0; c < channels; ++c) {
-            scaleRows(t.row, nodes, listed + first, n, values, channels, c, t.scaledRow);
+            scaleRows(t.row, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
             addOuterPair(t.column, t.columnSlope, t.scaledRow, n, add, sums.v[fixedSums + c],
                          bends.v[fixedBends + 2 * c]);
-            scaleRows(t.rowSlope, nodes, listed + first, n, values, channels, c, t.scaledRow);
+            scaleRows(t.rowSlope, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
             addOuter(t.column, t.scaledRow, n, add, bends.v[fixedBends + 2 * c + 1]);
         }
     }
-    addOblique<true>(block, nodes, listed + separable, count - separable, values, channels, sums, &bends);
 }
 
-void accumulate(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
-                const float *values, int channels, bool add, Sums &sums)
+/// Calls `add(from, to, channels, begin)` for the separable nodes that lay paint, then for those that take it away.
+/// These have no channels, so φ⁺ is what φ is between them; `keepLaid` takes it then.
+template <class Add, class KeepLaid>
+HWY_INLINE void addBySign(const ListedNodes &listed, bool begin, Add add, KeepLaid keepLaid)
 {
-    addSeparable(block, nodes, listed, separable, values, channels, add, sums);
-    addOblique<false>(block, nodes, listed + separable, count - separable, values, channels, sums, nullptr);
+    add(0, listed.laying, listed.laid ? listed.channels - 1 : listed.channels, begin);
+    if (listed.laid && (begin || listed.laying > 0)) // else φ⁺ is what it was
+        keepLaid();
+    if (listed.laying < listed.separable)
+        add(listed.laying, listed.separable, 0, false);
+}
+
+void accumulateBent(const Block &block, const ListedNodes &listed, Sums &sums, Bends &bends)
+{
+    const int laid = listed.channels - 1;
+    addBySign(
+        listed, true,
+        [&](int from, int to, int channels, bool begin) {
+            addSeparableBent(block, listed, from, to, channels, begin, sums, bends);
+        },
+        [&] {
+            std::memcpy(sums.v[fixedSums + laid], sums.v[0], sizeof sums.v[0]);
+            std::memcpy(bends.v[fixedBends + 2 * laid], sums.v[1], 2 * sizeof sums.v[1]); // both slopes
+        });
+    addOblique<true>(block, listed, sums, &bends);
+}
+
+void accumulate(const Block &block, const ListedNodes &listed, bool add, Sums &sums)
+{
+    addBySign(
+        listed, !add,
+        [&](int from, int to, int channels, bool begin) {
+            addSeparable(block, listed, from, to, channels, begin, sums);
+        },
+        [&] { std::memcpy(sums.v[fixedSums + listed.channels - 1], sums.v[0], sizeof sums.v[0]); });
+    addOblique<false>(block, listed, sums, nullptr);
 }
 
 } // namespace suffuse::HWY_NAMESPACE

@@ -109,10 +109,7 @@ private:
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
     {
         m_s.sums.take(prefix);
-        const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
-        m_frame.kernels->accumulate(block, scene.nodes.data(), listed.data(), int(listed.size()),
-                                    int(oblique - listed.begin()), scene.values.data(), scene.channels, !prefix.empty(),
-                                    m_s.sums);
+        m_frame.kernels->accumulate(block, listedOf(scene, listed), !prefix.empty(), m_s.sums);
     }
 
     /// Adds a fill that is neither crisp nor deep to the sums.
@@ -176,10 +173,7 @@ private:
     /// their centres become pixels of level 0; the others are left to `supersample`.
     void shadeCalm(const SceneStroke &stroke, NodeList listed, const Block &block, const float *paper)
     {
-        const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(stroke.separable));
-        m_frame.kernels->accumulateBent(block, stroke.nodes.data(), listed.data(), int(listed.size()),
-                                        int(oblique - listed.begin()), stroke.values.data(), stroke.channels, m_s.sums,
-                                        m_s.bends);
+        m_frame.kernels->accumulateBent(block, listedOf(stroke, listed), m_s.sums, m_s.bends);
         const float(*eta)[blockSize] = paper ? etaOfSamples(block) : nullptr;
         m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, m_s.bends, paper, eta, m_s.levels.marks(),
                                    m_s.shaded);

@@ -20,6 +20,15 @@ Area areaOf(const Rect &r)
     return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
 }
 
+ListedNodes listedOf(const SceneStroke &stroke, NodeList nodes)
+{
+    const auto before = [nodes](int index) {
+        return int(std::ranges::lower_bound(nodes, std::uint32_t(index)) - nodes.begin());
+    };
+    return {stroke.nodes.data(), nodes.data(), before(stroke.laying), before(stroke.separable), int(nodes.size()),
+            stroke.values.data(), stroke.channels, stroke.shade.laidChannel >= 0};
+}
+
 int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,
              std::vector<std::uint32_t> &room, Meeting &meeting)
 {
@@ -145,8 +154,8 @@ void TileStrokes::settle(const SceneStroke &stroke, std::size_t steady, StrokePr
         sums.take(block.sums);
         const Block place{double(m_tile.x + int(i) % m_grid.columns * blockSide),
                           double(m_tile.y + int(i) / m_grid.columns * blockSide)};
-        m_kernels->accumulate(place, stroke.nodes.data(), m_nodes.data() + m_used + i * room, count, count,
-                              stroke.values.data(), stroke.channels, !block.sums.empty(), sums);
+        m_kernels->accumulate(place, listedOf(stroke, NodeList(m_nodes.data() + m_used + i * room, std::size_t(count))),
+                              !block.sums.empty(), sums);
         block.sums.resize(floats);
         sums.give(block.sums);
     }

@@ -20,6 +20,8 @@ struct NodeRange {
     int size() const { return int(to - from); }
 };
 
+ListedNodes listedOf(const SceneStroke &stroke, NodeList nodes);
+
 /// Finds the runs of the nodes' boxes that meet `area`. They are written to `room`, as places in the range.
 int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,
              std::vector<std::uint32_t> &room, Meeting &meeting);

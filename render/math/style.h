@@ -246,15 +246,22 @@ private:
     }
 };
 
-/// Where paint is lifted the mean over φ ± h takes the place of that over ln φ ± q, the more the more is lifted.
+/// Of the means over ln φ ± q and over φ ± h, where paint is lifted; the second counts the more the more is.
+template <class V>
+SUFFUSE_INLINE V blended(V overLogarithm, V overDensity, V lifted)
+{
+    const V between = mulAdd_(lifted, overDensity - overLogarithm, overLogarithm);
+    return select_(less_(lifted, V(1)), between, overDensity);
+}
+
+/// Where paint is lifted the mean over φ ± h takes the place of that over ln φ ± q.
 template <class V>
 SUFFUSE_INLINE V meanWhere(const Edge<V> &style, V phi, V h2, V lifted)
 {
     const V f = meanOf(style, phi, h2);
-    const auto isLifted = less_(V(0), lifted);
-    if (all_(not_(isLifted)))
+    if (all_(not_(less_(V(0), lifted))))
         return f;
-    return select_(isLifted, mulAdd_(lifted, style.meanOverDensity(phi, sqrt_(h2)) - f, f), f);
+    return blended(f, style.meanOverDensity(phi, sqrt_(h2)), lifted);
 }
 
 } // namespace suffuse::SUFFUSE_MATH

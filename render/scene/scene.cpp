@@ -125,7 +125,7 @@ struct PlacedNodes {
     Differences differences;
     std::vector<SmallSegment> small;
     std::vector<Footprint> footprints;
-    std::vector<Placed> separable, oblique;
+    std::vector<Placed> laying, lifting, oblique; ///< the first two are separable
     std::vector<DeepNode> deep;
     Rect box;
     double narrowestLaid = 1e300; ///< px, of the nodes that lay paint
@@ -199,7 +199,7 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     const Rect seen = Rect::of(grid.window.x, grid.window.y, grid.window.width, grid.window.height).grown(1);
     PlacedNodes out;
     out.footprints.reserve(to - from);
-    out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
+    out.laying.reserve(source.groups[to - 1].end - source.groups[from].begin);
     const Linear j(view);
     // Subtracting in double before scaling keeps the digits of a painting far from 0 at deep zoom.
     const Point fromCentre = origin - view.centre, base = view.toPixels(origin);
@@ -219,7 +219,7 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         if (f.narrowest > deepSpread)
             out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, n.weight, row});
         else
-            (f.metric.b == 0 ? out.separable : out.oblique)
+            (f.metric.b != 0 ? out.oblique : n.weight < 0 ? out.lifting : out.laying)
                 .push_back({at, float(n.weight), row, std::uint32_t(out.footprints.size() - 1)});
     };
     for (std::size_t g = from; g < to; ++g) {
@@ -244,8 +244,8 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     return out;
 }
 
-/// Puts the nodes of the stroke into the picture, the separable ones first. Finds its bounds, and in what its segments
-/// differ.
+/// Puts the nodes of the stroke into the picture, in the order that SceneStroke tells. Finds its bounds, and in what
+/// its segments differ.
 Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads, bool changes)
 {
     const StrokeNodes &source = *s.source;
@@ -260,14 +260,15 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
         const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
         parts[k] = placeGroups(source, from, to, s.stroke->origin, grid, changes ? s.groupBounds.data() : nullptr);
     });
-    std::size_t separable = 0, nodes = 0;
+    std::size_t laying = 0, separable = 0, nodes = 0;
     Differences differences;
     Rect box;
     s.calm = true;
     for (const PlacedNodes &part : parts) {
         s.calm &= part.narrowestLaid >= liftFineness;
-        separable += part.separable.size();
-        nodes += part.separable.size() + part.oblique.size();
+        laying += part.laying.size();
+        separable += part.laying.size() + part.lifting.size();
+        nodes += part.laying.size() + part.lifting.size() + part.oblique.size();
         box = box.united(part.box);
         differences |= part.differences;
         s.small.insert(s.small.end(), part.small.begin(), part.small.end());
@@ -276,18 +277,22 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
     s.smallRuns.resize((s.small.size() + smallRun - 1) / smallRun);
     for (std::size_t i = 0; i < s.small.size(); ++i)
         s.smallRuns[i / smallRun] = s.smallRuns[i / smallRun].united(s.small[i].reach);
+    s.laying = int(laying);
     s.separable = int(separable);
     s.bounds = toPixelRect(box, grid.window);
     s.nodes.resize(nodes);
     s.boxes.reserve(nodes);
-    std::vector<std::array<std::size_t, 2>> places; // where the separable and the oblique nodes of each part begin
-    for (std::size_t first = 0, second = separable; const PlacedNodes &part : parts) {
-        places.push_back({first, second});
-        first += part.separable.size(), second += part.oblique.size();
+    std::vector<std::array<std::size_t, 3>> places; // where the nodes of each kind and part begin
+    std::array<std::size_t, 3> place{0, laying, separable};
+    for (const PlacedNodes &part : parts) {
+        places.push_back(place);
+        place[0] += part.laying.size(), place[1] += part.lifting.size(), place[2] += part.oblique.size();
     }
     parallelFor(parts.size(), threads, [&](std::size_t k) {
-        writeNodes(parts[k].separable, parts[k].footprints, grid.window, s, places[k][0]);
-        writeNodes(parts[k].oblique, parts[k].footprints, grid.window, s, places[k][1]);
+        const PlacedNodes &part = parts[k];
+        writeNodes(part.laying, part.footprints, grid.window, s, places[k][0]);
+        writeNodes(part.lifting, part.footprints, grid.window, s, places[k][1]);
+        writeNodes(part.oblique, part.footprints, grid.window, s, places[k][2]);
     });
     return differences;
 }

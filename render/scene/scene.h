@@ -36,8 +36,10 @@ struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds;            ///< the pixels of the grid's window that it can change; empty if there are none
-    UnsetVector<ViewNode> nodes; ///< the separable nodes first
+    /// the separable nodes first, and of these the ones that lay paint
+    UnsetVector<ViewNode> nodes;
     NodeBoxStore boxes;          ///< the boxes of `nodes`, in pixels from the corner of the grid's window
+    int laying = 0; ///< how many separable nodes lay paint
     int separable = 0;
     std::vector<DeepNode> deep;
     std::shared_ptr<const SceneFill> fill; ///< null if it has none that could be seen
