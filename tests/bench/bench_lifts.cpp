@@ -1,5 +1,5 @@
 // What lifting costs: times of strokes from which paint is taken away, over those of the same strokes without.
-// bench_lifts [--runs N] [--scale PX] [PAINTING…]; of each painting the strokes with the most segments are measured,
+// bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most segments are measured,
 // too.
 #include "model/formats/files.h"
 #include "model/shaping/chains.h"
@@ -150,6 +150,7 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     parser.addOption({"runs", "Runs of each (default 15).", "N", "15"});
     parser.addOption({"scale", "Pixels a canvas unit (default 1).", "PX", "1"});
+    parser.addOption({"only", "Rows whose name has this text.", "TEXT"});
     parser.addPositionalArgument("PAINTING", "Paintings whose strokes are measured, too.", "[PAINTING...]");
     parser.process(app);
     const Settings settings{std::max(1, parser.value("runs").toInt()),
@@ -164,12 +165,15 @@ int main(int argc, char **argv)
     Canvas sheet;
     sheet.width = 1024, sheet.height = 768;
     double worst = 0;
+    const auto isWanted = [only = parser.value("only")](const QString &row) { return row.contains(only); };
     for (const auto &[name, style] : styles)
         for (const bool coloursVary : {false, true}) {
+            const QString row = QStringLiteral("wash, %1%2").arg(QLatin1String(name), coloursVary ? ", colours" : "");
+            if (!isWanted(row))
+                continue;
             const Stroke wash = washOf(style, coloursVary);
             const Stroke lifted =
                 liftedFrom(wash, washLifts, Rect::of(200, 150, 620, 470), eraserSpread, double(style.xi[0]));
-            const QString row = QStringLiteral("wash, %1%2").arg(QLatin1String(name), coloursVary ? ", colours" : "");
             worst = std::max(worst, measure(out, row, sheet, wash, lifted, settings));
         }
     for (const QString &path : parser.positionalArguments()) {
@@ -182,11 +186,13 @@ int main(int argc, char **argv)
         std::ranges::stable_sort(strokes, std::greater{}, [](const StrokePtr &s) { return s->segments.size(); });
         for (std::size_t i = 0; i < std::min<std::size_t>(strokes.size(), 5); ++i) {
             const Stroke &s = *strokes[i];
+            const QString row = QStringLiteral("%1, stroke %2").arg(QFileInfo(path).fileName()).arg(s.id);
+            if (!isWanted(row))
+                continue;
             Rect box;
             for (const Segment &segment : s.segments)
                 box = box.united(s.cubicOf(segment).controlBox());
             const Stroke lifted = liftedFrom(s, s.segments.size() / 3 + 5, box, eraserSpread, double(s.style.xi[0]));
-            const QString row = QStringLiteral("%1, stroke %2").arg(QFileInfo(path).fileName()).arg(s.id);
             worst = std::max(worst, measure(out, row, painting->canvas, s, lifted, settings));
         }
     }
