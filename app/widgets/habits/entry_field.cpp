@@ -87,11 +87,10 @@ void EntryField::keyPressEvent(QKeyEvent *event)
 
 void EntryField::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    // Line edits select a word, which of 70.9 is 70 alone.
+    // Line edits know from this event that a third click selects all. The word that they select now is of 70.9 only 70.
+    QLineEdit::mouseDoubleClickEvent(event);
     if (event->button() == Qt::LeftButton)
         selectAll();
-    else
-        QLineEdit::mouseDoubleClickEvent(event);
 }
 
 } // namespace suffuse

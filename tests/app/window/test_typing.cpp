@@ -337,7 +337,7 @@ private slots:
         QTRY_VERIFY(!strokes->visibleRegion().isEmpty());
     }
 
-    /// A double click is the start of another number, not of its digits before the point.
+    /// A double click is the start of another number, not of its digits before the point. A third one changes nothing.
     void aDoubleClickSelectsTheWholeNumber()
     {
         QWidget window;
@@ -353,6 +353,9 @@ private slots:
         QTest::keyClicks(&field, "12");
         QTest::keyClick(&field, Qt::Key_Return);
         QCOMPARE(field.value().value(), 12.0);
+        QTest::mouseDClick(&field, Qt::LeftButton, {}, at);
+        QTest::mouseClick(&field, Qt::LeftButton, {}, at);
+        QCOMPARE(field.selectedText(), field.text());
     }
 
     /// What is typed as soon as a dialog is there goes into a field.
