@@ -262,6 +262,71 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     }
 }
 
+bool StrokesView::isGroup(const QModelIndex &index)
+{
+    return index.data(StrokesModel::GroupIdRole).toULongLong() != 0;
+}
+
+void StrokesView::selectWholeGroups()
+{
+    std::set<QModelIndex> around;
+    for (QModelIndex above = currentIndex().parent(); above.isValid(); above = above.parent())
+        around.insert(above);
+    QItemSelection groups;
+    const auto look = [&](const QModelIndex &parent, const auto &again) -> void {
+        for (int row = 0; row < model()->rowCount(parent); ++row) {
+            const QModelIndex index = model()->index(row, StrokesModel::NameColumn, parent);
+            if (!isGroup(index))
+                continue;
+            if (!around.contains(index) && index.data(StrokesModel::WhollySelectedRole).toBool())
+                groups.select(index, index.siblingAtColumn(StrokesModel::LockColumn));
+            else
+                again(index, again);
+        }
+    };
+    look({}, look);
+    selectionModel()->select(groups, QItemSelectionModel::Select);
+}
+
+/// All that stands below a group's row, with the row.
+QItemSelection StrokesView::wholeOf(const QModelIndex &group) const
+{
+    QItemSelection whole(group, group.siblingAtColumn(StrokesModel::LockColumn));
+    const int count = model()->rowCount(group);
+    if (count > 0)
+        whole.select(model()->index(0, StrokesModel::NameColumn, group),
+                     model()->index(count - 1, StrokesModel::LockColumn, group));
+    for (int row = 0; row < count; ++row)
+        if (const QModelIndex below = model()->index(row, StrokesModel::NameColumn, group); isGroup(below))
+            whole.merge(wholeOf(below), QItemSelectionModel::Select);
+    return whole;
+}
+
+void StrokesView::mousePressEvent(QMouseEvent *event)
+{
+    const QModelIndex index = indexAt(event->position().toPoint()).siblingAtColumn(StrokesModel::NameColumn);
+    if (isGroup(index) && index.data(StrokesModel::WhollySelectedRole).toBool()) {
+        const bool onArrow = event->position().x() < visualRect(index).left();
+        if (event->modifiers() == Qt::ControlModifier && event->button() == Qt::LeftButton && !onArrow) {
+            selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+            selectionModel()->select(wholeOf(index), QItemSelectionModel::Deselect);
+            event->accept();
+            return;
+        }
+        if (!event->modifiers()) {
+            selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+            selectWholeGroups();
+        }
+    }
+    QTreeView::mousePressEvent(event);
+}
+
+void StrokesView::startDrag(Qt::DropActions actions)
+{
+    selectWholeGroups();
+    QTreeView::startDrag(actions);
+}
+
 /// A group looks selected when all of its strokes are selected.
 void StrokesView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {

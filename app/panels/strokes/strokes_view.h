@@ -21,14 +21,25 @@ public:
     /// Whether a range of rows is being selected, and not one row after the other.
     bool isRanging() const { return m_ranging; }
 
+    /// Selects the rows of groups that look selected, since each of their strokes is, so that groups are dragged as
+    /// groups. Around the row that has the frame they stay as they are: a stroke can be dragged out of a group that
+    /// holds no other.
+    void selectWholeGroups();
+
 protected:
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event = nullptr) const override;
     /// If no row is selected, the first key selects the row that has the frame.
     void keyPressEvent(QKeyEvent *event) override;
+    /// A press takes the row of a group for selected if it looks so.
+    void mousePressEvent(QMouseEvent *event) override;
+    void startDrag(Qt::DropActions actions) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 
 private:
+    static bool isGroup(const QModelIndex &index);
+    QItemSelection wholeOf(const QModelIndex &group) const;
+
     mutable bool m_ranging = false; ///< what the last event selected
 };
 

@@ -1,6 +1,4 @@
-// The lists of strokes and history: they follow the document by difference and change it in single steps.
-#include "app/panels/history/history_panel.h"
-#include "app/panels/history/stroke_history_list.h"
+// The list of strokes: it follows the document by difference and changes it in single steps.
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
@@ -11,11 +9,9 @@
 #include <QAbstractItemModelTester>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTreeView>
-#include <QUndoView>
 
 using namespace suffuse;
 
@@ -86,58 +82,6 @@ private slots:
         QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{3}); // hidden, still selected
         panel.search()->clear();
         QCOMPARE(panel.view()->model()->rowCount(), 3);
-    }
-
-    void dropReorders()
-    {
-        Bench bench(4); // rows 4 3 2 1
-        StrokesPanel panel(bench.editor);
-        StrokesModel *model = panel.model();
-        const auto drop = [&](StrokeId id, int row) {
-            const std::unique_ptr<QMimeData> data(model->mimeData({model->indexOf(id)}));
-            model->dropMimeData(data.get(), Qt::MoveAction, row, 0, {});
-        };
-        drop(1, 1); // below 4
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 1, 4}));
-        QCOMPARE(bench.steps(), 1);
-        drop(3, 0);
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 1, 4, 3}));
-        drop(4, 4); // to the bottom
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{4, 2, 1, 3}));
-        QCOMPARE(bench.steps(), 3);
-        bench.editor.undoStack().setIndex(0);
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
-        QCOMPARE(model->strokeAt(model->index(0, 0)), StrokeId(4));
-    }
-
-    void groupsAreATree()
-    {
-        Bench bench(0);
-        auto painting = std::make_shared<Painting>();
-        painting->groups = {{1, "Trees", 0, true, false}, {2, "", 1, true, false}};
-        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 0}, {2, 2}, {3, 1}, {4, 0}}) {
-            Stroke stroke = *makeStroke(id, 1, 5);
-            stroke.group = group;
-            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
-        }
-        bench.editor.document().reset(painting);
-        StrokesModel model(bench.editor);
-        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        QCOMPARE(model.rowCount(), 3); // 4, Trees, 1
-        const QModelIndex trees = model.index(1, 0);
-        QCOMPARE(trees.data().toString(), QString("Trees"));
-        QCOMPARE(model.rowCount(trees), 2);
-        QCOMPARE(model.strokesBelow(trees), (std::set<StrokeId>{2, 3}));
-        model.toggle(trees.siblingAtColumn(StrokesModel::EyeColumn));
-        QVERIFY(!bench.editor.document().painting()->groups[0].visible);
-        // Into the group, on its top.
-        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(1)}));
-        model.dropMimeData(data.get(), Qt::MoveAction, 0, 0, model.index(1, 0));
-        QCOMPARE(bench.stroke(1).group, GroupId(1));
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 1, 4}));
-        bench.editor.undoStack().setIndex(0);
-        QCOMPARE(bench.stroke(1).group, GroupId(0));
-        QCOMPARE(model.rowCount(), 3);
     }
 
     /// A group's own row says what is hidden or locked in it, and a click on it undoes that where it is all of it.
@@ -235,79 +179,6 @@ private slots:
         QCOMPARE(bench.editor.undoStack().undoText(), QString("Rename group"));
         bench.editor.undoStack().undo();
         QCOMPARE(bench.editor.document().painting()->groups[0].name, QString());
-    }
-
-    void groupsMoveAsGroups()
-    {
-        Bench bench(0);
-        auto painting = std::make_shared<Painting>();
-        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}, {3, "Sky", 0, true, false}};
-        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 3}, {2, 2}, {3, 2}, {4, 1}, {5, 0}}) {
-            Stroke stroke = *makeStroke(id, 1, 5);
-            stroke.group = group;
-            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
-        }
-        bench.editor.document().reset(painting);
-        StrokesModel model(bench.editor);
-        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        const auto drop = [&](const QModelIndex &row, int at, const QModelIndex &parent) {
-            const std::unique_ptr<QMimeData> data(model.mimeData({row}));
-            model.dropMimeData(data.get(), Qt::MoveAction, at, 0, parent);
-        };
-        const auto group = [&](GroupId id) {
-            for (const Group &g : bench.editor.document().painting()->groups)
-                if (g.id == id)
-                    return g;
-            return Group();
-        };
-        // Rows: 5, Trees(4, Leaves(3, 2)), Sky(1). Sky goes into Trees, on its top, and stays a group.
-        drop(model.index(2, 0), 0, model.index(1, 0));
-        QCOMPARE(bench.steps(), 1);
-        QCOMPARE(group(3).parent, GroupId(1));
-        QCOMPARE(bench.stroke(1).group, GroupId(3));
-        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 4, 1, 5}));
-        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
-        // A group into itself, or into what is in it: no.
-        drop(model.index(1, 0), 0, model.index(2, 0, model.index(1, 0)));
-        QCOMPARE(bench.steps(), 1);
-        // Leaves come out to the bottom.
-        drop(model.index(2, 0, model.index(1, 0)), 2, {});
-        QCOMPARE(group(2).parent, GroupId(0));
-        QCOMPARE(bench.stroke(2).group, GroupId(2));
-        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
-        QCOMPARE(model.rowCount(), 3);
-        bench.editor.undoStack().setIndex(0);
-        QVERIFY(*bench.editor.document().painting() == *painting);
-        // A locked stroke stays where it is.
-        bench.editor.push(changeStrokes(bench.editor.document(), {5}, [](Stroke &s) { s.locked = true; }), "lock");
-        drop(model.indexOf(5), 3, {});
-        QCOMPARE(bench.steps(), 1);
-    }
-
-    /// A row that is dropped into an open group is seen there.
-    void openGroupsStayOpen()
-    {
-        Bench bench(0);
-        auto painting = std::make_shared<Painting>();
-        painting->groups = {{1, "Trees", 0, true, false}, {2, "Sky", 0, true, false}};
-        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 2}, {2, 2}, {3, 1}, {4, 1}, {5, 0}}) {
-            Stroke stroke = *makeStroke(id, 1, 5);
-            stroke.group = group;
-            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
-        }
-        bench.editor.document().reset(painting);
-        StrokesPanel panel(bench.editor);
-        showAt(panel, {280, 300});
-        const auto isOpen = [&](int row) { return panel.view()->isExpanded(panel.view()->model()->index(row, 0)); };
-        panel.view()->expand(panel.view()->model()->index(1, 0)); // rows: 5, Trees, Sky
-        StrokesModel &model = *panel.model();
-        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(5)}));
-        model.dropMimeData(data.get(), Qt::MoveAction, 1, 0, model.index(1, 0));
-        QCOMPARE(bench.stroke(5).group, GroupId(1));
-        QVERIFY(isOpen(0) && !isOpen(1)); // rows: Trees, Sky
-        QVERIFY(panel.view()->visualRect(panel.viewIndexOf(5)).isValid());
-        bench.editor.undoStack().undo();
-        QVERIFY(isOpen(1) && !isOpen(2));
     }
 
     /// A stroke of several chains says so in its row and in its tool tip; others say nothing of it.
@@ -584,118 +455,6 @@ private slots:
         QCOMPARE(said(), QString("No stroke is called “zebra”."));
         panel.search()->clear();
         QCOMPARE(said(), QString());
-    }
-
-    /// Also where the dock gets lower.
-    void thePresentStepStaysInSight()
-    {
-        Bench bench;
-        HistoryPanel panel(bench.editor);
-        showAt(panel, {280, 500});
-        for (int i = 0; i < 12; ++i)
-            bench.editor.push(
-                changeSegments(bench.editor.document(), {{1, 0}}, [i](Segment &s) { s.density = float(20 + i); }),
-                QString("step %1").arg(i));
-        bench.select({1});
-        QTRY_VERIFY(panel.strokeView()->isVisible());
-        for (const int height : {300, 150, 430, 200}) {
-            panel.resize(280, height);
-            QCoreApplication::processEvents();
-            for (QAbstractItemView *list : {static_cast<QAbstractItemView *>(panel.view()),
-                                            static_cast<QAbstractItemView *>(panel.strokeView())}) {
-                QVERIFY(list->currentIndex().isValid());
-                QVERIFY2(list->viewport()->rect().contains(list->visualRect(list->currentIndex())),
-                         qPrintable(QString("%1 at %2").arg(list->accessibleName()).arg(height)));
-            }
-        }
-    }
-
-    void historyGoesThere()
-    {
-        Bench bench;
-        HistoryPanel panel(bench.editor);
-        showAt(panel, {280, 200});
-        for (const char *name : {"one", "two"})
-            bench.editor.push(changeStrokes(bench.editor.document(), {1}, [&](Stroke &s) { s.name = name; }), name);
-        QCOMPARE(panel.view()->model()->rowCount(), 3);
-        panel.view()->setCurrentIndex(panel.view()->model()->index(1, 0));
-        QCOMPARE(bench.stroke(1).name, QString("one"));
-    }
-
-    /// How dark the darkest pixel of a row is, of those that are grey.
-    static int inkOf(QListView &view, int row)
-    {
-        const QImage image = view.viewport()->grab(view.visualRect(view.model()->index(row, 0))).toImage();
-        int darkest = 255;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 20; x < image.width(); ++x)
-                darkest = std::min(darkest, qGray(image.pixel(x, y)));
-        return darkest;
-    }
-
-    void undoneStepsLookUndone()
-    {
-        Bench bench;
-        HistoryPanel panel(bench.editor);
-        showAt(panel, {280, 200});
-        for (const char *name : {"mmmm", "mmmm ", "mmmm  "})
-            bench.editor.push(changeStrokes(bench.editor.document(), {1}, [&](Stroke &s) { s.name = name; }), "mmmm");
-        QCOMPARE(inkOf(*panel.view(), 1), inkOf(*panel.view(), 2));
-        const int done = inkOf(*panel.view(), 1);
-        bench.editor.undoStack().undo();
-        bench.editor.undoStack().undo();
-        for (const int row : {2, 3})
-            QVERIFY2(inkOf(*panel.view(), row) > done + 40, qPrintable(QString::number(inkOf(*panel.view(), row))));
-        bench.editor.undoStack().redo();
-        QCOMPARE(inkOf(*panel.view(), 1), done);
-        QVERIFY(inkOf(*panel.view(), 3) > done + 40);
-    }
-
-    void oneStrokeGoesBack()
-    {
-        Bench bench;
-        HistoryPanel panel(bench.editor);
-        showAt(panel, {280, 400});
-        QListWidget *list = panel.strokeView();
-        QVERIFY(!list->isVisible()); // no stroke is selected
-        const auto set = [&](StrokeId id, float density, const char *name) {
-            bench.editor.push(
-                changeSegments(bench.editor.document(), {{id, 0}}, [=](Segment &s) { s.density = density; }), name);
-        };
-        set(1, 10, "ten");
-        set(2, 11, "eleven");
-        set(1, 12, "twelve");
-        bench.select({1});
-        QTRY_VERIFY(list->isVisible());
-        QTRY_COMPARE(list->count(), 3);
-        QCOMPARE(list->item(1)->text(), QString("ten"));
-        QCOMPARE(list->currentRow(), 2);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
-        QCOMPARE(bench.stroke(1).segments[0].density, 10.0f);
-        QCOMPARE(bench.stroke(2).segments[0].density, 11.0f); // the rest stays
-        QCOMPARE(bench.steps(), 4);
-        QTRY_COMPARE(list->count(), 4);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
-        QCOMPARE(bench.stroke(1), *makeStroke(1, 4, 10));
-        bench.editor.undoStack().undo();
-        QCOMPARE(bench.stroke(1).segments[0].density, 10.0f);
-        bench.editor.undoStack().undo();
-        QCOMPARE(bench.stroke(1).segments[0].density, 12.0f);
-        QTRY_COMPARE(list->count(), 3);
-        // The state of now again is no step; a locked stroke stays.
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(2)).center());
-        QCOMPARE(bench.editor.undoStack().index(), 3);
-        bench.editor.push(changeStrokes(bench.editor.document(), {1}, [](Stroke &s) { s.locked = true; }), "lock");
-        QTRY_COMPARE(list->count(), 4);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
-        QCOMPARE(bench.stroke(1).segments[0].density, 12.0f);
-        bench.select({1, 2});
-        QTRY_VERIFY(!list->isVisible());
-        // A stroke that was painted here begins with that.
-        const StrokeId id = bench.editor.document().takeStrokeId();
-        bench.editor.push(addStrokes(bench.editor.document(), {makeStroke(id, 2, 5)}, true), "paint");
-        QTRY_COMPARE(list->count(), 1);
-        QCOMPARE(list->item(0)->text(), QString("paint"));
     }
 };
 

@@ -1,0 +1,205 @@
+// The list of strokes: rows are dragged to other places, groups with what is in them.
+#include "app/panels/strokes/dragged_rows.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/panels/strokes/strokes_view.h"
+#include "model/painting/validate.h"
+#include "tests/app/panel_bench.h"
+#include "undo/group_edits.h"
+
+#include <QAbstractItemModelTester>
+#include <QMimeData>
+#include <QTreeView>
+
+using namespace suffuse;
+
+class TestDraggedStrokes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void dropReorders()
+    {
+        Bench bench(4); // rows 4 3 2 1
+        StrokesPanel panel(bench.editor);
+        StrokesModel *model = panel.model();
+        const auto drop = [&](StrokeId id, int row) {
+            const std::unique_ptr<QMimeData> data(model->mimeData({model->indexOf(id)}));
+            model->dropMimeData(data.get(), Qt::MoveAction, row, 0, {});
+        };
+        drop(1, 1); // below 4
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 1, 4}));
+        QCOMPARE(bench.steps(), 1);
+        drop(3, 0);
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 1, 4, 3}));
+        drop(4, 4); // to the bottom
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{4, 2, 1, 3}));
+        QCOMPARE(bench.steps(), 3);
+        bench.editor.undoStack().setIndex(0);
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
+        QCOMPARE(model->strokeAt(model->index(0, 0)), StrokeId(4));
+    }
+
+    void groupsAreATree()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "", 1, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 0}, {2, 2}, {3, 1}, {4, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesModel model(bench.editor);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QCOMPARE(model.rowCount(), 3); // 4, Trees, 1
+        const QModelIndex trees = model.index(1, 0);
+        QCOMPARE(trees.data().toString(), QString("Trees"));
+        QCOMPARE(model.rowCount(trees), 2);
+        QCOMPARE(model.strokesBelow(trees), (std::set<StrokeId>{2, 3}));
+        model.toggle(trees.siblingAtColumn(StrokesModel::EyeColumn));
+        QVERIFY(!bench.editor.document().painting()->groups[0].visible);
+        // Into the group, on its top.
+        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(1)}));
+        model.dropMimeData(data.get(), Qt::MoveAction, 0, 0, model.index(1, 0));
+        QCOMPARE(bench.stroke(1).group, GroupId(1));
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 1, 4}));
+        bench.editor.undoStack().setIndex(0);
+        QCOMPARE(bench.stroke(1).group, GroupId(0));
+        QCOMPARE(model.rowCount(), 3);
+    }
+
+    void groupsMoveAsGroups()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}, {3, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 3}, {2, 2}, {3, 2}, {4, 1}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesModel model(bench.editor);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const auto drop = [&](const QModelIndex &row, int at, const QModelIndex &parent) {
+            const std::unique_ptr<QMimeData> data(model.mimeData({row}));
+            model.dropMimeData(data.get(), Qt::MoveAction, at, 0, parent);
+        };
+        const auto group = [&](GroupId id) {
+            for (const Group &g : bench.editor.document().painting()->groups)
+                if (g.id == id)
+                    return g;
+            return Group();
+        };
+        // Rows: 5, Trees(4, Leaves(3, 2)), Sky(1). Sky goes into Trees, on its top, and stays a group.
+        drop(model.index(2, 0), 0, model.index(1, 0));
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(group(3).parent, GroupId(1));
+        QCOMPARE(bench.stroke(1).group, GroupId(3));
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 4, 1, 5}));
+        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
+        // A group into itself, or into what is in it: no.
+        drop(model.index(1, 0), 0, model.index(2, 0, model.index(1, 0)));
+        QCOMPARE(bench.steps(), 1);
+        // Leaves come out to the bottom.
+        drop(model.index(2, 0, model.index(1, 0)), 2, {});
+        QCOMPARE(group(2).parent, GroupId(0));
+        QCOMPARE(bench.stroke(2).group, GroupId(2));
+        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
+        QCOMPARE(model.rowCount(), 3);
+        bench.editor.undoStack().setIndex(0);
+        QVERIFY(*bench.editor.document().painting() == *painting);
+        // A locked stroke stays where it is.
+        bench.editor.push(changeStrokes(bench.editor.document(), {5}, [](Stroke &s) { s.locked = true; }), "lock");
+        drop(model.indexOf(5), 3, {});
+        QCOMPARE(bench.steps(), 1);
+    }
+
+    /// A row that is dropped into an open group is seen there.
+    void openGroupsStayOpen()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 2}, {2, 2}, {3, 1}, {4, 1}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        const auto isOpen = [&](int row) { return panel.view()->isExpanded(panel.view()->model()->index(row, 0)); };
+        panel.view()->expand(panel.view()->model()->index(1, 0)); // rows: 5, Trees, Sky
+        StrokesModel &model = *panel.model();
+        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(5)}));
+        model.dropMimeData(data.get(), Qt::MoveAction, 1, 0, model.index(1, 0));
+        QCOMPARE(bench.stroke(5).group, GroupId(1));
+        QVERIFY(isOpen(0) && !isOpen(1)); // rows: Trees, Sky
+        QVERIFY(panel.view()->visualRect(panel.viewIndexOf(5)).isValid());
+        bench.editor.undoStack().undo();
+        QVERIFY(isOpen(1) && !isOpen(2));
+    }
+
+    /// A press selects a group's strokes before it is known that a drag begins. Whatever was selected before, the group
+    /// moves as a group; a stroke alone in its group comes out of it.
+    void pressedGroupsMoveAsGroups()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 2}, {2, 1}, {3, 1}, {4, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        StrokesView &view = *qobject_cast<StrokesView *>(panel.view());
+        const auto row = [&](int at, const QModelIndex &parent = {}) { return view.model()->index(at, 0, parent); };
+        const auto click = [&](const QModelIndex &index, Qt::KeyboardModifiers keys = {}) {
+            QTest::mouseClick(view.viewport(), Qt::LeftButton, keys, view.visualRect(index).center());
+        };
+        /// What a drag that begins now takes.
+        const auto dragged = [&] {
+            view.selectWholeGroups();
+            const std::unique_ptr<QMimeData> data(view.model()->mimeData(view.selectionModel()->selectedIndexes()));
+            return DraggedRows::fromBytes(data->data(panel.model()->mimeTypes().constFirst()), panel.model()).value();
+        };
+        // Rows: 4, Trees(3, 2), Sky(1).
+        for (const QList<int> &before : {QList<int>(), {0}, {2}, {0, 2}, {1}}) {
+            bench.select({});
+            for (const int at : before)
+                click(row(at), Qt::ControlModifier);
+            QTest::mousePress(view.viewport(), Qt::LeftButton, {}, view.visualRect(row(1)).center());
+            if (!before.contains(1)) {
+                QCOMPARE(dragged().groups, std::set<GroupId>{1});
+                QCOMPARE(dragged().strokes, (std::set<StrokeId>{2, 3}));
+            }
+            QTest::mouseRelease(view.viewport(), Qt::LeftButton, {}, view.visualRect(row(1)).center());
+            QCOMPARE(dragged().groups, std::set<GroupId>{1});
+        }
+        click(row(2), Qt::ControlModifier);
+        QCOMPARE(dragged().groups, (std::set<GroupId>{1, 2}));
+        // Two groups that look selected are pressed, and move together; a second press on one of them with Ctrl leaves
+        // the other.
+        bench.select({1, 2, 3});
+        QTest::mousePress(view.viewport(), Qt::LeftButton, {}, view.visualRect(row(1)).center());
+        QCOMPARE(dragged().groups, (std::set<GroupId>{1, 2}));
+        QTest::mouseRelease(view.viewport(), Qt::LeftButton, {}, view.visualRect(row(1)).center());
+        QCOMPARE(bench.editor.selection().strokes, (std::set<StrokeId>{2, 3}));
+        bench.select({1, 2, 3});
+        click(row(1), Qt::ControlModifier);
+        QCOMPARE(bench.editor.selection().strokes, std::set<StrokeId>{1});
+        view.expand(row(2));
+        click(row(0, row(2)));
+        QCOMPARE(dragged().groups, std::set<GroupId>());
+        QCOMPARE(dragged().strokes, std::set<StrokeId>{1});
+        QCOMPARE(bench.steps(), 0);
+    }
+};
+
+QTEST_MAIN(TestDraggedStrokes)
+#include "test_dragged_strokes.moc"
