@@ -4705,6 +4705,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::Docks</name>
     <message>
+        <source>&amp;Arrange</source>
+        <translation>&amp;Anordnen</translation>
+    </message>
+    <message>
         <source>Probe</source>
         <translation>Sonde</translation>
     </message>

@@ -4688,6 +4688,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::Docks</name>
     <message>
+        <source>&amp;Arrange</source>
+        <translation>排列(&amp;A)</translation>
+    </message>
+    <message>
         <source>Probe</source>
         <translation>探查</translation>
     </message>

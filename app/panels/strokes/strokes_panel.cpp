@@ -17,7 +17,8 @@
 
 namespace suffuse {
 
-StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_more(more)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 0);
@@ -322,6 +323,8 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
     });
     menu.addAction(icon("delete"), tr("&Delete"), this, [this] { commands::deleteSelected(m_editor); })
         ->setEnabled(any);
+    menu.addSeparator();
+    menu.addActions(m_more);
     menu.addSeparator();
     QMenu *same = menu.addMenu(tr("Select &Same"));
     same->setEnabled(!selected.empty());

@@ -26,7 +26,8 @@ class StrokesPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StrokesPanel(Editor &editor, QWidget *parent = nullptr);
+    /// `more` stand in the menu of a row as well: commands that do something to what is selected.
+    explicit StrokesPanel(Editor &editor, const QList<QAction *> &more = {}, QWidget *parent = nullptr);
 
     QTreeView *view() const;
     StrokesModel *model() const { return m_model; }
@@ -69,6 +70,7 @@ private:
     void addSwitches(QMenu &menu, const QModelIndex &index);
 
     Editor &m_editor;
+    QList<QAction *> m_more;
     StrokesModel *m_model = nullptr;
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;

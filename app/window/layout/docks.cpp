@@ -20,6 +20,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMenu>
 #include <QScreen>
 
 namespace suffuse {
@@ -103,7 +104,12 @@ void Docks::makeDocks()
     QMainWindow &window = m_place.window;
     auto *brushPanel = new BrushPanel(editor);
     auto *inspectorPanel = new InspectorPanel(editor);
-    m_strokes = new StrokesPanel(editor);
+    const Commands &commands = m_place.commands;
+    auto *order = new QMenu(tr("&Arrange"), &window);
+    for (const Command command : {Command::Top, Command::Raise, Command::Lower, Command::Bottom})
+        order->addAction(&commands[command]);
+    m_strokes = new StrokesPanel(editor, {&commands[Command::Duplicate], &commands[Command::GroupStrokes],
+                                          &commands[Command::UngroupStrokes], order->menuAction()});
     connect(brushPanel, &BrushPanel::chosen, this, [this] { m_place.commands[Command::Brush].setChecked(true); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });

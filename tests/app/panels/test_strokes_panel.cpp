@@ -4,6 +4,7 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
+#include "tests/app/shapes.h"
 #include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
@@ -340,6 +341,21 @@ private slots:
         QCOMPARE(bench.steps(), 4);
         trigger("Delete");
         QCOMPARE(orderOf(bench.editor), std::vector<StrokeId>{2});
+    }
+
+    /// What Edit and Object have for strokes is where they are listed as well.
+    void theMenuHasTheCommandsOfTheWindow()
+    {
+        WaveSession s;
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        QMenu menu;
+        panel->fillMenu(menu, panel->viewIndexOf(1));
+        for (const Command command : {Command::Duplicate, Command::GroupStrokes, Command::UngroupStrokes})
+            QVERIFY(menu.actions().contains(&s.window.action(command)));
+        const QList<QAction *> rows = menu.actions();
+        QVERIFY(std::any_of(rows.begin(), rows.end(), [&](const QAction *row) {
+            return row->menu() && row->menu()->actions().contains(&s.window.action(Command::Top));
+        }));
     }
 
     void thumbnailsAreTheRenderers()
