@@ -3,6 +3,7 @@
 #include "app/panels/timeline/timeline_picture.h"
 #include "app/session/editor.h"
 #include "app/session/playback.h"
+#include "app/widgets/habits/held_button.h"
 
 #include <QContextMenuEvent>
 #include <QGestureEvent>
@@ -33,6 +34,7 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
       m_pointer(editor, playback, m_bars, *viewport())
 {
     setFrameShape(QFrame::NoFrame);
+    endDragsWhenCovered(*viewport());
     setFocusPolicy(Qt::StrongFocus);
     // The bar is always shown, so that nothing moves when one zooms.
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOn);

@@ -1,5 +1,6 @@
 #include "app/widgets/brush/pen_pad.h"
 
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QMouseEvent>
@@ -16,6 +17,7 @@ constexpr Microseconds penSampleTime = 8'000; ///< time from one report to the n
 
 PenPad::PenPad(const Brush &brush, QWidget *parent) : QWidget(parent), m_brush(brush)
 {
+    endDragsWhenCovered(*this);
     setCursor(Qt::CrossCursor);
     setMinimumSize(160, 120);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);

@@ -1,6 +1,7 @@
 #include "app/widgets/colour/colour_wheel.h"
 
 #include "app/session/colour_convert.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QCoreApplication>
@@ -34,6 +35,7 @@ void paintMarker(QPainter &painter, QPointF at, const QColor &fill, double radiu
 
 ColourWheel::ColourWheel(QWidget *parent) : QWidget(parent)
 {
+    endDragsWhenCovered(*this);
     setFocusPolicy(Qt::StrongFocus);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);

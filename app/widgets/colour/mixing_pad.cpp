@@ -2,6 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
@@ -55,6 +56,7 @@ Colour between(const Colour &a, const Colour &b, float share)
 MixingPad::MixingPad(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
 {
     setCursor(Qt::CrossCursor);
+    endDragsWhenCovered(*this);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMaximumHeight(tallest);
 }

@@ -243,7 +243,7 @@ void SwatchGrid::mousePressEvent(QMouseEvent *event)
 void SwatchGrid::mouseMoveEvent(QMouseEvent *event)
 {
     const bool far = (event->pos() - m_pressedAt).manhattanLength() >= QApplication::startDragDistance();
-    if (m_pressed >= 0 && far)
+    if (m_pressed >= 0 && far && event->buttons() & Qt::LeftButton)
         startDrag(std::exchange(m_pressed, -1));
 }
 

@@ -1,5 +1,6 @@
 #include "app/widgets/curves/curve_field.h"
 
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QKeyEvent>
@@ -19,6 +20,7 @@ constexpr double textGap = 4; ///< between field and texts
 
 CurveField::CurveField(QWidget *parent) : QWidget(parent)
 {
+    endDragsWhenCovered(*this);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);

@@ -1,5 +1,6 @@
 #include "app/widgets/numbers/bar_slider.h"
 
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QCoreApplication>
@@ -31,6 +32,7 @@ void paintChecks(QPainter &painter, const QRectF &rect)
 
 BarSlider::BarSlider(QWidget *parent) : QSlider(Qt::Horizontal, parent)
 {
+    endDragsWhenCovered(*this);
     setRange(0, steps);
     setSingleStep(steps / 100);
     setPageStep(steps / 10);

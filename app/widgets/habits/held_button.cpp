@@ -1,0 +1,93 @@
+#include "app/widgets/habits/held_button.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QWidget>
+
+namespace suffuse {
+
+namespace {
+
+/// Follows the button that one widget holds. While there is none, it listens to that widget alone.
+class HeldButton : public QObject {
+public:
+    explicit HeldButton(QWidget &widget) : QObject(&widget), m_widget(widget) { widget.installEventFilter(this); }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (isHeld() && event->type() == QEvent::Show && covers(*watched))
+            letGo();
+        if (watched != &m_widget)
+            return QObject::eventFilter(watched, event);
+        const auto &mouse = *static_cast<const QMouseEvent *>(event);
+        switch (event->type()) {
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+            if (!isHeld())
+                take(mouse);
+            break;
+        case QEvent::MouseMove:
+            if (isHeld() && !(mouse.buttons() & m_button))
+                letGo();
+            follow(mouse);
+            break;
+        case QEvent::MouseButtonRelease:
+            if (mouse.button() == m_button)
+                forget();
+            break;
+        default:
+            break;
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    bool isHeld() const { return m_button != Qt::NoButton; }
+
+    /// Whether a window that opens takes the mouse.
+    static bool covers(const QObject &watched)
+    {
+        const auto *widget = qobject_cast<const QWidget *>(&watched);
+        return widget && widget->isWindow() && (widget->isModal() || widget->windowType() == Qt::Popup);
+    }
+
+    void take(const QMouseEvent &mouse)
+    {
+        m_button = mouse.button();
+        follow(mouse);
+        qApp->installEventFilter(this);
+    }
+
+    void follow(const QMouseEvent &mouse)
+    {
+        m_at = mouse.position();
+        m_onScreen = mouse.globalPosition();
+    }
+
+    void forget()
+    {
+        m_button = Qt::NoButton;
+        qApp->removeEventFilter(this);
+    }
+
+    void letGo()
+    {
+        QMouseEvent release(QEvent::MouseButtonRelease, m_at, m_onScreen, m_button, Qt::NoButton,
+                            QApplication::keyboardModifiers());
+        forget();
+        QApplication::sendEvent(&m_widget, &release);
+    }
+
+    QWidget &m_widget;
+    Qt::MouseButton m_button = Qt::NoButton;
+    QPointF m_at, m_onScreen;
+};
+
+} // namespace
+
+void endDragsWhenCovered(QWidget &dragged)
+{
+    new HeldButton(dragged); // belongs to the widget
+}
+
+} // namespace suffuse
