@@ -5067,6 +5067,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::FiguresSection</name>
     <message>
+        <source>The outline lays no paint: its density φ is 0. What is seen is the fill.</source>
+        <translation>Der Umriss trägt keine Farbe: Seine Dichte φ ist 0. Zu sehen ist die Füllung.</translation>
+    </message>
+    <message>
         <source>Density function</source>
         <translation>Dichtefunktion</translation>
     </message>

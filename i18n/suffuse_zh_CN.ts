@@ -5050,6 +5050,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::FiguresSection</name>
     <message>
+        <source>The outline lays no paint: its density φ is 0. What is seen is the fill.</source>
+        <translation>轮廓没有颜料：其密度 φ 为 0。可见的是填充。</translation>
+    </message>
+    <message>
         <source>Density function</source>
         <translation>密度函数</translation>
     </message>

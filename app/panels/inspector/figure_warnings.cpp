@@ -61,6 +61,8 @@ QStringList figureWarnings(const FiguresSummary &figures)
             warnings << WarningText::tr("Strength 0: nothing is taken away.");
         return warnings;
     }
+    if (figures.isFillAlone())
+        return warnings; // Nothing is wrong with an outline that lays no paint.
     if (figures.withoutPaint == figures.segments)
         warnings << WarningText::tr("Density 0: there is no paint.");
     else if (figures.transparent == figures.segments)

@@ -62,6 +62,8 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_warnings->setMargin(0);
     m_warnings->setAccessibleName(tr("Warnings"));
     column->addWidget(m_warnings);
+    m_fillAlone = quietLabel(tr("The outline lays no paint: its density φ is 0. What is seen is the fill."), this);
+    column->addWidget(m_fillAlone);
     m_later.setSingleShot(true);
     m_later.setInterval(figuresLaterMs);
     connect(&m_later, &QTimer::timeout, this, [this] {
@@ -139,11 +141,15 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     const auto range = [](const Extent &extent, const QString &unit) {
         return rangeText(extent.least, extent.most, unit);
     };
-    const bool erasure = figures.isErasure();
-    m_plot->setVisible(!erasure);
+    const bool erasure = figures.isErasure(), fill = figures.isFillAlone();
+    m_plot->setVisible(!erasure && !fill);
+    m_cut->setVisible(!fill);
+    m_fillAlone->setVisible(fill);
     for (int i = 0; i < figureCount; ++i)
         for (QLabel *label : {m_names[std::size_t(i)], m_figures[std::size_t(i)]})
-            label->setVisible(i == 1 ? figures.uneven : erasure == (i >= firstOfErasures));
+            label->setVisible(!fill && (i == 1 ? figures.uneven : erasure == (i >= firstOfErasures)));
+    if (fill)
+        return;
     if (erasure) {
         m_figures[5]->setText(range(figures.reach, canvasUnit()));
         m_figures[6]->setText(range(figures.taken, QString()));

@@ -30,6 +30,8 @@ public:
     DensityPlot *densityPlot() const { return m_plot; }
     CrossSectionPlot *crossSection() const { return m_cut; }
     HintLabel *warnings() const { return m_warnings; }
+    /// What stands here instead of all that where only fills are seen.
+    QLabel *fillAlone() const { return m_fillAlone; }
     /// The labels of spread, spread along, peak, half-width and fading, in this order, and, where all that is selected
     /// takes paint away, instead of them those of softness and of what it takes. The second is shown only where spread
     /// is uneven.
@@ -52,6 +54,7 @@ private:
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;
+    QLabel *m_fillAlone = nullptr;
     std::array<QLabel *, figureCount> m_figures{};
     std::array<QLabel *, figureCount> m_names{};
 };

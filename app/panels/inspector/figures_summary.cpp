@@ -31,6 +31,7 @@ void FiguresSummary::add(const InspectedSegment &inspected)
     ++segments;
     transparent += segment.colour.opacity == 0;
     withoutPaint += segment.density == 0;
+    aroundFills += segment.density == 0 && inspected.stroke->fill;
     spread.add(figures.spread);
     along.add(figures.along);
     peak.add(figures.peak);
@@ -52,6 +53,7 @@ void FiguresSummary::add(const FiguresSummary &other)
     segments += other.segments;
     transparent += other.transparent;
     withoutPaint += other.withoutPaint;
+    aroundFills += other.aroundFills;
     spread.add(other.spread);
     along.add(other.along);
     peak.add(other.peak);

@@ -17,6 +17,7 @@ struct Extent {
 /// figures of their own.
 struct FiguresSummary {
     std::size_t segments = 0, transparent = 0, withoutPaint = 0; ///< of those that lay paint
+    std::size_t aroundFills = 0;           ///< of those without paint, those that are the outline of a fill
     Extent spread, along, peak, halfWidth; ///< as in DerivedFigures
     Extent driesOut;                       ///< of the segments that dry out, with paint or without
     /// the ages at which paint vanishes, or is widest, if that is before it is dry
@@ -30,6 +31,8 @@ struct FiguresSummary {
     void add(const FiguresSummary &other);
     /// Whether all of it takes paint away.
     bool isErasure() const { return segments == 0 && erasing > 0; }
+    /// Whether nothing is seen of any stroke but its fill.
+    bool isFillAlone() const { return segments > 0 && aroundFills == segments; }
 };
 
 /// Makes the summary of what is inspected. It keeps the summaries of strokes, and uses those of strokes that have not

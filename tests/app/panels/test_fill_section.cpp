@@ -1,10 +1,15 @@
 // The fill in the inspector: switched on and off, its values, and what is selected of several strokes.
+#include "app/panels/inspector/cross_section_plot.h"
+#include "app/panels/inspector/density_plot.h"
+#include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
+#include "undo/edits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -45,6 +50,29 @@ private slots:
         QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
         QVERIFY(!bench.stroke(2).fill && !bench.stroke(3).fill);
         QCOMPARE(bench.steps(), 3);
+    }
+
+    /// A shape without an outline is painted by its fill alone: no figure and no warning speaks of paint that is not
+    /// there.
+    void anOutlineWithoutPaintIsNoFault()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        FiguresSection &figures = *panel.figuresSection();
+        const auto bare = [](Segment &segment) { segment.density = 0; };
+        bench.select({1});
+        const std::vector<SegmentRef> all{{1, 0}, {1, 1}, {1, 2}, {1, 3}};
+        bench.editor.push(changeSegments(bench.editor.document(), all, bare), "bare");
+        QVERIFY(figures.warnings()->text().startsWith("Density 0") && !figures.fillAlone()->isVisible());
+        QTest::mouseClick(panel.fillSection()->filled(), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(bench.stroke(1).fill);
+        QVERIFY(!figures.warnings()->isVisible() && figures.fillAlone()->isVisible());
+        QVERIFY(!figures.crossSection()->isVisible() && !figures.densityPlot()->isVisible());
+        QVERIFY(!figures.figure(2)->isVisible());
+        bench.select({1, 2});
+        QVERIFY(!figures.fillAlone()->isVisible() && figures.densityPlot()->isVisible());
+        QVERIFY(figures.figure(2)->isVisible());
     }
 
     void numbersChangeTheFillAlone()
