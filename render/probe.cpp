@@ -29,11 +29,13 @@ double densityAt(const Stroke &stroke, const Segment &segment, Microseconds time
 reference::FillSample fillAt(const Stroke &stroke, Microseconds time, Point x)
 {
     // As a picture of no size around the point, in which the spread has so many pixels that nothing is seen of them.
-    const Fill &fill = *stroke.fill;
+    Stroke spread = stroke;
+    spread.fill = stroke.fill->spreading(time);
+    const Fill &fill = *spread.fill;
     View view;
     view.centre = x;
     view.scale = 64 / (fill.spread(time) * std::sqrt(std::min(1.0, double(fill.anisotropyRatio))));
-    return reference::FillSource(stroke, time, view, reference::reachOf(stroke, time)).at({});
+    return reference::FillSource(spread, time, view, reference::reachOf(spread, time)).at({});
 }
 
 ProbeStroke probeStroke(const Stroke &stroke, Microseconds time, Point x, double paper)

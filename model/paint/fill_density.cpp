@@ -9,7 +9,7 @@
 namespace suffuse {
 
 DensityOfFill::DensityOfFill(const Stroke &stroke, Microseconds T)
-    : m_fill(*stroke.fill), m_boundary(boundaryOf(closedOutline(stroke), stroke.fill->rule))
+    : m_fill(stroke.fill->spreading(T)), m_boundary(boundaryOf(closedOutline(stroke), stroke.fill->rule))
 {
     // M = D⁻¹/4t = (u, v)ᵀ(u, v).
     const Tensor tensor = 4 * m_fill.age(T) * tensorOf(m_fill);

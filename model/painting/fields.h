@@ -224,7 +224,7 @@ template <>
 struct FieldsOf<Fill> {
     static constexpr std::tuple list{
         field("diffusion", &Fill::diffusion,
-              {.unit = Unit::Diffusion, .domain = {0, 1e12, true}, .presence = Presence::Required}),
+              {.unit = Unit::Diffusion, .domain = {0, 1e12}, .presence = Presence::Required}),
         field("density", &Fill::density, {.domain = {0, 1e12}, .presence = Presence::Required}),
         field("granulation", &Fill::granulation, {.unit = Unit::Share, .domain = share}),
         field("maxAge", &Fill::maxAge, {.unit = Unit::Seconds, .domain = {0, 1e6, true}}),

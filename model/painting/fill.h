@@ -25,7 +25,7 @@ struct Gradient {
 /// a straight line; segments that take paint away bound nothing. The style is the stroke's. Domains are checked by
 /// `problemOf` (model/painting/validate.h).
 struct Fill {
-    float diffusion = 12.5f; ///< D, unit²/s, (0, 1e12]
+    float diffusion = 12.5f; ///< D, unit²/s, [0, 1e12]; 0 stays crisp at any zoom
     float density = 1;       ///< ρ, far inside the area, [0, 1e12]
     float granulation = 1;   ///< ω, [0, 1]; 1 hides the paper, 0 shows it fully
     float maxAge = 1;        ///< t_max, s, (0, 1e6]
@@ -45,7 +45,17 @@ struct Fill {
     Microseconds driesAt() const { return born + Microseconds(std::ceil(double(maxAge) * 1e6)); }
     /// The spread s = √(4Dt), canvas units; 0 at age 0. Where it is anisotropic, the spread across the tensor's angle.
     double spread(Microseconds T) const { return std::sqrt(4 * double(diffusion) * std::max(age(T), 0.0)); }
+    /// The same fill with a spread of at least 1e-9 units, for who divides by it.
+    Fill spreading(Microseconds T) const;
 };
+
+inline Fill Fill::spreading(Microseconds T) const
+{
+    constexpr double least = 1e-9;
+    Fill copy = *this;
+    copy.diffusion = std::max(copy.diffusion, float(least * least / (4 * age(T))));
+    return copy;
+}
 
 /// A fill, or none. Most strokes have none, and copies of a stroke share theirs; two are equal if their values are.
 class SharedFill {

@@ -112,7 +112,7 @@ private slots:
             QTest::newRow(name) << fill << QString::fromLatin1(place);
         };
         const QByteArray both = "\"diffusion\": 1, \"density\": 1";
-        row("D of 0", R"({"diffusion": 0, "density": 1})", "strokes[0].fill.diffusion: 0 is not in (0, 1e12]");
+        row("D below 0", R"({"diffusion": -1, "density": 1})", "strokes[0].fill.diffusion: -1 is not in [0, 1e12]");
         row("NaN", R"({"diffusion": NaN, "density": 1})", "strokes[0].fill.diffusion");
         row("density below 0", R"({"diffusion": 1, "density": -1})", "strokes[0].fill.density: -1 is not in [0, 1e12]");
         row("density is missing", R"({"diffusion": 1})", "strokes[0].fill.density: is missing");

@@ -61,7 +61,7 @@ private slots:
     void crispShapes()
     {
         for (const Style &style : someStyles())
-            for (const double spread : {1e-6, 0.003, 0.01}) {
+            for (const double spread : {0.0, 1e-6, 0.003, 0.01}) {
                 Stroke disc = emptyFill(1, spread, style), star = emptyFill(2, spread, style, {0.9f, 0.1f, 0.2f, 1});
                 addEllipse(disc, {20, 20}, 15.3, 11.7);
                 addEllipse(disc, {20, 20}, 5.3, 3.7, true);
@@ -69,6 +69,28 @@ private slots:
                 compare(painting({disc, star}, 64, 48), sheetView(),
                         nameOf(style) + " s " + QByteArray::number(spread));
             }
+    }
+
+    /// What does not spread costs a sample a pixel at any zoom, and its edge is a step in the eye of the probe.
+    void crispAtAnyZoom()
+    {
+        Stroke disc = emptyFill(1, 0, styleOf(StyleKind::Uniform));
+        addEllipse(disc, {20, 20}, 15.3, 11.7);
+        const auto p = painting({disc}, 64, 48);
+        for (double scale = 1; scale < 2e6; scale *= 10) {
+            const View v{{35.3, 20}, scale, 0, false, 40, 40};
+            compare(p, v, "scale " + QByteArray::number(scale));
+            int between = 0;
+            const FloatPicture picture = test::render(*m_cpu, p, v, -1, true);
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 40; ++x)
+                    between += picture.at(x, y)[3] > 0.002f && picture.at(x, y)[3] < picture.at(0, 20)[3] - 0.002f;
+            QVERIFY2(between <= 2 * 40, qPrintable(QString::number(between)));
+        }
+        QVERIFY(std::abs(fillDensityAt(disc, 1'000'000, {35.2999, 20}) - 1) < 1e-6);
+        QCOMPARE(fillDensityAt(disc, 1'000'000, {35.3001, 20}), 0.0);
+        for (const double x : {35.2999, 35.3001})
+            QCOMPARE(probe(*p, 1'000'000, x, 20)->strokes.size(), std::size_t(x < 35.3));
     }
 
     void thinSpreads()
@@ -159,7 +181,7 @@ private slots:
         std::mt19937_64 random(21);
         std::uniform_real_distribution<double> u(0, 1);
         for (int i = 0; i < 60; ++i) {
-            const double spread = i % 5 == 0 ? 1e-3 : 1 + 15 * u(random);
+            const double spread = i % 10 == 0 ? 0 : i % 5 == 0 ? 1e-3 : 1 + 15 * u(random);
             const Stroke s = randomFill(random, 1, 64, 48, spread);
             const auto p = painting({s}, 64, 48);
             const Point x{64 * u(random), 48 * u(random)};
@@ -180,7 +202,7 @@ private slots:
                 QVERIFY(std::abs(PaintSight(s, 1'000'000).at(x).opacity - seen.opacity) < 1e-9);
             }
             // A picture of it from very near shows the same colour.
-            const FloatPicture near = test::render(*m_reference, p, View{x, 1e7 / spread, 0, false, 1, 1}, 1'000'000);
+            const FloatPicture near = test::render(*m_reference, p, View{x, std::min(1e7 / spread, 1e9), 0, false, 1, 1}, 1'000'000);
             if (there.lifted == 0)
                 for (int c = 0; c < 3; ++c)
                     QVERIFY(std::abs(double(near.at(0, 0)[c]) - there.rgbAfter[std::size_t(c)]) < 2e-3);

@@ -46,15 +46,13 @@ double wholeUnits(double size)
     return std::max(1.0, std::ceil(size - 1e-3));
 }
 
-/// What an area paints: its edge is as sharp as a screen shows it, up to a hundred pixels a unit, and only the area has
-/// paint.
+/// What an area paints: its edge does not spread, and only the area has paint.
 template <class Placed>
 Stroke valuesOfArea(const SvgPath &path, Segment &values, Point origin, const Placed &placed)
 {
-    constexpr double spread = 0.01;
     Fill fill;
     fill.maxAge = 1;
-    fill.diffusion = float(spread * spread / 4);
+    fill.diffusion = 0;
     fill.born = values.born;
     fill.colour = values.colour;
     if (path.shade) {
@@ -64,7 +62,7 @@ Stroke valuesOfArea(const SvgPath &path, Segment &values, Point origin, const Pl
     }
     fill.rule = path.isEvenOdd ? FillRule::EvenOdd : FillRule::NonZero;
     values.density = 0;
-    values.diffusion = fill.diffusion;
+    values.diffusion = Segment().diffusion;
     values.maxAge = fill.maxAge;
     values.granulation = 1;
     Stroke stroke;
