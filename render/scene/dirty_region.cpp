@@ -190,7 +190,6 @@ int enteredIn(const SceneFill &fill, Point at)
 /// Marks where the boundary of a fill differs, and what lies inside now and did not before.
 void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &region)
 {
-    const auto &a = before.panels, &b = after.panels;
     const auto boxOf = [](const SceneFill &fill, const Rect &box) {
         const double more = 1 + fill.nearby;
         const double x = std::max(fill.reach.x, more), y = std::max(fill.reach.y, more);
@@ -200,25 +199,32 @@ void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &regi
         return PixelRect{left, top, int(std::clamp(std::ceil(box.right + x), -limit, limit)) - left,
                          int(std::clamp(std::ceil(box.bottom + y), -limit, limit)) - top};
     };
-    const std::size_t shorter = std::min(a.size(), b.size());
-    const bool inPlace = a.size() == b.size();
-    std::size_t prefix = 0, suffix = 0;
-    while (!inPlace && prefix < shorter && a[prefix] == b[prefix])
-        ++prefix;
-    while (!inPlace && suffix < shorter - prefix && a[a.size() - 1 - suffix] == b[b.size() - 1 - suffix])
-        ++suffix;
     std::vector<TileRange> ranges;
-    bool any = a.size() == 0 || b.size() == 0; // Then one may be all inside, and the other all outside.
-    for (std::size_t i = prefix; i < std::max(a.size(), b.size()) - suffix; ++i) {
-        if (inPlace && a[i] == b[i])
-            continue;
-        any = true;
-        if (i < a.size() - suffix)
-            ranges.push_back(region.tilesOf(region.clipped(boxOf(before, a[i].box))));
-        if (i < b.size() - suffix)
-            ranges.push_back(region.tilesOf(region.clipped(boxOf(after, b[i].box))));
-    }
-    if (!any && before.arcs == after.arcs)
+    // Where pieces of the boundary differ; in the middle of the list some may have come or gone.
+    const auto compare = [&](const auto &a, const auto &b, auto placeOf) {
+        const std::size_t shorter = std::min(a.size(), b.size());
+        const bool inPlace = a.size() == b.size();
+        std::size_t prefix = 0, suffix = 0;
+        while (!inPlace && prefix < shorter && a[prefix] == b[prefix])
+            ++prefix;
+        while (!inPlace && suffix < shorter - prefix && a[a.size() - 1 - suffix] == b[b.size() - 1 - suffix])
+            ++suffix;
+        for (std::size_t i = prefix; i < std::max(a.size(), b.size()) - suffix; ++i) {
+            if (inPlace && a[i] == b[i])
+                continue;
+            if (i < a.size() - suffix)
+                ranges.push_back(region.tilesOf(region.clipped(boxOf(before, placeOf(a[i])))));
+            if (i < b.size() - suffix)
+                ranges.push_back(region.tilesOf(region.clipped(boxOf(after, placeOf(b[i])))));
+        }
+    };
+    compare(before.panels, after.panels, [](const FillPanel &panel) { return panel.box; });
+    compare(before.flats, after.flats, [](const BoundaryFlat &flat) {
+        return Rect{flat.left, flat.y, flat.right, flat.y};
+    });
+    // Where the window has no boundary, one may be all inside, and the other all outside.
+    const bool bare = before.panels.empty() || after.panels.empty();
+    if (ranges.empty() && !bare && before.arcs == after.arcs)
         return;
     region.mark(ranges);
     for (const PixelRect &bounds : {before.bounds, after.bounds}) {

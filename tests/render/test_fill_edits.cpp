@@ -173,6 +173,38 @@ private slots:
         QVERIFY2(partial > 20, qPrintable(QString::number(partial)));
     }
 
+    /// Level edges are no arcs. Where nothing but them has moved, for example when a rectangle grows, that is drawn again.
+    void levelEdgesAreDrawnAgain()
+    {
+        std::mt19937_64 random(8);
+        std::uniform_real_distribution<double> u(0, 1);
+        for (const double spread : {0.0, 0.4, 3.0}) {
+            Rect box = Rect::of(20, 20, 200, 90);
+            const auto shown = [&] {
+                Stroke s = emptyFill(1, spread, styleOf(StyleKind::Uniform));
+                addRectangle(s, box);
+                return painting({s}, 240, 130);
+            };
+            const auto live = make(Backend::Cpu, 0, 16);
+            const View view = View::ofArea(Rect::of(0, 0, 240, 130), 240, 130);
+            FloatPicture picture;
+            for (int step = 0; step < 25; ++step) {
+                const auto p = shown();
+                QVERIFY(live->render({p, p->end(), view, false}, picture));
+                const FloatPicture whole = test::render(*make(Backend::Cpu), p, view);
+                QVERIFY2(same(picture, whole),
+                         qPrintable(QStringLiteral("step %1: %2").arg(step).arg(whereDifferent(picture, whole))));
+                const double by = std::round(12 * u(random) - 6) + (step % 2 ? 0.3 : 0);
+                if (step % 3 != 0)
+                    box.top += by;
+                if (step % 3 != 1)
+                    box.bottom += by;
+                if (step % 5 == 4)
+                    box.right += by;
+            }
+        }
+    }
+
     /// A node of a large area is moved: what is far from it is not drawn again, neither on the outline nor within.
     void onlyWhatChangedIsEvaluated()
     {

@@ -8,7 +8,8 @@
 
 namespace suffuse {
 
-void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text)
+void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text,
+                  ValueEntry *entry)
 {
     // A locked stroke can be renamed, hidden and unlocked, while `changeStrokes` would leave it alone.
     const StrokePtr old = editor.document().painting()->find(id);
@@ -20,10 +21,11 @@ void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &
         return;
     Edit edit;
     edit.strokes.emplace(id, std::make_shared<const Stroke>(std::move(stroke)));
-    editor.push(std::move(edit), text);
+    editor.push(std::move(edit), text, entry);
 }
 
-void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> &change, const QString &text)
+void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> &change, const QString &text,
+                 ValueEntry *entry)
 {
     std::vector<Group> groups = editor.document().painting()->groups;
     for (Group &group : groups)
@@ -33,11 +35,11 @@ void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> 
         return;
     Edit edit;
     edit.groups = std::move(groups);
-    editor.push(std::move(edit), text);
+    editor.push(std::move(edit), text, entry);
 }
 
 void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)> &changeStroke,
-                  const std::function<void(Group &)> &changeGroup, const QString &text)
+                  const std::function<void(Group &)> &changeGroup, const QString &text, ValueEntry *entry)
 {
     const Painting &painting = *editor.document().painting();
     std::vector<Group> groups = painting.groups;
@@ -61,7 +63,7 @@ void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)
             edit.strokes.emplace(old->id, std::make_shared<const Stroke>(std::move(stroke)));
     }
     if (edit.groups || !edit.strokes.empty())
-        editor.push(std::move(edit), text);
+        editor.push(std::move(edit), text, entry);
 }
 
 } // namespace suffuse

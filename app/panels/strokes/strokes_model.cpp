@@ -171,7 +171,7 @@ bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int 
     return true;
 }
 
-void StrokesModel::toggle(const QModelIndex &index)
+void StrokesModel::toggle(const QModelIndex &index, ValueEntry *entry)
 {
     if (!index.isValid() || segmentAt(index) >= 0)
         return;
@@ -191,14 +191,15 @@ void StrokesModel::toggle(const QModelIndex &index)
             eye ? (on ? tr("Hide group") : tr("Show group")) : (on ? tr("Unlock group") : tr("Lock group"));
         const auto clear = [eye](auto &item) { (eye ? item.visible : item.locked) = eye; };
         if (own == on)
-            changeGroup(m_editor, node.group, flip, text);
+            changeGroup(m_editor, node.group, flip, text, entry);
         else
-            changeWithin(m_editor, node.group, clear, clear, text);
+            changeWithin(m_editor, node.group, clear, clear, text, entry);
     } else if (const StrokePtr stroke = m_tree.strokeOf(node.stroke)) {
         const bool on = eye ? stroke->visible : stroke->locked;
         changeStroke(m_editor, node.stroke, flip,
                      eye ? (on ? tr("Hide stroke") : tr("Show stroke"))
-                         : (on ? tr("Unlock stroke") : tr("Lock stroke")));
+                         : (on ? tr("Unlock stroke") : tr("Lock stroke")),
+                     entry);
     }
 }
 

@@ -7,6 +7,7 @@
 namespace suffuse {
 
 class Editor;
+class ValueEntry;
 
 /// The name that people see. A stroke or group without a name has what it is and its number.
 QString titleOf(const Stroke &stroke);
@@ -72,8 +73,9 @@ public:
     /// person.
     bool isFollowing() const { return m_following; }
 
-    /// Shows or hides, or locks or unlocks, what the row stands for. The column of the index says which.
-    void toggle(const QModelIndex &index);
+    /// Shows or hides, or locks or unlocks, what the row stands for. The column of the index says which. What one entry
+    /// switches in a row is one step.
+    void toggle(const QModelIndex &index, ValueEntry *entry = nullptr);
 
 private:
     using Node = StrokesTree::Node;

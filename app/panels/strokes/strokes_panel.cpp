@@ -8,6 +8,7 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 
+#include <QApplication>
 #include <QAction>
 #include <QLineEdit>
 #include <QMenu>
@@ -192,16 +193,29 @@ bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
         goToFirstFound();
         return true;
     }
-    // Eyes and locks are switched without changing the selection.
-    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
-    if (watched != m_view->viewport() || (!press && event->type() != QEvent::MouseButtonRelease))
-        return QWidget::eventFilter(watched, event);
-    const auto *mouse = static_cast<QMouseEvent *>(event);
-    const QModelIndex index = m_view->indexAt(mouse->position().toPoint());
-    if (mouse->button() != Qt::LeftButton || !index.isValid() || index.column() == StrokesModel::NameColumn)
-        return QWidget::eventFilter(watched, event);
-    if (press)
-        m_model->toggle(m_filter->mapToSource(index));
+    const bool used = watched == m_view->viewport() && sweep(*event);
+    return used || QWidget::eventFilter(watched, event);
+}
+
+bool StrokesPanel::sweep(const QEvent &event)
+{
+    const bool press = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick;
+    if (!press && event.type() != QEvent::MouseMove && event.type() != QEvent::MouseButtonRelease)
+        return false;
+    const auto &mouse = static_cast<const QMouseEvent &>(event);
+    const QModelIndex at = m_view->indexAt(mouse.position().toPoint());
+    if (press && mouse.button() == Qt::LeftButton && at.isValid() && at.column() != StrokesModel::NameColumn)
+        m_sweep = Sweep{at.column(), at.data(StrokesModel::SwitchRole).toBool()};
+    else if (press || !m_sweep)
+        return false;
+    const QModelIndex row = at.siblingAtColumn(m_sweep ? m_sweep->column : 0);
+    const bool held = mouse.buttons() & Qt::LeftButton;
+    if (held && row.isValid() && row.data(StrokesModel::SwitchRole).toBool() == m_sweep->from)
+        m_model->toggle(m_filter->mapToSource(row), &m_sweepStep);
+    if (!held) {
+        m_sweep.reset();
+        m_sweepStep.endSteps();
+    }
     return true;
 }
 
@@ -247,7 +261,8 @@ void StrokesPanel::takeSelectionFromDocument()
     QItemSelectionModel *model = m_view->selectionModel();
     if (model->selection() != selection)
         model->select(selection, QItemSelectionModel::ClearAndSelect);
-    if (first.isValid() && !m_view->hasFocus()) {
+    const QWidget *focus = QApplication::focusWidget();
+    if (first.isValid() && (!focus || (focus != m_view && !m_view->isAncestorOf(focus)))) {
         model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
         m_view->scrollTo(first);
     }

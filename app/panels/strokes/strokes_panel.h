@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/session/value_entry.h"
 #include "model/document/edit.h"
 
 #include <QModelIndex>
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QLabel;
 class QLineEdit;
@@ -53,6 +55,9 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Eyes and locks are switched without changing the selection: that of the row that is pressed, and likewise those
+    /// of the rows over which the pointer is drawn then, in one step. Returns whether the event was used for that.
+    bool sweep(const QEvent &event);
     void search(const QString &text);
     void showWhetherFound();
     /// Moves the focus from the search to the first row that was found.
@@ -71,6 +76,13 @@ private:
 
     Editor &m_editor;
     QList<QAction *> m_more;
+    /// The column that is switched while the button is held, and what its switches are switched from.
+    struct Sweep {
+        int column = 0;
+        bool from = false;
+    };
+    std::optional<Sweep> m_sweep;
+    ValueEntry m_sweepStep;
     StrokesModel *m_model = nullptr;
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;

@@ -4,13 +4,13 @@
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
 #include <QCache>
 #include <QHeaderView>
 #include <QInputEvent>
-#include <QLineEdit>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmapCache>
@@ -81,12 +81,17 @@ public:
         painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
     }
 
-    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const override
     {
-        QWidget *editor = QStyledItemDelegate::createEditor(parent, option, index);
-        if (auto *field = qobject_cast<QLineEdit *>(editor))
-            field->setPlaceholderText(index.data().toString());
-        return editor;
+        auto *field = new EntryField(parent);
+        field->setFrame(false);
+        field->setPlaceholderText(index.data().toString());
+        connect(field, &EntryField::typed, this, [this, field] {
+            auto *delegate = const_cast<StrokeRowDelegate *>(this);
+            emit delegate->commitData(field);
+            emit delegate->closeEditor(field);
+        });
+        return field;
     }
 
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override

@@ -8,7 +8,9 @@
 #include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
+#include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -83,6 +85,78 @@ private slots:
         QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{3}); // hidden, still selected
         panel.search()->clear();
         QCOMPARE(panel.view()->model()->rowCount(), 3);
+    }
+
+    /// A press on an eye that is drawn on over other rows hides them as well, in one step. It is no drag of a row and
+    /// selects nothing, and what is hidden already stays so.
+    void eyesAndLocksAreSwept()
+    {
+        Bench bench(5); // rows 5 4 3 2 1
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        bench.select({5});
+        bench.editor.push(setVisible(bench.editor.document(), {3}, false), "hide");
+        const auto at = [&](StrokeId id, int column) {
+            return panel.view()->visualRect(panel.viewIndexOf(id).siblingAtColumn(column)).center();
+        };
+        QWidget &viewport = *panel.view()->viewport();
+        const auto draw = [&](int column, Qt::MouseButtons buttons) {
+            QTest::mousePress(&viewport, Qt::LeftButton, {}, at(5, column));
+            for (const StrokeId id : {4, 3, 2}) {
+                const QPointF p(at(id, id == 3 ? int(StrokesModel::NameColumn) : column)); // a hand is not that steady
+                QMouseEvent event(QEvent::MouseMove, p, viewport.mapToGlobal(p), Qt::NoButton, buttons, {});
+                QCoreApplication::sendEvent(&viewport, &event);
+            }
+            QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at(2, column));
+        };
+        draw(StrokesModel::EyeColumn, Qt::LeftButton);
+        for (const StrokeId id : {5, 4, 3, 2})
+            QVERIFY(!bench.stroke(id).visible);
+        QVERIFY(bench.stroke(1).visible);
+        QCOMPARE(bench.steps(), 2);
+        draw(StrokesModel::LockColumn, Qt::LeftButton);
+        for (const StrokeId id : {5, 4, 3, 2})
+            QVERIFY(bench.stroke(id).locked);
+        QCOMPARE(bench.steps(), 3);
+        draw(StrokesModel::EyeColumn, Qt::NoButton); // the release got lost
+        QVERIFY(bench.stroke(5).visible && !bench.stroke(4).visible);
+        QCOMPARE(bench.steps(), 4);
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4, 5}));
+        QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{5});
+    }
+
+    /// A name that is being typed counts before what a shortcut does, like a number.
+    void aTypedNameIsTakenByShortcuts()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *dock = s.window.findChild<QDockWidget *>("strokesDock");
+        dock->show();
+        dock->raise();
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        QTRY_VERIFY(!panel->visibleRegion().isEmpty());
+        const auto type = [&](const QString &text) {
+            panel->view()->setFocus();
+            panel->view()->setCurrentIndex(panel->viewIndexOf(s.id));
+            panel->view()->edit(panel->viewIndexOf(s.id));
+            auto *field = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+            QVERIFY(field);
+            field->selectAll();
+            QTest::keyClicks(field, text);
+        };
+        const int steps = s.steps();
+        type("Sky");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QTRY_COMPARE(s.stroke().name, QString("Sky"));
+        type("Sun");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(!qobject_cast<QLineEdit *>(QApplication::focusWidget()));
+        QCOMPARE(s.stroke().name, QString("Sky"));
+        type("Sea");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(s.stroke().name, QString("Sea"));
+        QCOMPARE(s.painting().strokes.back()->name, QString("Sea")); // it was duplicated after that
+        QCOMPARE(s.steps(), steps + 3);
     }
 
     /// A group's own row says what is hidden or locked in it, and a click on it undoes that where it is all of it.
