@@ -11,6 +11,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/habits/compare_button.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "undo/edits.h"
@@ -81,6 +82,12 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
                 m_editor.push(setCanvas(m_editor.document(), value), text, entry);
             });
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
+    // A drag is about what was selected at the press. It ends when all know what is selected now.
+    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
+        for (BarSlider *slider : findChildren<BarSlider *>())
+            if (change.selection && slider->isSliderDown())
+                QMetaObject::invokeMethod(slider, &BarSlider::letGo, Qt::QueuedConnection);
+    });
     refresh();
 }
 

@@ -212,9 +212,9 @@ bool SelectTool::beginDrag(const PointerEvent &event)
                          : m_handle->kind == Kind::Scale ? tr("Scale")
                          : m_handle->kind == Kind::Skew  ? tr("Skew")
                                                          : tr("Rotate");
-    const std::set<StrokeId> strokes = m_canvas.selection().strokes;
+    m_dragged = m_canvas.selection().strokes;
     m_gesture = m_editor.begin(name);
-    m_gesture.take(strokes);
+    m_gesture.take(m_dragged);
     m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
                  moves                                        ? TransformSnap::What::Strokes
                  : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
@@ -227,6 +227,8 @@ bool SelectTool::beginDrag(const PointerEvent &event)
 
 void SelectTool::drag(const PointerEvent &event)
 {
+    if (m_canvas.selection().strokes != m_dragged)
+        return; // A command has selected something else, copies for example, and the drag ended where it was.
     if (m_handle)
         dragHandle(event);
     else

@@ -67,6 +67,7 @@ private:
     void showTurn(std::optional<double> angle, Point pixel = {});
 
     Commands &m_commands;
+    std::set<StrokeId> m_dragged; ///< what was selected when the drag began
     QPointer<TransformBar> m_options;
     mutable TransformHandles m_handles;
     mutable bool m_stale = true;  ///< whether the handles' box must be computed anew

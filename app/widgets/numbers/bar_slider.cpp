@@ -106,12 +106,14 @@ void BarSlider::mouseMoveEvent(QMouseEvent *event)
 
 void BarSlider::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && isSliderDown())
-        endDrag();
+    if (event->button() == Qt::LeftButton)
+        letGo();
 }
 
-void BarSlider::endDrag()
+void BarSlider::letGo()
 {
+    if (!isSliderDown())
+        return;
     qApp->removeEventFilter(this);
     setSliderDown(false);
 }
@@ -127,7 +129,7 @@ bool BarSlider::eventFilter(QObject *watched, QEvent *event)
     event->accept();
     if (event->type() == QEvent::KeyPress) {
         emit givenUp();
-        endDrag();
+        letGo();
     }
     return true;
 }

@@ -24,6 +24,9 @@ public:
     /// Ctrl was held at the press: mixed values are to become one, that of the place under the pointer.
     bool makesOne() const { return m_makesOne; }
 
+    /// Ends a drag as the release would; the pointer moves nothing more then.
+    void letGo();
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -39,7 +42,6 @@ protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
 
 private:
-    void endDrag();
     int positionAt(double x) const;
     QRectF track() const;
 

@@ -123,6 +123,26 @@ private slots:
         QVERIFY(bench.pen() == before);
     }
 
+    /// A drag is about what was selected at the press: what comes to be selected meanwhile keeps its values.
+    void anotherSelectionEndsTheDrag()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke other = bench.stroke(1);
+        BarSlider *slider = panel.segmentSection()->density()->slider();
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.7));
+        const Stroke dragged = bench.pen();
+        bench.select({1, 9});
+        QTRY_VERIFY(!slider->isSliderDown());
+        QCOMPARE(bench.steps(), 1);
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.9));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.9));
+        QVERIFY(bench.stroke(1) == other && bench.pen() == dragged);
+        QCOMPARE(bench.steps(), 1);
+    }
+
     /// The handle stays where it was let go, and goes on from there; back in the middle nothing has changed.
     void aSecondDragGoesOn()
     {

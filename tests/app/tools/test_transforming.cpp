@@ -320,6 +320,22 @@ private slots:
         QCOMPARE(s.selected(), std::set<StrokeId>{1}); // undo brings the selection back
     }
 
+    /// A command in the middle of a drag that selects something else, copies for example, ends the drag there.
+    void copiesMadeMeanwhileStayWhereTheyAre()
+    {
+        Selecting s({line(1, {200, 300}, {300, 300})});
+        s.use(Command::Select);
+        s.select({1});
+        s.pressAndMove({{250, 300}, {270, 310}, {290, 320}}, {});
+        s.use(Command::Duplicate);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        const PaintingPtr then = s.editor().document().painting();
+        QTest::mouseMove(&s.canvas(), s.at({400, 400}));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({400, 400}));
+        QVERIFY(*s.editor().document().painting() == *then);
+        QCOMPARE(s.editor().undoStack().count(), 2); // Move, Duplicate
+    }
+
     void movesSnapToNodesAndGrid()
     {
         Selecting s({line(1, {300, 300}, {400, 300}), line(2, {500, 500}, {600, 520})});
