@@ -147,6 +147,21 @@ void FillSection::fillSelected(bool on)
                   on ? tr("Fill") : tr("Remove fill"));
 }
 
+/// A change that is shown is forgotten when the fills are not what it made of them any more.
+void FillSection::keepChange(SliderField &row, const Inspected &inspected,
+                             const std::function<double(const Fill &)> &valueOf)
+{
+    row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
+        return std::ranges::all_of(inspected.strokes, [&](const Stroke *stroke) {
+            const StrokePtr then = start ? start->find(stroke->id) : nullptr;
+            if (!stroke->fill || !then || !then->fill)
+                return start && !stroke->fill;
+            return inspected.painting->isLocked(*stroke) ||
+                   float(valueOf(*stroke->fill)) == float(change.applied(valueOf(*then->fill)));
+        });
+    });
+}
+
 void FillSection::refresh(const Inspected &inspected)
 {
     std::vector<const Fill *> fills;
@@ -159,6 +174,12 @@ void FillSection::refresh(const Inspected &inspected)
     m_values->setVisible(!fills.empty());
     if (fills.empty())
         return;
+    for (const auto &[member, field] : m_rows)
+        keepChange(*field, inspected, [member = member](const Fill &fill) { return double(fill.*member); });
+    for (int channel = 0; channel < 4; ++channel)
+        keepChange(*m_colour->row(channel), inspected, [channel](const Fill &fill) {
+            return double(ColourRows::channelOf(fill.colour, channel));
+        });
     for (const auto &[member, field] : m_rows)
         field->setValue(commonNumber(fills, [member = member](const Fill *fill) { return fill->*member; }));
     std::array<std::optional<double>, 4> channels;

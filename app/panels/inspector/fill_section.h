@@ -39,6 +39,8 @@ private:
     void changeEach(const Member &member, const ValueMap &map);
     void changeTogether(const Member &member, const ValueChange &change, ValueEntry *entry);
     void fillSelected(bool on);
+    static void keepChange(SliderField &row, const Inspected &inspected,
+                           const std::function<double(const Fill &)> &valueOf);
 
     Editor &m_editor;
     QCheckBox *m_filled = nullptr;

@@ -6,10 +6,12 @@
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/number_field.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
+#include "undo/fill_edits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -73,6 +75,35 @@ private slots:
         bench.select({1, 2});
         QVERIFY(!figures.fillAlone()->isVisible() && figures.densityPlot()->isVisible());
         QVERIFY(figures.figure(2)->isVisible());
+    }
+
+    /// After an undo the slider of what differs stands in the middle again, or a touch would do the change once more.
+    void anUndoneChangeIsForgotten()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        bench.select({1, 2});
+        bench.editor.push(addFills(bench.editor.document(), {1, 2}), "fill");
+        for (SliderField *row : {panel.fillSection()->row(&Fill::diffusion), panel.fillSection()->row(&Fill::density)}) {
+            bench.editor.push(changeFills(bench.editor.document(), *bench.editor.document().painting(), {2},
+                                          [](Fill &now, const Fill &) { now.density += 1; }),
+                              "other");
+            BarSlider *slider = row->slider();
+            QTRY_VERIFY(slider->isMixed());
+            const auto before = bench.editor.document().painting();
+            QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() / 2, 11});
+            QTest::mouseMove(slider, {slider->width() * 3 / 4, 11});
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() * 3 / 4, 11});
+            const QString made = row->number()->text();
+            QVERIFY(made.startsWith(QStringLiteral("×")) && bench.editor.document().painting() != before);
+            bench.editor.undo();
+            QTRY_COMPARE(row->number()->text(), QString("×1.00"));
+            QCOMPARE(slider->value(), BarSlider::steps / 2);
+            bench.editor.redo();
+            QTRY_COMPARE(row->number()->text(), made);
+            bench.editor.undo();
+        }
     }
 
     void numbersChangeTheFillAlone()
