@@ -291,6 +291,22 @@ void KeyboardFocus::letClicked(const QWidget *clicked)
         }
 }
 
+/// Gives the keyboard back when the list of a combo box closes that a click has opened, whatever was chosen there, and
+/// by what. Who goes from field to field by the keyboard stays where they are.
+void KeyboardFocus::listClosed(const QWidget &popup)
+{
+    auto *combo = qobject_cast<QComboBox *>(popup.parentWidget());
+    if (!combo || popup.windowType() != Qt::Popup || combo != m_opened || combo->isEditable() || !panelOf(combo))
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this, combo = QPointer<QComboBox>(combo)] {
+            if (combo && combo->hasFocus())
+                toCanvas();
+        },
+        Qt::QueuedConnection);
+}
+
 void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
 {
     const bool plain = isTyped(key) && !(key.modifiers() & Qt::ShiftModifier);
@@ -349,6 +365,8 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     }
     case QEvent::KeyPress:
+        if (widget == m_opened)
+            m_opened = nullptr;
         if (widget && panelOf(widget) && isUse(*static_cast<QKeyEvent *>(event)))
             m_front = nullptr; // what is used stays in front
         if (widget && keyPressed(*widget, *static_cast<QKeyEvent *>(event)))
@@ -363,6 +381,12 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::MouseButtonPress:
         delete m_frame;
+        if (qobject_cast<QComboBox *>(widget))
+            m_opened = widget;
+        break;
+    case QEvent::Hide:
+        if (widget)
+            listClosed(*widget);
         break;
     case QEvent::Resize:
     case QEvent::Move:

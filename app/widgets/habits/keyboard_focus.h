@@ -15,11 +15,11 @@ class PanelFrame;
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
 /// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them.
-/// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a
-/// use for them. So does the release of the mouse over something that cannot be typed into, or that one chooses from
-/// to go on at the canvas (`leaveAfterClicks`). Lists do not go to the row
-/// whose name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says
-/// who has the keyboard.
+/// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a use for them. So does the release
+/// of the mouse over something that cannot be typed into, or that one chooses from to go on at the canvas
+/// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose name
+/// begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says who has the
+/// keyboard.
 class KeyboardFocus : public QObject {
     Q_OBJECT
 
@@ -50,6 +50,7 @@ private:
     bool keepsShortcut(const QObject &owner, const QKeySequence &keys) const;
     bool keyPressed(QWidget &widget, const QKeyEvent &key);
     void letClicked(const QWidget *clicked);
+    void listClosed(const QWidget &popup);
     void takeTypedBefore(const QObject &watched, QEvent::Type type);
     void putBack(const QWidget &stop);
     void say(QWidget &panel);
@@ -61,6 +62,7 @@ private:
     QWidget &m_canvas;
     QPointer<PanelFrame> m_frame;
     QPointer<QDockWidget> m_front; ///< the dock that stood in front of the one to which the walk has gone
+    QPointer<QWidget> m_opened; ///< the widget that was pressed last, and got no key since
     QPointer<QWidget> m_told; ///< the panel of which the status bar has said that it has the keyboard
 };
 

@@ -7,6 +7,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
@@ -298,6 +299,38 @@ private slots:
             }
         }
         QVERIFY2(buttons > 5 && fields > 5, qPrintable(QString("%1 %2").arg(buttons).arg(fields)));
+    }
+
+    /// A list that a click has opened gives the keyboard back when it closes, by whatever means. Who has gone to a field
+    /// by the keyboard stays there.
+    void listsGiveTheKeyboardBack()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        int lists = 0;
+        for (QComboBox *combo : s.window.findChildren<QComboBox *>()) {
+            const bool inRow = combo->isVisible() && combo->mapTo(&s.window, QPoint()).y() < 100; // over the canvas
+            if (!inRow || combo->isEditable())
+                continue;
+            ++lists;
+            for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape})
+                for (const bool byMouse : {true, false}) {
+                    combo->setFocus(Qt::MouseFocusReason);
+                    if (byMouse)
+                        QTest::mousePress(combo, Qt::LeftButton);
+                    else
+                        QTest::keyClick(combo, Qt::Key_Down, Qt::AltModifier);
+                    QTRY_VERIFY(QApplication::activePopupWidget());
+                    QWidget *popup = QApplication::activePopupWidget();
+                    QTest::keyClick(popup->focusWidget() ? popup->focusWidget() : popup, key);
+                    QTRY_VERIFY(!QApplication::activePopupWidget());
+                    if (byMouse)
+                        QTRY_VERIFY(s.canvas().hasFocus());
+                    else
+                        QVERIFY(combo->hasFocus() || combo->isAncestorOf(QApplication::focusWidget()));
+                }
+        }
+        QVERIFY2(lists > 1, qPrintable(QString::number(lists)));
     }
 
     /// What Shift makes of a key is another one on each keyboard: > on some, : on others.
