@@ -1562,14 +1562,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Das CUDA-Backend kann nicht laufen: %1. Bitte das CPU-Backend verwenden.</translation>
     </message>
     <message>
-        <source>%1. The CPU draws this painting.</source>
-        <translation>%1. Die CPU zeichnet dieses Bild.</translation>
-    </message>
-    <message>
-        <source>CUDA does not draw fills yet</source>
-        <translation>CUDA zeichnet noch keine Füllungen</translation>
-    </message>
-    <message>
         <source>%1 stopped: %2. The CPU draws now.</source>
         <translation>%1 hat aufgehört: %2. Nun zeichnet die CPU.</translation>
     </message>

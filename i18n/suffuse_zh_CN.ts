@@ -1551,14 +1551,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>CUDA 后端无法运行：%1。请使用 CPU 后端。</translation>
     </message>
     <message>
-        <source>%1. The CPU draws this painting.</source>
-        <translation>%1。此画由 CPU 绘制。</translation>
-    </message>
-    <message>
-        <source>CUDA does not draw fills yet</source>
-        <translation>CUDA 尚不能绘制填充</translation>
-    </message>
-    <message>
         <source>%1 stopped: %2. The CPU draws now.</source>
         <translation>%1 已停止：%2。现由 CPU 绘制。</translation>
     </message>

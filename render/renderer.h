@@ -61,8 +61,6 @@ public:
     /// Why another backend draws than the one that was asked for, as "CUDA stopped: out of memory. …"; empty if that is
     /// not so.
     virtual QString notice() const { return {}; }
-    /// Why it cannot draw a painting, as "CUDA does not draw fills yet"; empty if it can.
-    virtual QString problemWith(const Painting &) { return {}; }
     /// Whether the device has failed. Then every further call fails, too, and another renderer may take the same
     /// request over.
     virtual bool isLost() const { return false; }

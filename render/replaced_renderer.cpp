@@ -21,13 +21,12 @@ QString ReplacedRenderer::notice() const
     return own.isEmpty() ? m_notice : own;
 }
 
-std::unique_ptr<Renderer> ReplacedRenderer::replace(std::unique_ptr<Renderer> next, const QString &notice)
+void ReplacedRenderer::replace(std::unique_ptr<Renderer> next, const QString &notice)
 {
     const std::lock_guard lock(m_mutex);
     if (next)
         m_renderer.swap(next);
     m_notice = notice;
-    return next;
 }
 
 } // namespace suffuse

@@ -22,8 +22,7 @@ protected:
 
     Renderer &current() { return *m_renderer; }
     /// From now on `next` draws, if it is one. `notice` is what a user is told unless `next` has something to say.
-    /// Returns what drew before, or null if that goes on.
-    std::unique_ptr<Renderer> replace(std::unique_ptr<Renderer> next, const QString &notice);
+    void replace(std::unique_ptr<Renderer> next, const QString &notice);
 
 private:
     mutable std::mutex m_mutex; ///< guards both while others ask

@@ -172,15 +172,6 @@ Error CudaRenderer::lose(const QString &why)
     return Error{why};
 }
 
-QString CudaRenderer::problemWith(const Painting &painting)
-{
-    m_filled.follow(painting.strokes, [](const Stroke &stroke) { return char(bool(stroke.fill)); });
-    for (std::size_t i = 0; i < painting.strokes.size(); ++i)
-        if (m_filled[i] && painting.isVisible(*painting.strokes[i]))
-            return QCoreApplication::translate("Renderer", "CUDA does not draw fills yet");
-    return {};
-}
-
 Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
 {
     RenderStats stats;

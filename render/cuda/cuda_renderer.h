@@ -1,7 +1,6 @@
 // This renderer draws on one or several CUDA devices, and evaluates only what differs from the last call.
 #pragma once
 
-#include "model/painting/stroke_values.h"
 #include "render/cuda/cuda_frame.h"
 #include "render/cuda/device_nodes.h"
 #include "render/cuda/tile_worker.h"
@@ -30,8 +29,6 @@ public:
                                const std::atomic<bool> *cancel = nullptr) override;
     void invalidate() override { m_history.forget(); }
     bool isLost() const override { return m_lost; }
-    /// Fills are drawn by the CPU only.
-    QString problemWith(const Painting &painting) override;
 
 private:
     /// Holds the tiles that one device evaluates.
@@ -65,7 +62,6 @@ private:
     int m_frameWidth = 0, m_frameHeight = 0;
     bool m_onDevice = false; ///< whether the last picture stayed on the device
     bool m_lost = false;
-    StrokeValues<char> m_filled; ///< whether each stroke has a fill
 };
 
 /// Says to a user why there is no device.

@@ -1,5 +1,6 @@
 #include "render/cuda/device_scene.h"
 
+#include "render/cuda/fill_records.h"
 #include "render/cuda/stroke_records.h"
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace suffuse::cuda {
 
 DeviceScene::DeviceScene(Device &device)
-    : m_nodes(device), m_values(device), m_deep(device), m_small(device), m_chunks(device), m_strokes(device)
+    : m_nodes(device), m_values(device), m_deep(device), m_small(device), m_fills(device), m_chunks(device),
+      m_strokes(device)
 {}
 
 void DeviceScene::forget()
@@ -22,8 +24,9 @@ void DeviceScene::reset(int width, int height)
     m_width = width, m_height = height;
     m_columns = (width + tileSide - 1) / tileSide;
     m_general.assign(std::size_t(m_columns) * std::size_t((height + tileSide - 1) / tileSide), 0);
-    m_nodes.resize(0), m_values.resize(0), m_deep.resize(0), m_small.resize(0), m_chunks.resize(0), m_strokes.resize(0);
-    m_nodeRuns.clear(), m_valueRuns.clear(), m_deepRuns.clear(), m_smallRuns.clear();
+    m_nodes.resize(0), m_values.resize(0), m_deep.resize(0), m_small.resize(0), m_fills.resize(0), m_chunks.resize(0),
+        m_strokes.resize(0);
+    m_nodeRuns.clear(), m_valueRuns.clear(), m_deepRuns.clear(), m_smallRuns.clear(), m_fillRuns.clear();
     m_freeSlots.clear();
     for (Entry &entry : m_entries)
         m_dropped.push_back(std::move(entry.stroke));
@@ -53,6 +56,7 @@ void DeviceScene::drop(Entry &entry)
     m_valueRuns.give(entry.values);
     m_deepRuns.give(entry.deep);
     m_smallRuns.give(entry.small);
+    m_fillRuns.give(entry.fill);
     m_freeSlots.push_back(entry.slot);
     m_dropped.push_back(std::move(entry.stroke));
 }
@@ -109,44 +113,66 @@ std::size_t DeviceScene::align(const std::vector<SceneStrokePtr> &strokes, std::
     return same;
 }
 
+void DeviceScene::prepareFills(std::vector<Prepared> &changed, Threads threads)
+{
+    parallelFor(changed.size(), threads, [&](std::size_t i) {
+        const SceneFill *fill = m_entries[changed[i].index].stroke->fill.get();
+        if (!fill)
+            return;
+        if (fill->deep)
+            changed[i].deepFill = deepFillRecords(*fill);
+        else
+            changed[i].fillRecords = fillRecords(*fill);
+    });
+}
+
 void DeviceScene::placeRecords(const std::vector<Prepared> &changed)
 {
     for (const Prepared &p : changed) {
         Entry &e = m_entries[p.index];
         const SceneStroke &s = *e.stroke;
-        m_nodeRuns.fit(e.nodes, std::uint32_t(s.nodes.size()));
+        m_nodeRuns.fit(e.nodes, std::uint32_t(p.fillRecords.size() + s.nodes.size()));
         m_valueRuns.fit(e.values, std::uint32_t(s.values.size()));
-        m_deepRuns.fit(e.deep, std::uint32_t(s.deep.size()));
+        m_deepRuns.fit(e.deep, std::uint32_t(s.deep.size() + p.deepFill.size()));
         m_smallRuns.fit(e.small, std::uint32_t(s.small.size()));
+        m_fillRuns.fit(e.fill, s.fill ? 1 : 0);
     }
     m_nodes.resize(m_nodeRuns.size());
     m_values.resize(m_valueRuns.size());
     m_deep.resize(m_deepRuns.size());
     m_small.resize(m_smallRuns.size());
+    m_fills.resize(m_fillRuns.size());
 }
 
 void DeviceScene::setNodes(Prepared &p, Threads threads)
 {
     const Entry &e = m_entries[p.index];
     const SceneStroke &s = *e.stroke;
-    const std::size_t deep = s.deep.empty() ? 0 : 1, count = nodeChunks(s);
-    p.chunks.resize(deep + count);
+    const std::size_t deep = isDeep(s) ? 1 : 0, count = nodeChunks(s), records = p.fillRecords.size();
+    const std::size_t before = deep + (records + chunkNodes - 1) / chunkNodes;
+    p.chunks.resize(before + count);
     if (deep)
         p.chunks[0] = deepChunk(s);
+    for (std::size_t i = deep, begin = 0; i < before; ++i, begin += chunkNodes)
+        p.chunks[i] =
+            fillChunkOf(*s.fill, p.fillRecords, begin, std::min(begin + chunkNodes, records), m_width, m_height);
     constexpr std::size_t share = 16, worthSharing = 4 * share; // Both are numbers of chunks.
     const std::size_t shares = (count + share - 1) / share;
     std::vector<IndexRange> changed(count);
     parallelFor(shares, count < worthSharing ? Threads(1) : threads, [&](std::size_t k) {
         for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i) {
-            ChunkRecord &chunk = p.chunks[deep + i] = chunkOf(s, i, m_width, m_height);
+            ChunkRecord &chunk = p.chunks[before + i] = chunkOf(s, i, m_width, m_height);
             const std::size_t first = chunk.firstNode;
-            changed[i] = m_nodes.set(e.nodes.begin + first, chunk.nodes,
+            chunk.firstNode += std::uint32_t(records);
+            changed[i] = m_nodes.set(e.nodes.begin + chunk.firstNode, chunk.nodes,
                                      [&](std::size_t node) { return nodeRecord(s, first + node); });
         }
     });
     for (ChunkRecord &chunk : p.chunks)
         chunk.firstNode += e.nodes.begin, chunk.stroke = e.slot;
-    p.nodes = {m_nodes.host().size(), 0};
+    p.nodes = m_nodes.set(e.nodes.begin, records, [&](std::size_t i) { return p.fillRecords[i]; });
+    if (p.nodes.first >= p.nodes.second)
+        p.nodes = {m_nodes.host().size(), 0};
     for (const auto &[begin, end] : changed)
         if (begin < end)
             p.nodes = {std::min(p.nodes.first, begin), end};
@@ -158,12 +184,16 @@ void DeviceScene::prepare(Prepared &p, Threads threads)
     const SceneStroke &s = *e.stroke;
     setNodes(p, threads);
     p.values = m_values.set(e.values.begin, e.values.count, [&](std::size_t i) { return s.values[i]; });
-    p.deep = m_deep.set(e.deep.begin, e.deep.count, [&](std::size_t i) { return deepRecord(s.deep[i]); });
+    const std::size_t ownDeep = s.deep.size();
+    p.deep = m_deep.set(e.deep.begin, e.deep.count,
+                        [&](std::size_t i) { return i < ownDeep ? deepRecord(s.deep[i]) : p.deepFill[i - ownDeep]; });
+    p.fill = m_fills.set(e.fill.begin, e.fill.count, [&](std::size_t) { return fillValues(*s.fill); });
     p.small = m_small.set(e.small.begin, e.small.count, [&](std::size_t i) { return smallRecord(s.small[i]); });
     p.record = strokeRecord(s);
     p.record.chunks = std::uint32_t(p.chunks.size());
     p.record.firstValue = e.values.begin;
-    p.record.firstDeep = e.deep.begin, p.record.deep = e.deep.count;
+    p.record.firstDeep = e.deep.begin, p.record.deep = std::uint32_t(ownDeep);
+    p.record.fillValues = e.fill.begin;
     p.record.firstSmall = e.small.begin, p.record.small = e.small.count;
 }
 
@@ -228,7 +258,7 @@ void DeviceScene::placeChunks(std::vector<Prepared> &changed, std::size_t from)
 
 Fault DeviceScene::upload()
 {
-    for (const Fault &fault : {m_nodes.upload(), m_values.upload(), m_deep.upload(), m_small.upload(),
+    for (const Fault &fault : {m_nodes.upload(), m_values.upload(), m_deep.upload(), m_small.upload(), m_fills.upload(),
                                m_chunks.upload(), m_strokes.upload()})
         if (fault)
             return fault;
@@ -256,11 +286,13 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
             changed.emplace_back().index = r.index;
         }
     }
+    prepareFills(changed, threads);
     placeRecords(changed);
     const Threads threadsEach = threads.within(changed.size());
     parallelFor(changed.size(), threads, [&](std::size_t i) { prepare(changed[i], threadsEach); });
     for (const Prepared &p : changed)
-        m_nodes.touch(p.nodes), m_values.touch(p.values), m_deep.touch(p.deep), m_small.touch(p.small);
+        m_nodes.touch(p.nodes), m_values.touch(p.values), m_deep.touch(p.deep), m_small.touch(p.small),
+            m_fills.touch(p.fill);
     placeChunks(changed, from);
     return upload();
 }
@@ -271,6 +303,7 @@ void DeviceScene::fill(Frame &frame) const
     frame.values = m_values.device();
     frame.deep = m_deep.device();
     frame.small = m_small.device();
+    frame.fills = m_fillRuns.used() ? m_fills.device() : nullptr;
     frame.chunks = m_chunks.device();
     frame.strokes = m_strokes.device();
 }

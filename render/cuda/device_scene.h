@@ -33,8 +33,8 @@ public:
 private:
     struct Entry {
         SceneStrokePtr stroke;
-        std::uint32_t slot = 0; ///< index of its StrokeRecord
-        Run nodes, values, deep, small;
+        std::uint32_t slot = 0;                      ///< index of its StrokeRecord
+        Run nodes, values, deep, small, fill;        ///< `nodes` begins with the records of the fill
         std::uint32_t firstChunk = 0, chunkRoom = 0; ///< Chunks of the room that are not needed are empty.
     };
     /// Holds a stroke whose records were made anew.
@@ -42,7 +42,9 @@ private:
         std::size_t index = 0;
         StrokeRecord record;
         std::vector<ChunkRecord> chunks;
-        IndexRange nodes, values, deep, small;
+        IndexRange nodes, values, deep, small, fill;
+        std::vector<NodeRecord> fillRecords;
+        std::vector<DeepRecord> deepFill;
     };
 
     /// Tells whether some of these strokes are known.
@@ -51,6 +53,8 @@ private:
     std::size_t align(const std::vector<SceneStrokePtr> &strokes, std::vector<Prepared> &changed);
     void reset(int width, int height);
     void drop(Entry &entry);
+    /// Makes the records of the strokes' fills.
+    void prepareFills(std::vector<Prepared> &changed, Threads threads);
     void placeRecords(const std::vector<Prepared> &changed);
     void prepare(Prepared &p, Threads threads);
     /// Writes the node records of a stroke, and makes its chunks.
@@ -67,9 +71,10 @@ private:
     Mirror<float> m_values;
     Mirror<DeepRecord> m_deep;
     Mirror<SmallRecord> m_small;
+    Mirror<FillValues> m_fills;
     Mirror<ChunkRecord> m_chunks;
     Mirror<StrokeRecord> m_strokes;
-    RunPool m_nodeRuns, m_valueRuns, m_deepRuns, m_smallRuns;
+    RunPool m_nodeRuns, m_valueRuns, m_deepRuns, m_smallRuns, m_fillRuns;
     std::vector<std::uint32_t> m_freeSlots;
     std::vector<Entry> m_entries;          ///< in document order
     std::vector<SceneStrokePtr> m_dropped; ///< strokes that may be freed

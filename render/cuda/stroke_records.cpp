@@ -1,5 +1,7 @@
 #include "render/cuda/stroke_records.h"
 
+#include "render/cuda/fill_records.h"
+
 #include "render/math/scalar.h"
 // This header has templates over the numbers of scalar.h, which must be declared before it.
 #include "render/math/shade.h"
@@ -24,6 +26,9 @@ void keepStyle(const Style &style, float (&bytes)[12])
 /// Tells whether a stroke is plain, as StrokeRecord::plain explains it.
 bool isPlain(const SceneStroke &s)
 {
+    const SceneFill *fill = s.fill.get();
+    if (fill && (fill->crisp || fill->deep || fill->level > 0 || fill->b != 0 || s.shade.colourChannel >= 0))
+        return false;
     return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
            s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
 }
@@ -97,6 +102,8 @@ StrokeRecord strokeRecord(const SceneStroke &s)
     r.channels = std::uint32_t(s.channels);
     r.granulated = s.granulated;
     r.plain = isPlain(s);
+    if (s.fill)
+        noteFill(*s.fill, r);
     return r;
 }
 

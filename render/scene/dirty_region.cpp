@@ -191,8 +191,9 @@ int enteredIn(const SceneFill &fill, Point at)
 void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &region)
 {
     const auto boxOf = [](const SceneFill &fill, const Rect &box) {
-        const double more = 1 + fill.nearby;
-        const double x = std::max(fill.reach.x, more), y = std::max(fill.reach.y, more);
+        // A device looks a little farther than the fill reaches.
+        const double more = 1 + fill.nearby, beyond = 1.0 / 128;
+        const double x = std::max(fill.reach.x + beyond, more), y = std::max(fill.reach.y + beyond, more);
         const double limit = 1e8; // It is clipped to the picture anyhow.
         const int left = int(std::clamp(std::floor(box.left - x), -limit, limit));
         const int top = int(std::clamp(std::floor(box.top - y), -limit, limit));

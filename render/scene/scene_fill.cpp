@@ -55,8 +55,11 @@ public:
     void add(const BoundaryArc &part, int depth = 0)
     {
         const Rect box = part.arc.box();
-        if (!box.intersects(m_near))
+        if (!box.intersects(m_near)) {
+            if (box.right < m_near.left && box.bottom >= m_near.top && box.top <= m_near.bottom)
+                m_fill.lefts.push_back({box.top, box.bottom, part.enters});
             return;
+        }
         if (!isShort(part.arc.curve) && depth < 60) {
             auto [before, after] = part.arc.curve.split(0.5);
             before.p[0] = part.arc.curve.p[0];

@@ -37,6 +37,12 @@ struct FillPanel {
     friend bool operator==(const FillPanel &a, const FillPanel &b) { return a.part == b.part; }
 };
 
+/// The heights of a part of an arc that lies left of all that is near the window.
+struct FillLeft {
+    double top = 0, bottom = 0;
+    int enters = 1;
+};
+
 /// What a place where the density is summed needs to know of the area left of it: whether it is inside at a corner, and
 /// where that changes along the level of x.
 struct FillEvent {
@@ -70,6 +76,9 @@ struct SceneFill {
     std::vector<FillPanel> panels;   ///< in or near the window
     std::vector<Rect> panelRuns;
     std::vector<FillNode> nodes;
+    /// Parts of arcs left of the window, without panels. With these, every level of the window is crossed by panels and
+    /// such parts alone.
+    std::vector<FillLeft> lefts;
 
     static constexpr int deepSide = 4096;             ///< pixels
     int deepColumn = 0, deepRow = 0, deepColumns = 0; ///< the first square, and how many stand in a row

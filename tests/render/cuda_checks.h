@@ -3,7 +3,7 @@
 
 #include "render/bench/generator.h"
 #include "render/cuda/cuda_renderer.h"
-#include "tests/render/lifted.h"
+#include "tests/render/filled.h"
 
 #include <functional>
 
@@ -215,6 +215,93 @@ inline void checkLifts(const OpenDevice &open)
         QVERIFY(live.render({p, p->end(), view, false, step < 6}, picture));
         const FloatPicture whole = test::render(fresh, p, view);
         QVERIFY(step < 6 ? worst(picture, whole).difference <= 1e-5 : picture.rgba == whole.rgba);
+    }
+}
+
+/// Fills of all kinds, with whatever else a stroke may have.
+inline void checkFills(const OpenDevice &open, int randomOnes)
+{
+    CudaRenderer cuda({open()}, 0);
+    const View view = View::ofArea(Rect::of(0, 0, 64, 48), 64, 48);
+    for (const StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
+        for (const double spread : {1e-4, 0.3, 1.5, 5.0, 40.0}) {
+            Stroke disc = emptyFill(1, spread, styleOf(kind)),
+                   box = emptyFill(2, spread, styleOf(kind), {0.9f, 0.1f, 0.2f, 1});
+            addEllipse(disc, {28, 24}, 22, 15);
+            addEllipse(disc, {30, 22}, 9, 7, true);
+            addRectangle(box, Rect::of(22, 14, 30, 24));
+            compareWithOthers(cuda, painting({disc, box}, 64, 48), view, "shapes");
+        }
+    for (const double spread : {1e-3, 4.0, 60.0}) {
+        Stroke s = emptyFill(1, spread, styleOf(StyleKind::Uniform));
+        addEllipse(s, {300, 24}, 280, 4000);
+        Stroke whole = emptyFill(2, spread, styleOf(StyleKind::Edge), {0.5f, 0.5f, 0, 0.3f});
+        addRectangle(whole, Rect::of(-1e5, -1e5, 3e5, 3e5));
+        compareWithOthers(cuda, painting({s, whole}, 64, 48), view, "larger than the view");
+    }
+    for (const double angle : {0.0, 0.7}) {
+        Stroke s = emptyFill(1, 5, styleOf(StyleKind::Uniform));
+        addEllipse(s, {30, 24}, 18, 14);
+        changeFill(s, [&](Fill &f) { f.anisotropyRatio = 0.2f, f.anisotropyAngle = float(angle); });
+        changeFill(s, [](Fill &f) { f.gradient = {{20, 10}, {45, 30}, {0.9f, 0.1f, 0.8f, 0.5f}}; });
+        compareWithOthers(cuda, painting({s}, 64, 48), view, "tensor");
+    }
+    Stroke deep = emptyFill(1, 9, styleOf(StyleKind::Edge));
+    deep.origin = {10'000, -9'000};
+    addEllipse(deep, {30, 24}, 20, 14);
+    changeFill(deep, [](Fill &f) { f.gradient = {{20, 10}, {45, 30}, {0.9f, 0.1f, 0.8f, 0.5f}}; });
+    for (double scale = 64; scale < 2e9; scale *= 64)
+        compareWithOthers(cuda, painting({deep}), {deep.origin + Point{50, 24}, scale, 0, false, 24, 24}, "deep zoom");
+    for (int i = 0; i < randomOnes; ++i) {
+        std::mt19937_64 random(i + 1);
+        std::uniform_real_distribution<double> u(0, 1);
+        constexpr double least[] = {1.2, 12, 1e-5, 0.3}, most[] = {12, 200, 0.015, 1};
+        const double low = least[i % 4], high = most[i % 4];
+        std::vector<Stroke> strokes;
+        for (int k = 0; k < 3; ++k)
+            strokes.push_back(randomFill(random, StrokeId(k + 1), 64, 48, low * std::pow(high / low, u(random))));
+        const Paper paper = i % 3 == 0 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}} : Paper{};
+        const View turned{{32, 24}, 1.3, 0.4, i % 2 == 0, 48, 40};
+        compareWithOthers(cuda, painting(strokes, 64, 48, paper), i % 5 == 3 ? turned : view, "random fills", 1'000'000,
+                          i % 7 == 0);
+        if (QTest::currentTestFailed()) {
+            qInfo("random fills %d", i);
+            return;
+        }
+    }
+}
+
+/// Fills are the same to the bit whatever was drawn before, on however many devices, with all tiles looked at and not.
+inline void checkFillEdits(const OpenDevice &open, int steps)
+{
+    for (const double scale : {1.0, 3.0, 900.0}) {
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> u(0, 1);
+        PaintingPtr p = mixedFills(random, 5, 96, 72, scale == 3 ? PaperKind::Procedural : PaperKind::None);
+        CudaRenderer live({open()}, 0), fresh({open()}, 0), several({open(), open()}, 0, false);
+        const View view{{48, 36}, scale, 0, false, 150, 140};
+        Microseconds time = p->end();
+        FloatPicture picture;
+        QVERIFY(live.render({p, time, view}, picture));
+        int partial = 0;
+        for (int step = 0; step < steps; ++step) {
+            p = random() % 5 == 0 ? randomlyEdited(p, random) : withEditedFill(p, random);
+            if (random() % 8 == 0)
+                time = Microseconds(u(random) * double(p->end()));
+            const bool drags = random() % 6 == 0;
+            const auto stats = live.render({p, time, view, false, drags}, picture);
+            QVERIFY(stats);
+            partial += stats->tilesEvaluated > 0 && stats->tilesEvaluated < stats->tiles;
+            const FloatPicture whole = test::render(fresh, p, view, time);
+            if (drags) {
+                QVERIFY(worst(picture, whole).difference <= 1e-5);
+                QVERIFY(live.render({p, time, view}, picture));
+            }
+            QVERIFY2(picture.rgba == whole.rgba, qPrintable(QStringLiteral("zoom %1, step %2").arg(scale).arg(step)));
+            if (step % 8 == 0)
+                QVERIFY(test::render(several, p, view, time).rgba == whole.rgba);
+        }
+        QVERIFY2(scale > 100 || partial > steps / 8, qPrintable(QString::number(partial)));
     }
 }
 

@@ -146,9 +146,15 @@ void EmulatedDevice::paint(Frame frame, Work work)
     frame.ordered = true; // as a device does for pictures of many tiles
     HostWarp warp;
     HostBlock<listWarps> block;
-    const auto listing = std::make_unique<ListScratch>();
-    for (std::uint32_t i = 0; i < frame.macroCount * listParts; ++i)
-        ListMaker(block, frame, i, *listing).make();
+    const auto makeLists = [&](auto fills) {
+        const auto scratch = std::make_unique<ListScratch<fills.value>>();
+        for (std::uint32_t i = 0; i < frame.macroCount * listParts; ++i)
+            ListMaker<HostBlock<listWarps>, fills.value>(block, frame, i, *scratch).make();
+    };
+    if (frame.fills)
+        makeLists(std::true_type{});
+    else
+        makeLists(std::false_type{});
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
     const auto apart = [&](auto general, auto &scratch) { paintApart<general.value>(warp, frame, scratch); };
@@ -166,12 +172,18 @@ void EmulatedDevice::paint(Frame frame, Work work)
         counts.haveUnder += (flags & haveUnder) != 0;
         counts.applyOver += (flags & applyOver) != 0;
         counts.plainTiles += (flags & plainTile) != 0;
-        if ((flags & plainTile) && work.plain && frame.apartRoom)
-            paintTile<false, true>(warp, frame, job, *plain);
+        if ((flags & plainTile) && work.plain && frame.apartRoom && frame.fills)
+            paintTile<false, true, true>(warp, frame, job, *plain);
+        else if ((flags & plainTile) && work.plain && frame.fills)
+            paintTile<false, false, true>(warp, frame, job, *plain);
+        else if ((flags & plainTile) && work.plain && frame.apartRoom)
+            paintTile<false, true, false>(warp, frame, job, *plain);
         else if ((flags & plainTile) && work.plain)
-            paintTile<false, false>(warp, frame, job, *plain);
+            paintTile<false, false, false>(warp, frame, job, *plain);
+        else if (!(flags & plainTile) && work.general && !frame.fills)
+            paintTile<true, true, false>(warp, frame, job, *general);
         else if (!(flags & plainTile) && work.general)
-            paintTile<true, true>(warp, frame, job, *general);
+            paintTile<true, true, true>(warp, frame, job, *general);
     }
     ++counts.runs;
     counts.tiles += frame.tileCount;

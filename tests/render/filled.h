@@ -137,4 +137,66 @@ inline Stroke randomFill(std::mt19937_64 &random, StrokeId id, double width, dou
     return s;
 }
 
+/// Fills of all kinds and some strokes without.
+inline PaintingPtr mixedFills(std::mt19937_64 &random, int fills, double width, double height, PaperKind paper)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    std::vector<Stroke> strokes = randomStrokes(random, 2, width, height);
+    for (int k = 0; k < fills; ++k) {
+        const double spread = random() % 4 == 0 ? 1e-4 : 1.5 * std::pow(10, u(random));
+        strokes.push_back(randomFill(random, StrokeId(k + 10), width, height, spread));
+    }
+    return painting(std::move(strokes), width, height, {paper, 1, 16, 0.7f, {}});
+}
+
+/// The painting with another stroke at a place.
+inline PaintingPtr withStroke(const PaintingPtr &p, std::size_t index, const Stroke &s)
+{
+    auto q = std::make_shared<Painting>(*p);
+    q->strokes[index] = std::make_shared<const Stroke>(s);
+    return q;
+}
+
+/// One random edit of a fill: of its outline, its values, or whether there is one.
+inline PaintingPtr withEditedFill(const PaintingPtr &p, std::mt19937_64 &random)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    const std::size_t j = random() % p->strokes.size();
+    Stroke s = *p->strokes[j];
+    if (!s.fill || random() % 12 == 0) {
+        s.fill = s.fill ? SharedFill() : SharedFill(Fill{});
+        return withStroke(p, j, s);
+    }
+    const std::size_t k = random() % s.segments.size();
+    Segment &g = s.segments[k];
+    switch (random() % 8) {
+    case 0:
+    case 1: // a node
+        if (!s.beginsChain(k)) {
+            const Offset to{g.bezier[0].x + float(10 * u(random) - 5), g.bezier[0].y + float(10 * u(random) - 5)};
+            g.bezier[0] = s.segments[k - 1].bezier[3] = to;
+        }
+        break;
+    case 2:
+        g.bezier[1].x += float(6 * u(random));
+        break;
+    case 3:
+        changeFill(s, [&](Fill &f) { f.density *= float(0.8 + 0.4 * u(random)); });
+        break;
+    case 4:
+        changeFill(s, [&](Fill &f) { f.colour.red = float(u(random)); });
+        break;
+    case 5:
+        changeFill(s, [&](Fill &f) { f.rule = FillRule(1 - int(f.rule)); });
+        break;
+    case 6:
+        changeFill(s, [&](Fill &f) { f.born += 100'000; });
+        break;
+    case 7:
+        s.origin.x += double(random() % 3);
+        break;
+    }
+    return withStroke(p, j, s);
+}
+
 } // namespace suffuse::test

@@ -29,6 +29,8 @@ private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
+    void fills() { checkFills(open, 48); }
+    void fillEdits() { checkFillEdits(open, 80); }
     void dirtyIsFull() { checkDirtyIsFull(open, 200); }
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }

@@ -37,6 +37,8 @@ private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
+    void fills() { checkFills(open, 12); }
+    void fillEdits() { checkFillEdits(open, 14); }
     void dirtyIsFull() { checkDirtyIsFull(open, 60); }
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }

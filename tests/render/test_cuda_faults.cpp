@@ -52,7 +52,9 @@ private slots:
     void initTestCase()
     {
         std::mt19937_64 random(3);
-        m_painting = painting(randomStrokes(random, 6, 60, 40), 60, 40, {PaperKind::Procedural, 5, 20, 0.8f, {}});
+        std::vector<Stroke> strokes = randomStrokes(random, 6, 60, 40);
+        strokes.push_back(randomFill(random, 100, 60, 40, 3));
+        m_painting = painting(strokes, 60, 40, {PaperKind::Procedural, 5, 20, 0.8f, {}});
     }
 
     void withoutFaultItStaysCuda()
@@ -64,37 +66,6 @@ private slots:
         QCOMPARE(s.renderer->backend(), Backend::Cuda);
         QVERIFY(s.renderer->notice().isEmpty());
         QVERIFY(s.device->calls() > 40);
-    }
-
-    /// A painting with a fill is drawn by the CPU, and the device goes on with the next one that it can draw.
-    void fillsAreDrawnByTheCpu()
-    {
-        Session s = open({});
-        FloatPicture picture;
-        auto filled = std::make_shared<Painting>(*m_painting);
-        Stroke stroke = *filled->strokes[1];
-        stroke.fill = Fill{};
-        filled->strokes[1] = std::make_shared<const Stroke>(stroke);
-        auto hidden = std::make_shared<Painting>(*filled);
-        stroke.visible = false;
-        hidden->strokes[1] = std::make_shared<const Stroke>(stroke);
-        const auto drawn = [&](const PaintingPtr &p, Backend backend) {
-            const RenderRequest request{p, p->end(), m_view};
-            QVERIFY(s.renderer->render(request, picture));
-            QCOMPARE(s.renderer->backend(), backend);
-            QCOMPARE(s.renderer->notice().isEmpty(), backend == Backend::Cuda);
-            if (backend == Backend::Cpu)
-                QVERIFY(isCpu(request, picture));
-            else
-                compare8(picture, test::render(*make(Backend::Cpu), p, m_view), "on the device");
-        };
-        drawn(m_painting, Backend::Cuda);
-        drawn(filled, Backend::Cpu);
-        QVERIFY(s.renderer->notice().contains(QLatin1String("fills")));
-        drawn(withDensity(filled, 2, 0.9), Backend::Cpu);
-        drawn(m_painting, Backend::Cuda);
-        drawn(hidden, Backend::Cuda);
-        drawn(filled, Backend::Cpu);
     }
 
     void everyCallMayBeTheLast()

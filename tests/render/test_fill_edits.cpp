@@ -20,67 +20,6 @@ QString whereDifferent(const FloatPicture &a, const FloatPicture &b)
     return QStringLiteral("%1 at %2, %3").arg(w.difference).arg(w.x).arg(w.y);
 }
 
-/// Fills of all kinds and some strokes without.
-PaintingPtr mixed(std::mt19937_64 &random, int fills, double width, double height, PaperKind paper)
-{
-    std::uniform_real_distribution<double> u(0, 1);
-    std::vector<Stroke> strokes = randomStrokes(random, 2, width, height);
-    for (int k = 0; k < fills; ++k) {
-        const double spread = random() % 4 == 0 ? 1e-4 : 1.5 * std::pow(10, u(random));
-        strokes.push_back(randomFill(random, StrokeId(k + 10), width, height, spread));
-    }
-    return painting(std::move(strokes), width, height, {paper, 1, 16, 0.7f, {}});
-}
-
-PaintingPtr withStroke(const PaintingPtr &p, std::size_t index, const Stroke &s)
-{
-    auto q = std::make_shared<Painting>(*p);
-    q->strokes[index] = std::make_shared<const Stroke>(s);
-    return q;
-}
-
-/// One random edit of a fill: of its outline, its values, or whether there is one.
-PaintingPtr withEditedFill(const PaintingPtr &p, std::mt19937_64 &random)
-{
-    std::uniform_real_distribution<double> u(0, 1);
-    const std::size_t j = random() % p->strokes.size();
-    Stroke s = *p->strokes[j];
-    if (!s.fill || random() % 12 == 0) {
-        s.fill = s.fill ? SharedFill() : SharedFill(Fill{});
-        return withStroke(p, j, s);
-    }
-    const std::size_t k = random() % s.segments.size();
-    Segment &g = s.segments[k];
-    switch (random() % 8) {
-    case 0:
-    case 1: // a node
-        if (!s.beginsChain(k)) {
-            const Offset to{g.bezier[0].x + float(10 * u(random) - 5), g.bezier[0].y + float(10 * u(random) - 5)};
-            g.bezier[0] = s.segments[k - 1].bezier[3] = to;
-        }
-        break;
-    case 2:
-        g.bezier[1].x += float(6 * u(random));
-        break;
-    case 3:
-        changeFill(s, [&](Fill &f) { f.density *= float(0.8 + 0.4 * u(random)); });
-        break;
-    case 4:
-        changeFill(s, [&](Fill &f) { f.colour.red = float(u(random)); });
-        break;
-    case 5:
-        changeFill(s, [&](Fill &f) { f.rule = FillRule(1 - int(f.rule)); });
-        break;
-    case 6:
-        changeFill(s, [&](Fill &f) { f.born += 100'000; });
-        break;
-    case 7:
-        s.origin.x += double(random() % 3);
-        break;
-    }
-    return withStroke(p, j, s);
-}
-
 } // namespace
 
 class TestFillEdits : public QObject {
@@ -90,7 +29,7 @@ private slots:
     void tilingAndThreads()
     {
         std::mt19937_64 random(3);
-        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        const auto p = mixedFills(random, 6, 130, 101, PaperKind::Procedural);
         for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.3, 0.5, true, 40, 31},
                               View{{60, 50}, 5000, 0, false, 70, 61}}) {
             const FloatPicture first = test::render(*make(Backend::Cpu, 1, 16), p, v);
@@ -107,7 +46,7 @@ private slots:
     void cullingChangesNothing()
     {
         std::mt19937_64 random(4);
-        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        const auto p = mixedFills(random, 6, 130, 101, PaperKind::Procedural);
         for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 30, 0.2, false, 70, 61},
                               View{{60, 50}, 900, 0, false, 70, 61}})
             for (const int tile : {8, 32}) {
@@ -121,7 +60,7 @@ private slots:
     void aCropIsAPartOfTheWhole()
     {
         std::mt19937_64 random(12);
-        const auto p = mixed(random, 6, 130, 101, PaperKind::Procedural);
+        const auto p = mixedFills(random, 6, 130, 101, PaperKind::Procedural);
         for (const View &whole : {View::ofArea(p->canvas.area(), 390, 303), View{{60, 50}, 0.3, 0.5, true, 100, 91},
                                   View{{60, 50}, 900, 0, false, 170, 161}, View{{60, 50}, 3e6, 1, true, 96, 64}}) {
             const FloatPicture all = test::render(*make(Backend::Cpu, 2), p, whole);
@@ -149,7 +88,7 @@ private slots:
         QFETCH(double, scale);
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> u(0, 1);
-        PaintingPtr p = mixed(random, 5, 96, 72, PaperKind::None);
+        PaintingPtr p = mixedFills(random, 5, 96, 72, PaperKind::None);
         const auto live = make(Backend::Cpu, 0, 16);
         FloatPicture picture;
         Microseconds time = p->end();

@@ -17,14 +17,15 @@ __device__ void takeTurn()
 #endif
 }
 
-// A block makes one list after the other.
+// A block makes one list after the other. With `fills`, strokes may have fills.
+template <bool fills>
 __global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __grid_constant__ Frame frame)
 {
-    __shared__ ListScratch scratch;
+    __shared__ ListScratch<fills> scratch;
     takeTurn();
     DeviceBlock block;
     for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
-        ListMaker<DeviceBlock>(block, frame, list, scratch).make();
+        ListMaker<DeviceBlock, fills>(block, frame, list, scratch).make();
 }
 
 /// So many warps run at once on a multiprocessor, which is to a GPU what a core is to a processor.
@@ -56,8 +57,9 @@ __device__ std::uint32_t nextPlace(const Frame &frame)
 }
 
 // A block is one warp, which paints one tile job after the other.
+// With `fills`, plain strokes may have fills.
 // With `apart`, it first evaluates strokes apart from their tiles.
-template <bool general, bool apart>
+template <bool general, bool apart, bool fills>
 __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps)
     tilesKernel(const __grid_constant__ Frame frame)
 {
@@ -73,7 +75,7 @@ __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps
     for (std::uint32_t i = firstPlace<together>(); i < frame.tileCount; i = nextPlace<counter>(frame)) {
         const std::uint32_t job = order.job(i);
         if (((frame.tiles[job].flags & plainTile) == 0) == general)
-            paintTile<general, apart>(warp, frame, job, scratch);
+            paintTile<general, apart, fills>(warp, frame, job, scratch);
     }
 }
 
@@ -98,14 +100,14 @@ cudaError_t fillingGrid(int device, Grid &grid)
     int processors = 0, lists = 0, plain = 0, general = 0;
     cudaError_t error = cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel, listWarps * warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel<true>, listWarps * warpLanes, 0);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false, true>, warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false, true, false>, warpLanes, 0);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&general, tilesKernel<true, true>, warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&general, tilesKernel<true, true, true>, warpLanes, 0);
     cudaFuncAttributes compiled = {};
     if (error == cudaSuccess)
-        error = cudaFuncGetAttributes(&compiled, listsKernel);
+        error = cudaFuncGetAttributes(&compiled, listsKernel<false>);
     grid = {unsigned(processors * lists), unsigned(processors * plain), unsigned(processors * general),
             compiled.ptxVersion >= 90};
     return error;
@@ -114,9 +116,11 @@ cudaError_t fillingGrid(int device, Grid &grid)
 unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
 {
     const auto least = [](unsigned a, std::size_t b) { return unsigned(b < a ? b : a); };
-    if (kernel == reinterpret_cast<const void *>(listsKernel))
+    if (kernel == reinterpret_cast<const void *>(listsKernel<false>) ||
+        kernel == reinterpret_cast<const void *>(listsKernel<true>))
         return least(grid.lists, std::size_t(frame.macroCount) * listParts);
-    const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true, true>);
+    const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true, true, false>) ||
+                         kernel == reinterpret_cast<const void *>(tilesKernel<true, true, true>);
     const unsigned blocks = general ? grid.general : grid.plain;
     return frame.apartRoom ? blocks : least(blocks, frame.tileCount);
 }
@@ -143,15 +147,19 @@ cudaError_t launch(void (*kernel)(Frame), int threads, bool follows, const Frame
 
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream)
 {
-    return launch(listsKernel, listWarps * warpLanes, false, frame, grid, stream);
+    return launch(frame.fills ? listsKernel<true> : listsKernel<false>, listWarps * warpLanes, false, frame, grid,
+                  stream);
 }
 
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)
 {
-    const bool apart = frame.apartRoom != 0;
-    return launch(general ? tilesKernel<true, true>
-                  : apart ? tilesKernel<false, true>
-                          : tilesKernel<false, false>,
+    const bool apart = frame.apartRoom != 0, fills = frame.fills != nullptr;
+    return launch(general && fills ? tilesKernel<true, true, true>
+                  : general        ? tilesKernel<true, true, false>
+                  : fills && apart ? tilesKernel<false, true, true>
+                  : fills          ? tilesKernel<false, false, true>
+                  : apart          ? tilesKernel<false, true, false>
+                                   : tilesKernel<false, false, false>,
                   warpLanes, true, frame, grid, stream);
 }
 

@@ -38,6 +38,55 @@ struct alignas(16) NodeRecord {
     std::uint32_t row = 0;        ///< the row of the stroke's channel values that it carries
 };
 
+/// Says what a FillRecord is; some of these flags together. A record without any is passed over.
+enum FillKind : std::int32_t {
+    fillNode = 1,  ///< a place on the boundary, with a weight
+    fillTells = 2, ///< It tells where its panel ends. Each panel and flat has one record that does.
+    fillFlat = 4,  ///< a flat
+    fillShape = 8  ///< A panel's curve: the place is its upper end, and the rest is in the record that follows.
+};
+
+/// Ends of panels are whole numbers of this part of a pixel, so that neighbours agree on where they meet.
+inline constexpr std::int32_t fillUnits = 1024;
+
+/// Holds a place on the boundary of a fill (render/scene/scene_fill.h), and the ends of its panel. It is as large as a
+/// NodeRecord, since both lie in the same chunks.
+struct alignas(16) FillRecord {
+    std::int32_t cellX = 0, cellY = 0;
+    float x = 0, y = 0; ///< as in NodeRecord
+    float weight = 0;
+    std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< the panel's upper and lower end; of a flat the left and right one
+    float up = 0, down = 0;                      ///< their heights, from the place's, px
+    std::int32_t kind = 0; ///< 256 · what the panel enters, or the flat's jump, and flags of FillKind
+};
+static_assert(sizeof(FillRecord) == sizeof(NodeRecord));
+
+/// Holds the other control points of a panel's curve, from its upper end, px.
+struct alignas(16) FillCurveRecord {
+    float x1 = 0, y1 = 0, x2 = 0, y2 = 0, x3 = 0, y3 = 0;
+    std::int32_t padding[5] = {0, 0, 0, 0, 0};
+    std::int32_t kind = 0; ///< as in FillRecord; there are no flags
+};
+static_assert(sizeof(FillCurveRecord) == sizeof(FillRecord));
+
+/// Holds the numbers of a fill.
+struct alignas(16) FillValues {
+    std::int32_t reachX = 0, reachY = 0; ///< how far it counts, in 1/fillUnits px
+    float along = 1, down = 1;           ///< a and c
+    double a = 1, b = 0, c = 1;          ///< as in SceneFill
+    double density = 0;
+    double place = 0, placeX = 0, placeY = 0; ///< of the gradient: at pixel (0, 0), and more per pixel
+    double half[3] = {0, 0, 0};
+    float from[maxChannels] = {}, step[maxChannels] = {}; ///< values of the channels
+    double nearby = 0;                                    ///< px
+    // Squares of a deep fill: their heads lie in Frame::deep from the stroke's deep nodes on. A head has in x where its
+    // entries begin, counted from the first head, in y how many these are, and in weight what is entered before them.
+    // An entry of row 1 is an event, with its jump as the weight, others are nodes.
+    std::int32_t deepColumn = 0, deepRow = 0, deepColumns = 0, deepRows = 0;
+    double padding = 0;
+};
+static_assert(sizeof(FillValues) == 256);
+
 /// Holds a DeepNode (render/scene/scene.h), which has s > 4096 px.
 struct DeepRecord {
     double x = 0, y = 0;
@@ -60,16 +109,32 @@ struct SmallRecord {
 struct alignas(16) ChunkRecord {
     std::int32_t left = 0, top = 0, right = 0, bottom = 0; ///< [left, right) × [top, bottom)
     std::uint32_t firstNode = 0;
-    std::uint32_t nodes = 0;
+    std::uint32_t nodes = 0;  ///< how many, and fillChunk if they are FillRecords
     std::uint32_t stroke = 0; ///< index of the StrokeRecord
     std::uint32_t padding = 0;
 };
 
+/// This bit of a chunk's number of nodes says that it has FillRecords instead. A stroke's chunks of its fill come
+/// before those of its nodes.
+inline constexpr std::uint32_t fillChunk = 64;
+/// The other bits of it.
+inline constexpr std::uint32_t chunkCountBits = 63;
+
 /// Names a chunk in a list.
 struct alignas(16) ListEntry {
     std::uint32_t chunk, firstNode;
-    std::uint32_t strokeAndNodes; ///< stroke·64 + nodes
+    std::uint32_t strokeAndNodes; ///< stroke·128 + nodes
     std::uint32_t mask;           ///< bit 8·row + column says whether its stroke can be seen in that tile of the half
+};
+
+/// Says what a stroke's fill needs, if it has one.
+enum FillFlag : std::uint32_t {
+    haveFill = 1,
+    crispFill = 2,
+    thinFill = 4, ///< s < 1 px, and not crisp: pixels near its boundary are supersampled
+    deepFill = 8,
+    gradientFill = 16,
+    fillLevel = 256 ///< times the level of supersampling
 };
 
 /// Says how one stroke shows.
@@ -83,13 +148,18 @@ struct alignas(16) StrokeRecord {
     std::uint32_t hasLevels = 0;
     std::uint32_t channels = 0;
     std::uint32_t granulated = 0;
-    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺.
+    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺. If it
+    /// has a fill, that is separable and its colours lie on a line.
     std::uint32_t plain = 0;
     std::uint32_t firstChunk = 0, chunks = 0;
     std::uint32_t firstValue = 0; ///< where its channel values begin, `channels` in a row
     std::uint32_t firstDeep = 0, deep = 0;
     std::uint32_t firstSmall = 0, small = 0;
+    std::uint32_t fill = 0;                  ///< flags of FillFlag
+    std::uint32_t fillValues = 0;            ///< index of its FillValues
+    float fillDensity = 0, fillSteepest = 0; ///< ρ, and a bound of |∇φ|
 };
+static_assert(sizeof(StrokeRecord) == 352); // Tiles copy it for each chunk.
 
 /// Names a tile to evaluate, by one warp.
 struct TileJob {
@@ -184,6 +254,7 @@ struct Frame {
     const float *values = nullptr;
     const DeepRecord *deep = nullptr;
     const SmallRecord *small = nullptr;
+    const FillValues *fills = nullptr; ///< null if no stroke has a fill
     const ChunkRecord *chunks = nullptr;
     const StrokeRecord *strokes = nullptr;
 

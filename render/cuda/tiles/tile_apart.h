@@ -150,14 +150,14 @@ private:
 
 /// Evaluates a stroke of any kind at a tile, or a part of it, and leaves it in the scratch's `result`. Its code is
 /// long, so it is called, not inlined.
-template <class Warp>
+template <bool fills, class Warp>
 SUFFUSE_CALL void evaluateGeneral(Warp warp, const Frame &frame, const ApartJob job, int part, PaintScratch &paint,
                                   const StrokeRecord &stroke, GeneralScratch &general)
 {
-    GeneralStroke<Warp>(warp, frame, job, stroke, paint.fetched, paint.sums, general).evaluateTile(part);
+    GeneralStroke<Warp, fills>(warp, frame, job, stroke, paint.fetched, paint.sums, general).evaluateTile(part);
 }
 
-/// Does a part of a job of a general stroke.
+/// Does a part of a job of a general stroke. It has no fill.
 template <class Warp>
 SUFFUSE_PROGRAM void paintApartPart(Warp &warp, const Frame &frame, const ApartJob &job, int part, PaintScratch &paint,
                                     GeneralScratch &general)
@@ -168,7 +168,7 @@ SUFFUSE_PROGRAM void paintApartPart(Warp &warp, const Frame &frame, const ApartJ
     const StrokeRecord &stroke = strokeOf(paint.stroke);
     if (part > 0 && stroke.small == 0)
         return;
-    evaluateGeneral(warp, frame, job, part, paint, stroke, general);
+    evaluateGeneral<false>(warp, frame, job, part, paint, stroke, general);
     Float4 *slot = apartSlot(frame, job.slot);
     warp.each([&](int lane) {
         SUFFUSE_ROLLED

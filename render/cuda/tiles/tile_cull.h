@@ -1,7 +1,7 @@
 // A warp finds here in which tiles of half a macro-tile a stroke can show, and what it costs there.
 #pragma once
 
-#include "render/cuda/tiles/tile_nodes.h"
+#include "render/cuda/tiles/fill_region.h"
 
 namespace suffuse::cuda {
 
@@ -24,15 +24,20 @@ struct CullNode {
 
 /// A warp that culls has this in shared memory.
 struct CullScratch {
-    CullNode nodes[chunkNodes];
+    union { // They are used one after the other.
+        CullNode nodes[chunkNodes];
+        FillEnds ends[chunkNodes];
+    };
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
 };
 
 /// Holds what one warp has found of a stroke's nodes: for each tile of the half bounds of φ and |∇φ|, and how many meet
 /// it.
+template <bool fills>
 struct CullPart {
     float density[listTiles], slope[listTiles];
     std::uint32_t met[listTiles];
+    std::int32_t base[fills ? listTiles : 1]; ///< how often a fill is entered left of what meets the tile
 };
 
 SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std::int32_t cellY)
@@ -45,8 +50,9 @@ SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std
     return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), laid, steepest, 0}};
 }
 
-/// Finds in which tiles of half a macro-tile one stroke may show. Each lane looks at one tile.
-template <class Warp>
+/// Finds in which tiles of half a macro-tile one stroke may show. Each lane looks at one tile. If `fills`, it may have
+/// a fill.
+template <class Warp, bool fills>
 class StrokeCull {
 public:
     template <class T>
@@ -59,6 +65,8 @@ public:
     {
         m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, stroke, lane, start, m_s.stroke); });
         m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_met[lane] = 0; });
+        if constexpr (fills)
+            m_warp.each([&](int lane) { m_base[lane] = 0; });
     }
 
     /// Adds a chunk of the stroke. Bit i of the result says whether nodes of the chunk meet tile i.
@@ -68,6 +76,8 @@ public:
         if (listed == 0) // Deep nodes lie everywhere.
             return m_warp.ballot(
                 [&](int lane) { return meetsTile(m_frame.chunks[chunk.chunk], cellX(lane), cellY(lane)); });
+        if (fills && (listed & fillChunk))
+            return addFill(chunk, int(listed & chunkCountBits));
         Var<CullNode> node;
         const std::uint32_t near = m_warp.ballot([&](int lane) {
             if (std::uint32_t(lane) >= listed)
@@ -114,7 +124,11 @@ public:
         m_warp.arrive(false);
         const StrokeRecord &stroke = strokeOf(m_s.stroke);
         return m_warp.ballot([&](int lane) {
-            const float phi = m_density[lane] * 1.001f, h = 0.5f * m_slope[lane] * 1.001f;
+            if (fills && m_frame.cull && stroke.fill && !(stroke.fill & deepFill) && stroke.deep == 0 &&
+                m_met[lane] == 0 && m_base[lane] == 0)
+                return false; // The tile lies outside of the fill.
+            const float fill = fills && m_base[lane] ? stroke.fillDensity : 0.0f;
+            const float phi = (m_density[lane] + fill) * 1.001f, h = 0.5f * m_slope[lane] * 1.001f;
             if (!m_frame.cull || !stroke.hasLevels || phi > stroke.lowest)
                 return true;
             for (int k = 0; k < stroke.shade.kinds; ++k)
@@ -127,19 +141,23 @@ public:
     /// Finds the tiles that nodes meet.
     SUFFUSE_PROGRAM std::uint32_t metTiles()
     {
-        return m_warp.ballot([&](int lane) { return m_met[lane] != 0; });
+        return m_warp.ballot([&](int lane) { return m_met[lane] != 0 || (fills && m_base[lane] != 0); });
     }
     /// Leaves what was found so far to another warp, which adds the parts of all warps.
-    SUFFUSE_PROGRAM void give(CullPart &part)
+    SUFFUSE_PROGRAM void give(CullPart<fills> &part)
     {
         m_warp.each([&](int lane) {
             part.density[lane] = m_density[lane], part.slope[lane] = m_slope[lane], part.met[lane] = m_met[lane];
+            if (fills)
+                part.base[lane] = m_base[lane];
         });
     }
-    SUFFUSE_PROGRAM void take(const CullPart &part)
+    SUFFUSE_PROGRAM void take(const CullPart<fills> &part)
     {
         m_warp.each([&](int lane) {
             m_density[lane] += part.density[lane], m_slope[lane] += part.slope[lane], m_met[lane] += part.met[lane];
+            if (fills)
+                m_base[lane] += part.base[lane];
         });
     }
 
@@ -151,7 +169,7 @@ public:
         const ApartLimits &limits = m_frame.apartLimits;
         return m_warp.ballot([&](int lane) {
             const bool isGeneral = general >> lane & 1;
-            if (!(mask >> lane & 1) || (!stroke().plain && !isGeneral))
+            if ((fills && stroke().fill) || !(mask >> lane & 1) || (!stroke().plain && !isGeneral))
                 return false;
             return cost(lane) >= (isGeneral ? limits.inGeneral : limits.from) || weights[lane] >= limits.above;
         });
@@ -173,6 +191,41 @@ public:
     }
 
 private:
+    /// Adds a chunk of the stroke's fill.
+    SUFFUSE_PROGRAM std::uint32_t addFill(const ListEntry &chunk, int records)
+    {
+        m_warp.arrive(false); // The fill's numbers are in the stroke's record.
+        const StrokeRecord &stroke = strokeOf(m_s.stroke);
+        const FillValues &values = m_frame.fills[stroke.fillValues];
+        m_warp.each([&](int lane) {
+            if (lane < records)
+                m_s.ends[lane] = endsOf(readFillRecord(m_frame.nodes + chunk.firstNode + lane));
+        });
+        // Of a fill that is sampled finer than by tiles, parts of a tile must know of all that lies left of them.
+        const bool finer = (stroke.fill & (crispFill | thinFill)) != 0;
+        const std::uint32_t hits = m_warp.ballot([&](int lane) {
+            const FillRegion region = fillRegion(values, cellX(lane), cellY(lane));
+            std::uint32_t all = 0, cost = 0;
+            std::int32_t base = 0;
+            SUFFUSE_UNROLL_BY_2
+            for (int n = 0; n < records; ++n) {
+                const std::uint32_t use = useOf(m_s.ends[n], region);
+                all |= use;
+                cost += (use & listedFill) ? fillNodeCost : 0;
+                base += std::int32_t((use & enteredFill) != 0) - std::int32_t((use & leftFill) != 0);
+            }
+            const bool met = (all & metFill) != 0;
+            m_base[lane] += base;
+            m_met[lane] += cost + met;
+            m_density[lane] += met ? stroke.fillDensity : 0.0f;
+            m_slope[lane] += met ? stroke.fillSteepest : 0.0f;
+            return met || base != 0 || (finer && (all & besideFill) != 0);
+        });
+        m_warp.meet(); // The next chunk's ends overwrite these.
+        return hits;
+    }
+
+    static constexpr std::uint32_t fillNodeCost = 2;  ///< that of a fill's node, in nodes
     static constexpr std::uint32_t strokeWeight = 96; ///< the cost of shading and mixing at a tile
     static constexpr std::uint32_t mixWeight = 16;    ///< that of mixing alone
 
@@ -195,6 +248,7 @@ private:
     CullScratch &m_s;
     Var<float> m_density, m_slope; ///< bounds of φ and |∇φ| (per pixel) in the lane's tile
     Var<std::uint32_t> m_met;      ///< nodes that meet the tile
+    Var<std::int32_t> m_base;      ///< how often the stroke's fill is entered left of what meets the tile
 };
 
 } // namespace suffuse::cuda

@@ -2,6 +2,7 @@
 // wide on screen for floats, or too narrow for single samples.
 #pragma once
 
+#include "render/cuda/tiles/tile_crisp.h"
 #include "render/cuda/tiles/tile_deep.h"
 #include "render/cuda/tiles/tile_paper.h"
 #include "render/cuda/tiles/tile_shade.h"
@@ -30,7 +31,8 @@ SUFFUSE_PROGRAM int partOf(const StrokeRecord &stroke, int level, int lane, int 
     return stroke.small == 0 || level == 0 ? 0 : 1 + quadrantOf(sampleColumn(lane, k), sampleRow(lane, k));
 }
 
-template <class Warp>
+/// If `fills`, the stroke may have a fill.
+template <class Warp, bool fills>
 class GeneralStroke {
 public:
     template <class T>
@@ -40,8 +42,9 @@ public:
     SUFFUSE_PROGRAM GeneralStroke(Warp &warp, const Frame &frame, const ApartJob &job, const StrokeRecord &stroke,
                                   Fetched *fetched, SumScratch &sums, GeneralScratch &scratch)
         : m_warp(warp), m_frame(frame), m_stroke(stroke), m_column(job.column), m_row(job.row),
-          m_left(job.column * tileSide), m_top(job.row * tileSide), m_nodes(warp, frame, job, fetched, sums),
-          m_sums(sums), m_s(scratch)
+          m_left(job.column * tileSide), m_top(job.row * tileSide),
+          m_nodes(warp, frame, job, fetched, sums), m_cover{sums.means.density, sums.means.h2}, m_sums(sums),
+          m_s(scratch)
     {}
 
     static constexpr int allParts = -1;
@@ -71,18 +74,25 @@ public:
     }
 
 private:
+    /// Tells whether the stroke has a fill of this kind.
+    SUFFUSE_PROGRAM bool has(FillFlag flag) const { return fills && (m_stroke.fill & flag) != 0; }
+    SUFFUSE_PROGRAM const FillValues &fillValues() const { return m_frame.fills[m_stroke.fillValues]; }
     SUFFUSE_PROGRAM bool hasPaper() const { return m_stroke.granulated && m_frame.paper.kind != 0; }
 
     /// Finds for each pixel of a part the greatest level of the small segments that reach it (docs/reference.md).
     /// Returns false if none reaches any.
     SUFFUSE_PROGRAM bool markLevels(int part)
     {
-        if (m_stroke.small == 0)
+        const bool thin = has(thinFill);
+        if (m_stroke.small == 0 && !thin)
             return false;
         m_warp.each([&](int lane) {
             for (int k = 0; k < laneSamples; ++k)
                 m_s.level[sampleAt(lane, k)] = 0;
         });
+        const bool marked = thin && markThinFill(m_warp, m_frame, m_stroke, m_column, m_row, m_s.level);
+        if (m_stroke.small == 0)
+            return marked;
         double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile's box in canvas units
         const int width = part > 0 ? tileSide / 2 : tileSide;              // Of the other quadrants no level is needed.
         const int i = part > 0 ? (part - 1) % 2 * width : 0, j = part > 0 ? (part - 1) / 2 * width : 0;
@@ -104,7 +114,7 @@ private:
         });
         const double margin = m_frame.toCanvas.margin;
         const SmallRecord *small = m_frame.small + m_stroke.firstSmall;
-        bool any = false;
+        bool any = marked;
         for (std::uint32_t base = 0; base < m_stroke.small; base += warpLanes) {
             std::uint32_t hits = m_warp.ballot([&](int lane) {
                 if (base + std::uint32_t(lane) >= m_stroke.small)
@@ -229,27 +239,137 @@ private:
                 for (int c = 0; c < fixedSums + int(m_stroke.channels); ++c)
                     m_s.sums[c][sampleAt(lane, k)] = 0;
         });
-        m_nodes.forEachListing(block, [&](const Listing &listing) {
-            addSeparable(listing, block);
-            for (int n = wholeStrides(listing.separable); n < listing.count; ++n)
-                addOblique(n, block);
-        });
+        if constexpr (fills) {
+            sumWithFill(block);
+        } else {
+            m_nodes.forEachListing(block, [&](const Listing &listing) { addNodes(listing, block); });
+        }
         if (hasPaper())
             findEta(m_warp, m_frame, m_column, m_row, block, plane, m_s.paint[0]);
-        if (m_stroke.deep) {
-            sumDeep(m_warp, m_frame, m_stroke, double(m_left + tileSide / 2) + double(block.x),
-                    double(m_top + tileSide / 2) + double(block.y), m_sums.deep);
+        if (m_stroke.deep || has(deepFill)) {
+            const double x = double(m_left + tileSide / 2) + double(block.x);
+            const double y = double(m_top + tileSide / 2) + double(block.y);
+            sumDeep(m_warp, m_frame, m_stroke, x, y, m_sums.deep);
+            if (has(deepFill))
+                addDeepFill(m_warp, m_frame, m_stroke, x, y, m_sums.deep);
             shade<double>(block);
         } else {
             shade<float>(block);
         }
     }
 
+    SUFFUSE_PROGRAM void addNodes(const Listing &listing, const Block &block)
+    {
+        addSeparable(listing, block);
+        for (int n = wholeStrides(listing.separable); n < listing.count; ++n)
+            addOblique(n, block);
+    }
+
+    SUFFUSE_PROGRAM void sumWithFill(const Block &block)
+    {
+        const bool crisp = has(crispFill);
+        m_isFillOpen = has(haveFill) && !crisp && !has(deepFill), m_base = 0;
+        if (crisp)
+            m_warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k)
+                    m_cover.covered[sampleAt(lane, k)] = 0;
+            });
+        m_nodes.forEachListing(
+            block,
+            [&](const Listing &listing) {
+                if (m_isFillOpen)
+                    addFill(listing, block);
+                addNodes(listing, block);
+            },
+            [&](const Fetched &chunk, int records, Listing &listing) {
+                if (crisp)
+                    m_base += addCover(m_warp, m_cover, chunk, records, fillValues(), m_column, m_row, block);
+                else if (m_isFillOpen)
+                    listFill(m_warp, chunk, records, fillValues(), m_column, m_row, block, m_sums, listing);
+            });
+        if (m_isFillOpen)
+            finishFill(block);
+    }
+
     SUFFUSE_PROGRAM const float *values() const { return m_frame.values + m_stroke.firstValue; }
+
+    /// Adds the listed part of a fill of density 1, and ends it where nodes follow.
+    SUFFUSE_PROGRAM void addFill(const Listing &listing, const Block &block)
+    {
+        m_base += listing.base;
+        if (listing.fill > 0 && fillValues().b != 0) {
+            addObliqueFill(m_warp, listing.fill, fillValues(), block, m_sums, m_s.sums);
+        } else if (listing.fill > 0) {
+            Var<SampleSums> sums;
+            m_warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k) {
+                    sums[lane].density[k] = m_s.sums[0][sampleAt(lane, k)];
+                    sums[lane].slopeX[k] = m_s.sums[1][sampleAt(lane, k)];
+                    sums[lane].slopeY[k] = m_s.sums[2][sampleAt(lane, k)];
+                }
+            });
+            addFillEntries(m_warp, listing, block, m_sums, sums);
+            m_warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k) {
+                    m_s.sums[0][sampleAt(lane, k)] = sums[lane].density[k];
+                    m_s.sums[1][sampleAt(lane, k)] = sums[lane].slopeX[k];
+                    m_s.sums[2][sampleAt(lane, k)] = sums[lane].slopeY[k];
+                }
+            });
+        }
+        if (listing.count > wholeStrides(listing.fill))
+            finishFill(block);
+    }
+
+    SUFFUSE_PROGRAM FillPlace fillPlace() const
+    {
+        if (!has(gradientFill))
+            return {};
+        return {fillValues(), double(m_left + tileSide / 2), double(m_top + tileSide / 2)};
+    }
+
+    /// Makes sums of a fill of density 1 those of the stroke's fill, with its channels.
+    SUFFUSE_PROGRAM void finishFill(const Block &block)
+    {
+        m_isFillOpen = false;
+        const FillValues &values = fillValues();
+        const FillPlace place = fillPlace();
+        const float full = m_stroke.fillDensity, base = float(m_base);
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k) {
+                const int at = sampleAt(lane, k);
+                const float inside = math::min_(math::max_(m_s.sums[0][at] + base, 0.0f), 1.0f);
+                float t = 0;
+                if (has(gradientFill))
+                    t = place.at(sampleX(lane, k, block), sampleY(lane, k, block), inside, m_s.sums[1][at],
+                                 m_s.sums[2][at]);
+                m_s.sums[0][at] = full * inside;
+                m_s.sums[1][at] *= full, m_s.sums[2][at] *= full;
+                for (int c = 0; c < int(m_stroke.channels); ++c)
+                    m_s.sums[fixedSums + c][at] = full * inside * math::mulAdd_(t, values.step[c], values.from[c]);
+            }
+        });
+    }
+
+    /// Returns how much of a sample a crisp fill covers. Sums that are 0 or 1 but for rounding are so.
+    SUFFUSE_PROGRAM float coveredAt(int at) const
+    {
+        const float sum = m_cover.covered[at] + float(m_base);
+        return sum < 1e-4f ? 0.0f : sum > 1 - 1e-4f ? 1.0f : sum;
+    }
+
+    static SUFFUSE_PROGRAM float sampleX(int lane, int k, const Block &block)
+    {
+        return math::mulAdd_(float(sampleColumn(lane, k)) - 7.5f, block.step, block.x);
+    }
+    static SUFFUSE_PROGRAM float sampleY(int lane, int k, const Block &block)
+    {
+        return math::mulAdd_(float(sampleRow(lane, k)) - 7.5f, block.step, block.y);
+    }
 
     SUFFUSE_PROGRAM void addSeparable(const Listing &listing, const Block &block)
     {
-        for (int from = 0; from < listing.separable; from += batch) {
+        for (int from = wholeStrides(listing.fill); from < listing.separable; from += batch) {
             const int to = from + batch < listing.separable ? from + batch : listing.separable;
             fillTables(m_warp, from, to, block, m_sums);
             Var<SampleSums> sums;
@@ -318,6 +438,9 @@ private:
     SUFFUSE_PROGRAM void shade(const Block &block)
     {
         const ShadeParams &params = m_stroke.shade;
+        const bool crisp = has(crispFill);
+        const FillValues *values = crisp ? &fillValues() : nullptr;
+        const FillPlace place = crisp ? fillPlace() : FillPlace();
         m_warp.each([&](int lane) {
             for (int k = 0; k < laneSamples; ++k) {
                 const int at = sampleAt(lane, k), column = sampleColumn(lane, k), row = sampleRow(lane, k);
@@ -326,27 +449,58 @@ private:
                 DeepSample deep;
                 if (sizeof(V) == sizeof(double))
                     deep = deepSample(m_sums.deep[0], x, y);
-                const auto channel = [&](int c) {
-                    V sum = V(m_s.sums[fixedSums + c][at]);
-                    if (sizeof(V) == sizeof(double))
-                        sum += V(deepValue(m_sums.deep[1 + c], x, y));
-                    return sum;
-                };
                 V eta(1);
                 if (hasPaper())
                     eta = V(m_s.paint[0][at]);
                 const V slopeX = V(m_s.sums[1][at]) * V(slopeUnit) + V(deep.slopeX);
                 const V slopeY = V(m_s.sums[2][at]) * V(slopeUnit) + V(deep.slopeY);
-                const auto m = math::modulate(params, V(m_s.sums[0][at]) + V(deep.density), slopeX, slopeY, channel,
-                                              eta, V(block.step));
-                const V f = meanAt(params, channel, m);
-                const auto paint = math::paintOf(params, m.inverse, channel, f);
-                m_s.paint[0][at] = float(paint.w);
-                m_s.paint[1][at] = float(paint.red);
-                m_s.paint[2][at] = float(paint.yellow);
-                m_s.paint[3][at] = float(paint.blue);
+                // A crisp fill adds `more` where it covers the sample.
+                const auto shaded = [&](float more, float t) {
+                    const auto channel = [&](int c) {
+                        V sum = V(m_s.sums[fixedSums + c][at]);
+                        if (sizeof(V) == sizeof(double))
+                            sum += V(deepValue(m_sums.deep[1 + c], x, y));
+                        if (fills && more > 0)
+                            sum += V(more * math::mulAdd_(t, values->step[c], values->from[c]));
+                        return sum;
+                    };
+                    const auto m = math::modulate(params, V(m_s.sums[0][at]) + V(deep.density) + V(more), slopeX,
+                                                  slopeY, channel, eta, V(block.step));
+                    const V f = meanAt(params, channel, m);
+                    const auto paint = math::paintOf(params, m.inverse, channel, f);
+                    return Float4{float(paint.w), float(paint.red), float(paint.yellow), float(paint.blue)};
+                };
+                Float4 mixed = {0, 0, 0, 0};
+                if constexpr (fills) {
+                    // What it covers and what it leaves are shaded each by itself, but for a sample that is wholly
+                    // covered, or not at all. Only one place shades, since its code is long.
+                    const float covered = crisp ? coveredAt(at) : 0.0f;
+                    SUFFUSE_ROLLED
+                    for (int inside = covered < 1 ? 0 : 1; inside <= (covered > 0 ? 1 : 0); ++inside) {
+                        float t = 0;
+                        if (inside && has(gradientFill))
+                            t = place.at(sampleX(lane, k, block), sampleY(lane, k, block), 1, 0, 0);
+                        const Float4 own = shaded(inside ? m_stroke.fillDensity : 0.0f, t);
+                        mixed = inside && covered < 1 ? shared(mixed, own, covered) : own;
+                    }
+                } else {
+                    mixed = shaded(0, 0);
+                }
+                m_s.paint[0][at] = mixed.x;
+                m_s.paint[1][at] = mixed.y;
+                m_s.paint[2][at] = mixed.z;
+                m_s.paint[3][at] = mixed.w;
             }
         });
+    }
+
+    /// Returns what a sample shows of which a share is covered, from w and colour where it is not and where it is.
+    static SUFFUSE_PROGRAM Float4 shared(const Float4 &out, const Float4 &in, float covered)
+    {
+        const float inside = covered * in.x, left = (1 - covered) * out.x, w = inside + left;
+        const float inverse = w > 0 ? 1 / w : 0.0f;
+        return {w, (inside * in.y + left * out.y) * inverse, (inside * in.z + left * out.z) * inverse,
+                (inside * in.w + left * out.w) * inverse};
     }
 
     template <class Channel>
@@ -369,7 +523,10 @@ private:
     const StrokeRecord &m_stroke;
     int m_column, m_row;
     int m_left, m_top;
-    NodeStream<Warp> m_nodes;
+    NodeStream<Warp, fills> m_nodes;
+    const FillCover m_cover;   ///< in shared memory that only plain strokes need
+    int m_base = 0;            ///< how often the fill is entered left of what is summed
+    bool m_isFillOpen = false; ///< whether the sums are those of a fill so far
     SumScratch &m_sums;
     GeneralScratch &m_s;
 };

@@ -38,6 +38,7 @@ struct KeptEntry {
 };
 
 /// A block that makes a list has this in shared memory.
+template <bool fills>
 struct ListScratch {
     /// A stroke of more than longEntries entries is long: all warps cull it together, so that none is late. Rounds of
     /// longTogether long strokes are culled at once. There is room for mostLong; a warp culls others alone.
@@ -50,7 +51,7 @@ struct ListScratch {
     std::uint32_t apart;           ///< whether a stroke is evaluated apart
     std::uint32_t longOnes;        ///< how many of these there are
     std::uint32_t first[mostLong]; ///< the first entries of long strokes
-    CullPart parts[longTogether][listWarps];
+    CullPart<fills> parts[longTogether][listWarps];
     union { // They are used one after the other.
         CullScratch cull[listWarps];
         KeptEntry kept[listWarps * warpLanes];
@@ -58,13 +59,13 @@ struct ListScratch {
 };
 
 /// Makes one list, in order: the chunks that can be seen in half of a macro-tile, of a quarter of the macro job's
-/// chunks (rounded to whole strokes).
-template <class Block>
+/// chunks (rounded to whole strokes). If `fills`, strokes may have fills.
+template <class Block, bool fills>
 class ListMaker {
 public:
     using Warp = typename Block::Warp;
 
-    SUFFUSE_PROGRAM ListMaker(Block &block, const Frame &frame, std::uint32_t index, ListScratch &scratch)
+    SUFFUSE_PROGRAM ListMaker(Block &block, const Frame &frame, std::uint32_t index, ListScratch<fills> &scratch)
         : m_block(block), m_frame(frame), m_index(index), m_half(index / listQuarters % 2),
           m_macro(frame.macros[index / listParts]), m_list(frame.lists + std::size_t(index) * frame.listRoom),
           m_apart(frame.apart ? frame.apart + std::size_t(index) * frame.listRoom : nullptr), m_s(scratch)
@@ -81,7 +82,7 @@ public:
     }
 
 private:
-    static constexpr int groups = ListScratch::groups;
+    static constexpr int groups = ListScratch<fills>::groups;
 
     SUFFUSE_PROGRAM std::int32_t cellX() const { return m_macro.column * macroTiles; }
     SUFFUSE_PROGRAM std::int32_t cellY() const
@@ -126,7 +127,7 @@ private:
                     if (at >= m_frame.listRoom)
                         return;
                     const ChunkRecord &c = m_frame.chunks[i];
-                    m_list[at] = {i, c.firstNode, c.stroke * 64 + c.nodes, 0};
+                    m_list[at] = {i, c.firstNode, c.stroke * 128 + c.nodes, 0};
                     if (m_frame.apartRoom)
                         m_apart[at] = {0, 0};
                 });
@@ -187,7 +188,7 @@ private:
     /// Tells whether the stroke that begins with an entry is long, and then remembers it.
     SUFFUSE_PROGRAM bool isLong(Warp &warp, std::uint32_t entry, std::uint32_t stroke)
     {
-        constexpr std::uint32_t longEntries = ListScratch::longEntries, most = ListScratch::mostLong;
+        constexpr std::uint32_t longEntries = ListScratch<fills>::longEntries, most = ListScratch<fills>::mostLong;
         if (entry + longEntries >= m_count || strokeIndexOf(m_list[entry + longEntries]) != stroke ||
             nodesOf(m_list[entry]) == 0) // Where deep nodes lie is not counted.
             return false;
@@ -204,7 +205,7 @@ private:
     /// Culls long strokes: each warp takes some entries of each, and then one warp for each stroke adds the parts.
     SUFFUSE_PROGRAM void cullLong()
     {
-        constexpr std::uint32_t together = ListScratch::longTogether, most = ListScratch::mostLong;
+        constexpr std::uint32_t together = ListScratch<fills>::longTogether, most = ListScratch<fills>::mostLong;
         const std::uint32_t count = m_s.longOnes < most ? m_s.longOnes : most;
         for (std::uint32_t from = 0; from < count; from += together) {
             const std::uint32_t to = from + together < count ? from + together : count;
@@ -213,16 +214,16 @@ private:
                     cullPart(warp, m_s.first[i], own, m_s.parts[i - from][own]);
             });
             m_block.each([&](Warp &warp, int own) {
-                if (from + std::uint32_t(own) < to)
+                if (std::uint32_t(own) < together && from + std::uint32_t(own) < to)
                     finishLong(warp, m_s.first[from + std::uint32_t(own)], m_s.cull[own], m_s.parts[own]);
             });
         }
     }
 
-    SUFFUSE_PROGRAM void cullPart(Warp &warp, std::uint32_t begin, int own, CullPart &part)
+    SUFFUSE_PROGRAM void cullPart(Warp &warp, std::uint32_t begin, int own, CullPart<fills> &part)
     {
         const std::uint32_t stroke = strokeIndexOf(m_list[begin]);
-        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), m_s.cull[own]);
+        StrokeCull<Warp, fills> cull(warp, m_frame, stroke, cellX(), cellY(), m_s.cull[own]);
         for (std::uint32_t i = begin + std::uint32_t(own); i < m_count; i += listWarps) {
             const ListEntry entry = m_list[i];
             if (strokeIndexOf(entry) != stroke)
@@ -238,12 +239,12 @@ private:
     }
 
     SUFFUSE_PROGRAM void finishLong(Warp &warp, std::uint32_t begin, CullScratch &scratch,
-                                    const CullPart (&parts)[listWarps])
+                                    const CullPart<fills> (&parts)[listWarps])
     {
         const ListEntry first = m_list[begin];
         const std::uint32_t stroke = strokeIndexOf(first);
-        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
-        for (const CullPart &part : parts)
+        StrokeCull<Warp, fills> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
+        for (const CullPart<fills> &part : parts)
             cull.take(part);
         std::uint32_t all = 0, entry = begin, lastChunk = first.chunk;
         for (std::uint32_t base = begin; base < m_count; base += warpLanes) { // Finds the stroke's last entry.
@@ -274,7 +275,7 @@ private:
     SUFFUSE_PROGRAM void cullStroke(Warp &warp, std::uint32_t entry, ListEntry chunk, CullScratch &scratch)
     {
         const std::uint32_t stroke = strokeIndexOf(chunk), begin = entry, firstChunk = chunk.chunk;
-        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
+        StrokeCull<Warp, fills> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
         std::uint32_t all = 0, last = 0;
         for (;;) {
             const std::uint32_t next = entry + 1;
@@ -300,8 +301,9 @@ private:
     }
 
     /// Decides where a stroke with the entries [begin, end] is evaluated, and adds what it costs to the tiles.
-    SUFFUSE_PROGRAM void finishStroke(Warp &warp, StrokeCull<Warp> &cull, std::uint32_t visible, std::uint32_t begin,
-                                      std::uint32_t end, std::uint32_t firstChunk, std::uint32_t lastChunk)
+    SUFFUSE_PROGRAM void finishStroke(Warp &warp, StrokeCull<Warp, fills> &cull, std::uint32_t visible,
+                                      std::uint32_t begin, std::uint32_t end, std::uint32_t firstChunk,
+                                      std::uint32_t lastChunk)
     {
         const std::uint32_t shown = visible & m_frame.macros[m_index / listParts].painted[m_half];
         ApartEntry apart{0, 0};
@@ -427,7 +429,7 @@ private:
     const MacroJob m_macro;
     ListEntry *m_list;
     ApartEntry *m_apart; ///< beside the list
-    ListScratch &m_s;
+    ListScratch<fills> &m_s;
     std::uint32_t m_count = 0, m_after = 0;
 };
 

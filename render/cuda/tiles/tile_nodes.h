@@ -19,11 +19,11 @@ struct alignas(8) [[gnu::may_alias]] Float2 {
 
 SUFFUSE_PROGRAM std::uint32_t strokeIndexOf(const ListEntry &entry)
 {
-    return entry.strokeAndNodes / 64;
+    return entry.strokeAndNodes / 128;
 }
 SUFFUSE_PROGRAM std::uint32_t nodesOf(const ListEntry &entry)
 {
-    return entry.strokeAndNodes % 64;
+    return entry.strokeAndNodes % 128;
 }
 
 /// Holds a chunk's nodes and its stroke, as they come from memory. The parts of 16 bytes of all nodes lie one after
@@ -49,7 +49,7 @@ SUFFUSE_PROGRAM void fetchChunk(Warp &warp, const Frame &frame, const ChunkRecor
     warp.fetch([&](int lane, auto start) {
         if (withStroke)
             fetchStroke(frame, chunk.stroke, lane, start, to.stroke);
-        if (std::uint32_t(lane) >= chunk.nodes)
+        if (std::uint32_t(lane) >= (chunk.nodes & chunkCountBits))
             return;
         const auto *node = reinterpret_cast<const Float4 *>(frame.nodes + chunk.firstNode + std::uint32_t(lane));
         SUFFUSE_UNROLL
@@ -65,6 +65,16 @@ SUFFUSE_PROGRAM NodeRecord nodeOf(const Fetched &chunk, int n)
     for (int part = 0; part < int(sizeof(NodeRecord) / fetchBytes); ++part)
         reinterpret_cast<Float4 *>(&node)[part] = chunk.nodes[part][n];
     return node;
+}
+
+/// The same for a chunk of a fill.
+SUFFUSE_PROGRAM FillRecord fillRecordOf(const Fetched &chunk, int n)
+{
+    FillRecord record;
+    SUFFUSE_UNROLL
+    for (int part = 0; part < int(sizeof(FillRecord) / fetchBytes); ++part)
+        reinterpret_cast<Float4 *>(&record)[part] = chunk.nodes[part][n];
+    return record;
 }
 
 /// Returns the record of a stroke that has arrived.

@@ -2,6 +2,7 @@
 // registers.
 #pragma once
 
+#include "render/cuda/tiles/tile_fill.h"
 #include "render/cuda/tiles/tile_paper.h"
 #include "render/cuda/tiles/tile_shade.h"
 
@@ -33,14 +34,17 @@ SUFFUSE_PROGRAM void giveMeans(Warp &warp, const StrokeRecord &stroke,
     });
 }
 
-template <class Warp>
+/// If `fills`, the stroke may have a fill.
+template <class Warp, bool fills = false>
 class PlainStroke {
 public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    SUFFUSE_PROGRAM PlainStroke(Warp &warp, const Frame &frame, const StrokeRecord &stroke, SumScratch &scratch)
-        : m_warp(warp), m_frame(frame), m_stroke(stroke), m_s(scratch)
+    /// The tile is counted in tiles.
+    SUFFUSE_PROGRAM PlainStroke(Warp &warp, const Frame &frame, const StrokeRecord &stroke, SumScratch &scratch,
+                                int column, int row)
+        : m_warp(warp), m_frame(frame), m_stroke(stroke), m_s(scratch), m_column(column), m_row(row)
     {}
 
     /// Returns how often the stroke's nodes are summed. Density and slopes are summed first, and then, if colours vary
@@ -60,9 +64,21 @@ public:
                 m_sums[lane] = {};
         });
         const int channel = pass == 0 ? m_stroke.shade.lineChannel : m_stroke.shade.colourChannel + componentOf(pass);
+        if constexpr (fills)
+            m_isFillOpen = pass == 0 && m_stroke.fill != 0, m_base = 0;
         forEachListing([&](const Listing &listing) {
+            int first = 0;
+            if constexpr (fills) {
+                first = wholeStrides(listing.fill);
+                if (m_isFillOpen) {
+                    addFillEntries(m_warp, listing, Block{}, m_s, m_sums);
+                    m_base += listing.base;
+                    if (listing.separable > first)
+                        finishFill();
+                }
+            }
             SUFFUSE_ROLLED
-            for (int from = 0; from < listing.separable; from += batch) {
+            for (int from = first; from < listing.separable; from += batch) {
                 const int to = from + batch < listing.separable ? from + batch : listing.separable;
                 if (pass == 0 || chosenAgain || listing.separable > batch) // Otherwise the tables are still valid.
                     fillTables(m_warp, from, to, Block{}, m_s);
@@ -73,6 +89,8 @@ public:
                                std::uint32_t(channel), m_s, m_values);
             }
         });
+        if constexpr (fills)
+            finishFill();
     }
 
     /// Finds F at the tile's pixels after the first pass. Returns false if the stroke shows nothing. `eta` is the paper
@@ -128,6 +146,42 @@ public:
     }
 
 private:
+    /// Makes sums of a fill of density 1 those of the stroke's fill, before nodes are added.
+    SUFFUSE_PROGRAM void finishFill()
+    {
+        if (!m_isFillOpen)
+            return;
+        m_isFillOpen = false;
+        const int line = m_stroke.shade.lineChannel;
+        const float base = float(m_base), full = m_stroke.fillDensity;
+        float from = 0, step = 0;
+        FillPlace place;
+        if (line >= 0) {
+            const FillValues &values = m_frame.fills[m_stroke.fillValues];
+            from = values.from[line];
+            if (m_stroke.fill & gradientFill)
+                step = values.step[line], place = {values, (m_column + 0.5) * tileSide, (m_row + 0.5) * tileSide};
+        }
+        m_warp.each([&](int lane) {
+            SampleSums &s = m_sums[lane];
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                const float inside = math::min_(math::max_(s.density[k] + base, 0.0f), 1.0f);
+                if (step != 0)
+                    m_values[lane].v[k] =
+                        full * inside *
+                        math::mulAdd_(step,
+                                      place.at(float(sampleColumn(lane, k)) - 7.5f, float(sampleRow(lane, k)) - 7.5f,
+                                               inside, s.slopeX[k], s.slopeY[k]),
+                                      from);
+                else
+                    m_values[lane].v[k] = full * inside * from;
+                s.density[k] = full * inside;
+                s.slopeX[k] *= full, s.slopeY[k] *= full;
+            }
+        });
+    }
+
     /// Returns F at a sample, after `style`.
     SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.density[sampleAt(lane, k)]; }
 
@@ -138,6 +192,9 @@ private:
     Var<SampleSums> m_sums;      ///< if colours vary, the density becomes w in the end
     Var<SampleValues> m_values;  ///< the pass's channel, which is the place on the line of colours if there is one
     Var<SampleValues> m_inverse; ///< 1/φ
+    int m_column, m_row;
+    int m_base = 0;            ///< how often the fill is entered left of what is summed
+    bool m_isFillOpen = false; ///< whether the sums are those of the fill so far
 };
 
 } // namespace suffuse::cuda

@@ -19,8 +19,8 @@ struct TileScratch<true> : TileScratch<false> {
 };
 
 /// If `general`, this paints anything, otherwise only what TileFlag::plainTile says. If `apart`, strokes may have been
-/// evaluated apart. A plain stroke shows the same bits either way.
-template <bool general, bool apart, class Warp>
+/// evaluated apart, and if `fills`, plain strokes may have fills. A plain stroke shows the same bits in any case.
+template <bool general, bool apart, bool fills, class Warp>
 class TilePainter {
 public:
     template <class T>
@@ -236,6 +236,16 @@ private:
     {
         if ((apart && m_isApart) || (general && m_streams))
             return; // Another warp lists the nodes, or this one does so when it evaluates the stroke.
+        if constexpr (fills) {
+            if (std::uint32_t(nodes) & fillChunk) {
+                const FillValues &fill = m_frame.fills[strokeOf(m_s.paint.stroke).fillValues];
+                if (!m_overflown && !listFill(m_warp, fetched, int(std::uint32_t(nodes) & chunkCountBits), fill,
+                                              m_job.column, m_job.row, Block{}, m_s.paint.sums, m_listing))
+                    m_overflown = true;
+                return;
+            }
+            endFill(m_listing);
+        }
         if (m_listing.count + chunkNodes > nodeRoom)
             m_overflown = true; // There are too many to keep, so they are chosen again when they are summed.
         if (!m_overflown)
@@ -262,7 +272,8 @@ private:
         const std::uint32_t end = m_overflown ? part.chunk + stroke.chunks : part.chunk;
         do {
             if (m_overflown)
-                part = listChunks(m_warp, m_frame, part.chunk, end, m_job.column, m_job.row, m_s.paint.sums);
+                part = listChunks<fills>(m_warp, m_frame, stroke, part.chunk, end, m_job.column, m_job.row,
+                                         m_s.paint.sums);
             use(part.listing);
         } while (part.chunk < end);
     }
@@ -297,7 +308,7 @@ private:
 
     SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
     {
-        PlainStroke<Warp> plain(m_warp, m_frame, stroke, m_s.paint.sums);
+        PlainStroke<Warp, fills> plain(m_warp, m_frame, stroke, m_s.paint.sums, m_job.column, m_job.row);
         const float keep = stroke.keep;
         for (int pass = 0; pass < plain.passes(); ++pass) {
             plain.sum([&](auto use) { forEachListing(stroke, use); }, m_overflown, pass);
@@ -315,7 +326,7 @@ private:
         }
     }
 
-    SUFFUSE_PROGRAM void mixComponent(PlainStroke<Warp> &plain, int pass, float keep)
+    SUFFUSE_PROGRAM void mixComponent(PlainStroke<Warp, fills> &plain, int pass, float keep)
     {
         switch (plain.componentOf(pass)) {
         case 0:
@@ -356,7 +367,8 @@ private:
     {
         const ApartJob whole{m_job.column, m_job.row, m_stroke, m_firstChunk, stroke.firstChunk + stroke.chunks, 0};
         m_warp.arrive(false); // Nothing may still come to where its nodes will.
-        evaluateGeneral(m_warp, m_frame, whole, GeneralStroke<Warp>::allParts, m_s.paint, stroke, m_s.general);
+        evaluateGeneral<fills>(m_warp, m_frame, whole, GeneralStroke<Warp, fills>::allParts, m_s.paint, stroke,
+                               m_s.general);
         const float keep = stroke.keep;
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
@@ -423,10 +435,10 @@ private:
 };
 
 /// Paints one tile job.
-template <bool general, bool apart, class Warp>
+template <bool general, bool apart, bool fills, class Warp>
 SUFFUSE_PROGRAM void paintTile(Warp &warp, const Frame &frame, std::uint32_t job, TileScratch<general> &scratch)
 {
-    TilePainter<general, apart, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
+    TilePainter<general, apart, fills, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
 }
 
 } // namespace suffuse::cuda

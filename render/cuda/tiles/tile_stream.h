@@ -1,13 +1,57 @@
 // The nodes of one stroke come here in runs, as many as there are near a tile.
 #pragma once
 
-#include "render/cuda/tiles/tile_sums.h"
+#include "render/cuda/tiles/tile_fill.h"
 
 namespace suffuse::cuda {
 
+/// Says what listChunks has listed.
+struct PartialListing {
+    Listing listing;
+    std::uint32_t chunk = 0; ///< the first chunk that is not listed
+};
+/// Lists nodes of the chunks [chunk, end) until the list is full, for a stroke with more nodes near a tile than can be
+/// listed at once. Such strokes are rare, so this is called, not inlined.
+template <bool fills, class Warp>
+SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, const StrokeRecord &stroke, std::uint32_t chunk,
+                                       std::uint32_t end, std::int32_t cellX, std::int32_t cellY, SumScratch &s)
+{
+    PartialListing part;
+    for (part.chunk = chunk; part.chunk < end; part.chunk += warpLanes) {
+        const std::uint32_t base = part.chunk;
+        std::uint32_t hits = warp.ballot([&](int lane) {
+            const std::uint32_t i = base + std::uint32_t(lane);
+            return i < end && meetsTile(frame.chunks[i], cellX, cellY);
+        });
+        for (; hits; hits &= hits - 1) {
+            const std::uint32_t at = base + std::uint32_t(Warp::lowest(hits));
+            const ChunkRecord c = frame.chunks[at];
+            if (fills && !(c.nodes & fillChunk))
+                endFill(part.listing);
+            if (!(fills && (c.nodes & fillChunk)) && part.listing.count + chunkNodes > nodeRoom) {
+                part.chunk = at;
+                return part;
+            }
+            fetchChunk(warp, frame, c, s.chosenAgain);
+            warp.arrive(false);
+            if (fills && (c.nodes & fillChunk)) {
+                if (listFill(warp, s.chosenAgain, int(c.nodes & chunkCountBits), frame.fills[stroke.fillValues], cellX,
+                             cellY, Block{}, s, part.listing)) {
+                    warp.meet();
+                    continue;
+                }
+                part.chunk = at;
+                return part;
+            }
+            listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, Block{}, s, part.listing);
+        }
+    }
+    return part;
+}
+
 /// Lists those nodes of a job's stroke that meet a block of samples. While nodes are listed, the next chunk is on its
 /// way to shared memory.
-template <class Warp>
+template <class Warp, bool fills = false>
 class NodeStream {
 public:
     /// `fetched` has two places.
@@ -20,6 +64,13 @@ public:
     template <class Use>
     SUFFUSE_PROGRAM void forEachListing(const Block &block, Use use)
     {
+        forEachListing(block, use, [](const Fetched &, int, Listing &) {});
+    }
+    /// Chunks of the stroke's fill are given to listFill(chunk, records, listing), which lists up to 64 entries of
+    /// each.
+    template <class Use, class ListFill>
+    SUFFUSE_PROGRAM void forEachListing(const Block &block, Use use, ListFill listFill)
+    {
         m_next = m_job.from, m_hits = 0;
         Listing listing;
         std::uint32_t nodes = fetchNext(0);
@@ -28,13 +79,22 @@ public:
             if (present)
                 nodes = fetchNext(turn ^ 1);
             m_warp.arrive(present != 0);
-            if (listing.count + chunkNodes > nodeRoom || (present == 0 && listing.count > 0)) {
+            const bool ofFill = fills && (present & fillChunk) != 0;
+            if (fills && !ofFill)
+                endFill(listing);
+            if (listing.count + (ofFill ? 2 : 1) * chunkNodes > nodeRoom ||
+                (present == 0 && (listing.count > 0 || (fills && listing.base != 0)))) {
                 use(listing);
                 listing = {};
                 m_warp.meet();
             }
             if (present == 0)
                 return;
+            if (ofFill) {
+                listFill(m_fetched[turn], int(present & chunkCountBits), listing);
+                m_warp.meet();
+                continue;
+            }
             listNodes(m_warp, m_frame.cull != 0, m_fetched[turn], int(present), m_job.column, m_job.row, block, m_s,
                       listing);
         }

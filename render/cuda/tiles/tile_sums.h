@@ -88,6 +88,8 @@ struct SampleValues {
 struct Listing {
     int count = 0;     ///< how many are listed
     int separable = 0; ///< how many of them are separable; these come first
+    int fill = 0;      ///< how many belong to a fill (tile_fill.h); these come before all others
+    int base = 0;      ///< how often the fill's area was entered left of what is listed, at the upper border
 };
 
 /// Returns how many places so many separable nodes take, with the empty ones after them.
@@ -141,39 +143,6 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
     listing.count += Warp::count(hits);
     if (!askew)
         listing.separable = listing.count; // A chunk has one kind, and the separable ones come first.
-}
-
-/// Says what listChunks has listed.
-struct PartialListing {
-    Listing listing;
-    std::uint32_t chunk = 0; ///< the first chunk that is not listed
-};
-/// Lists nodes of the chunks [chunk, end) until the list is full, for a stroke with more nodes near a tile than can be
-/// listed at once. Such strokes are rare, so this is called, not inlined.
-template <class Warp>
-SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint32_t chunk, std::uint32_t end,
-                                       std::int32_t cellX, std::int32_t cellY, SumScratch &s)
-{
-    PartialListing part;
-    for (part.chunk = chunk; part.chunk < end; part.chunk += warpLanes) {
-        const std::uint32_t base = part.chunk;
-        std::uint32_t hits = warp.ballot([&](int lane) {
-            const std::uint32_t i = base + std::uint32_t(lane);
-            return i < end && meetsTile(frame.chunks[i], cellX, cellY);
-        });
-        for (; hits; hits &= hits - 1) {
-            const std::uint32_t at = base + std::uint32_t(Warp::lowest(hits));
-            if (part.listing.count + chunkNodes > nodeRoom) {
-                part.chunk = at;
-                return part;
-            }
-            const ChunkRecord c = frame.chunks[at];
-            fetchChunk(warp, frame, c, s.chosenAgain);
-            warp.arrive(false);
-            listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, Block{}, s, part.listing);
-        }
-    }
-    return part;
 }
 
 /// Fills the tables of nodes [from, to) of the list. Each lane makes one entry: its column or its row.

@@ -1,0 +1,224 @@
+// One warp finds here how much of each sample a crisp fill covers, and which pixels lie near the boundary of a thin one
+// (docs/cuda.md, "Fills").
+#pragma once
+
+#include "render/cuda/tiles/tile_fill.h"
+
+namespace suffuse::cuda {
+
+/// Puts a FillCurveRecord together from its parts of 16 bytes.
+template <class PartOf>
+SUFFUSE_PROGRAM FillCurveRecord curveRecordOf(PartOf partOf)
+{
+    const Float4 first = partOf(0), second = partOf(1);
+    FillCurveRecord record;
+    record.x1 = first.x, record.y1 = first.y, record.x2 = first.z, record.y2 = first.w;
+    record.x3 = second.x, record.y3 = second.y;
+    return record;
+}
+
+/// A panel's curve, in samples of a block whose first one is the square from 0 to 1. Both coordinates are monotone.
+struct FillCurve {
+    float x[4], y[4];
+
+    SUFFUSE_PROGRAM FillCurve(const FillRecord &from, const FillCurveRecord &curve, std::int32_t cellX,
+                              std::int32_t cellY, const Block &block)
+    {
+        constexpr float half = tileSide / 2;
+        const float scale = math::reciprocal_(block.step); // a power of two
+        x[0] = (float((from.cellX - cellX) * tileSide) + (from.x - half) - block.x) * scale + half;
+        y[0] = (float((from.cellY - cellY) * tileSide) + (from.y - half) - block.y) * scale + half;
+        x[1] = math::mulAdd_(curve.x1, scale, x[0]), y[1] = math::mulAdd_(curve.y1, scale, y[0]);
+        x[2] = math::mulAdd_(curve.x2, scale, x[0]), y[2] = math::mulAdd_(curve.y2, scale, y[0]);
+        x[3] = math::mulAdd_(curve.x3, scale, x[0]), y[3] = math::mulAdd_(curve.y3, scale, y[0]);
+    }
+
+    static SUFFUSE_PROGRAM float at(const float (&p)[4], float t)
+    {
+        const float u = 1 - t;
+        return u * u * (u * p[0] + 3 * t * p[1]) + t * t * (3 * u * p[2] + t * p[3]);
+    }
+    static SUFFUSE_PROGRAM float slopeAt(const float (&p)[4], float t)
+    {
+        const float u = 1 - t;
+        return 3 * (u * u * (p[1] - p[0]) + 2 * u * t * (p[2] - p[1]) + t * t * (p[3] - p[2]));
+    }
+    /// Returns the parameter where a coordinate has a value, or the nearer end if it never has.
+    static SUFFUSE_PROGRAM float parameterAt(const float (&p)[4], float value)
+    {
+        const bool rises = p[0] < p[3];
+        if (rises ? value <= p[0] : value >= p[0])
+            return 0;
+        if (rises ? value >= p[3] : value <= p[3])
+            return 1;
+        float low = 0, high = 1;
+        SUFFUSE_ROLLED
+        for (int i = 0; i < 22; ++i) {
+            const float middle = 0.5f * (low + high);
+            ((at(p, middle) > value) == rises ? high : low) = middle;
+        }
+        return 0.5f * (low + high);
+    }
+};
+
+/// Sums up how much of each sample lies inside. `covered` has room for all samples, and `borders` for two more than
+/// twice a tile's side.
+struct FillCover {
+    float *covered, *borders;
+};
+
+/// Adds a number to all that lies below a height.
+template <class Warp>
+SUFFUSE_PROGRAM void addBelow(Warp &warp, const FillCover &cover, float y, float jump)
+{
+    warp.each([&](int lane) {
+        for (int k = 0; k < laneSamples; ++k) {
+            const float above = y - float(sampleRow(lane, k));
+            cover.covered[sampleAt(lane, k)] += jump * (1 - math::min_(math::max_(above, 0.0f), 1.0f));
+        }
+    });
+}
+
+/// Returns ∫(right − x) dy by a rule that is exact for cubics.
+SUFFUSE_PROGRAM float areaRightOf(const FillCurve &curve, float from, float to, float right)
+{
+    constexpr float node = 0.38729833f; // from the middle, of the whole
+    const float middle = 0.5f * (from + to), width = to - from;
+    const auto term = [&](float t) { return (right - FillCurve::at(curve.x, t)) * FillCurve::slopeAt(curve.y, t); };
+    const float ends = term(middle - node * width) + term(middle + node * width);
+    return width * math::mulAdd_(5.0f / 18, ends, 8.0f / 18 * term(middle));
+}
+
+/// Adds what lies right of a curve at its heights.
+template <class Warp>
+SUFFUSE_PROGRAM void addRightOf(Warp &warp, const FillCover &cover, const FillCurve &curve, float enters)
+{
+    constexpr int borders = tileSide + 1; // The parameters where it crosses those of rows come first, then of columns.
+    warp.each([&](int lane) {
+        for (int i = lane; i < borders; i += warpLanes) {
+            cover.borders[i] = FillCurve::parameterAt(curve.y, float(i));
+            cover.borders[borders + i] = FillCurve::parameterAt(curve.x, float(i));
+        }
+    });
+    const bool rises = curve.x[0] < curve.x[3];
+    warp.each([&](int lane) {
+        SUFFUSE_ROLLED
+        for (int k = 0; k < laneSamples; ++k) {
+            const int column = sampleColumn(lane, k), row = sampleRow(lane, k);
+            const float from = cover.borders[row], to = cover.borders[row + 1];
+            if (!(from < to))
+                continue;
+            const float left = cover.borders[borders + column], right = cover.borders[borders + column + 1];
+            const auto cut = [&](float t) { return math::min_(math::max_(t, from), to); };
+            // Where it lies left of the column, and where it lies in it.
+            const float leftFrom = rises ? from : cut(left), leftTo = rises ? cut(left) : to;
+            const float inFrom = rises ? leftTo : cut(right), inTo = rises ? cut(right) : leftFrom;
+            float area = FillCurve::at(curve.y, leftTo) - FillCurve::at(curve.y, leftFrom);
+            if (inFrom < inTo)
+                area += areaRightOf(curve, inFrom, inTo, float(column + 1));
+            cover.covered[sampleAt(lane, k)] += enters * area;
+        }
+    });
+}
+
+/// Adds a chunk of a fill, which must have arrived. Returns how often the area is entered left of what the chunk tells.
+template <class Warp>
+SUFFUSE_CALL int addCover(Warp warp, const FillCover cover, const Fetched &chunk, int records, const FillValues &fill,
+                          std::int32_t cellX, std::int32_t cellY, const Block block)
+{
+    const FillRegion region = fillRegion(fill, cellX, cellY, block.x, block.y, block.step);
+    typename Warp::template Var<std::uint32_t> use;
+    std::uint32_t hits = warp.ballot([&](int lane) {
+        use[lane] = lane < records ? useOf(endsOf(fillRecordOf(chunk, lane)), region) : 0;
+        return (use[lane] & metFill) != 0;
+    });
+    const int base = Warp::count(warp.ballot([&](int lane) { return (use[lane] & enteredFill) != 0; })) -
+                     Warp::count(warp.ballot([&](int lane) { return (use[lane] & leftFill) != 0; }));
+    for (; hits; hits &= hits - 1) {
+        const int n = Warp::lowest(hits);
+        const FillRecord record = fillRecordOf(chunk, n);
+        FillCurveRecord rest;
+        if (record.kind & fillShape)
+            rest = curveRecordOf([&](int part) { return chunk.nodes[part][n + 1]; });
+        const FillCurve curve(record, rest, cellX, cellY, block);
+        const std::uint32_t own = warp.read(use, n);
+        if (own & fillEvent)
+            addBelow(warp, cover, own & fillFalls ? curve.y[3] : curve.y[0], jumpOf(record.kind, own));
+        if (record.kind & fillShape)
+            addRightOf(warp, cover, curve, float(record.kind >> 8));
+    }
+    return base;
+}
+
+/// Tells whether a pixel's square, grown on all sides, meets a curve. Both coordinates of it are monotone, so that its
+/// parts lie in the boxes of their ends.
+SUFFUSE_PROGRAM bool meetsPixel(const FillCurve &curve, float column, float row, float grown)
+{
+    const float left = column - grown, right = column + 1 + grown, top = row - grown, bottom = row + 1 + grown;
+    const auto meets = [&](float x0, float y0, float x1, float y1) {
+        return math::min_(x0, x1) <= right && math::max_(x0, x1) >= left && y0 <= bottom && y1 >= top;
+    };
+    if (!meets(curve.x[0], curve.y[0], curve.x[3], curve.y[3]))
+        return false;
+    constexpr int parts = 16;
+    float x = curve.x[0], y = curve.y[0];
+    SUFFUSE_ROLLED
+    for (int i = 1; i <= parts; ++i) {
+        const float t = float(i) * (1.0f / parts), x1 = FillCurve::at(curve.x, t), y1 = FillCurve::at(curve.y, t);
+        if (meets(x, y, x1, y1))
+            return true;
+        x = x1, y = y1;
+    }
+    return false;
+}
+
+/// Raises the level of the pixels of a tile that lie as near to the boundary of a thin fill as docs/solver.md says
+/// ("Supersampling"). Returns whether there are any. `levels` is arranged as sampleAt says.
+template <class Warp>
+SUFFUSE_CALL bool markThinFill(Warp warp, const Frame &frame, const StrokeRecord &stroke, std::int32_t cellX,
+                               std::int32_t cellY, std::uint8_t *levels)
+{
+    const FillValues &fill = frame.fills[stroke.fillValues];
+    const float nearby = float(fill.nearby);
+    const FillRegion region = fillRegion(fill, cellX, cellY);
+    const auto level = std::uint8_t(stroke.fill / fillLevel);
+    bool any = false;
+    for (std::uint32_t c = 0; c < stroke.chunks; ++c) {
+        const ChunkRecord chunk = frame.chunks[stroke.firstChunk + c];
+        if (!(chunk.nodes & fillChunk) || !meetsTile(chunk, cellX, cellY))
+            continue;
+        const NodeRecord *records = frame.nodes + chunk.firstNode;
+        std::uint32_t hits = warp.ballot([&](int lane) {
+            if (std::uint32_t(lane) >= (chunk.nodes & chunkCountBits))
+                return false;
+            const FillEnds ends = endsOf(readFillRecord(records + lane));
+            return (ends.kind & (fillShape | fillFlat)) != 0 && (useOf(ends, region) & metFill) != 0;
+        });
+        for (; hits; hits &= hits - 1) {
+            const int n = Warp::lowest(hits);
+            const FillRecord record = readFillRecord(records + n);
+            FillCurveRecord rest;
+            if (record.kind & fillShape) {
+                const auto *parts = reinterpret_cast<const Float4 *>(records + n + 1);
+                rest = curveRecordOf([&](int part) { return parts[part]; });
+            } else {
+                rest.x1 = rest.x2 = rest.x3 = float(record.x1 - record.x0) * (1.0f / fillUnits);
+            }
+            const FillCurve curve(record, rest, cellX, cellY, Block{});
+            any |= warp.any([&](int lane) {
+                bool marked = false;
+                for (int k = 0; k < laneSamples; ++k) {
+                    std::uint8_t &own = levels[sampleAt(lane, k)];
+                    if (own < level &&
+                        meetsPixel(curve, float(sampleColumn(lane, k)), float(sampleRow(lane, k)), nearby))
+                        own = level, marked = true;
+                }
+                return marked;
+            });
+        }
+    }
+    warp.meet();
+    return any;
+}
+
+} // namespace suffuse::cuda
