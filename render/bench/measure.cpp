@@ -92,8 +92,21 @@ PaintingPtr withDensity(const Painting &painting, int index, std::size_t from, s
     return std::make_shared<const Painting>(std::move(out));
 }
 
-/// Measures frames in which the density of a stroke's segments [from, to) changes.
-Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::size_t to)
+/// The painting with the node between the first two segments of a stroke moved.
+PaintingPtr withNode(const Painting &painting, int index, Offset by)
+{
+    Painting out = painting;
+    StrokePtr &place = out.strokes[std::size_t(index)];
+    Stroke stroke = *place;
+    Offset &node = stroke.segments[1].bezier[0];
+    node = stroke.segments[0].bezier[3] = {node.x + by.x, node.y + by.y};
+    place = std::make_shared<const Stroke>(std::move(stroke));
+    return std::make_shared<const Painting>(std::move(out));
+}
+
+/// Measures frames of paintings that come from each other by edit(painting, step).
+template <class Edit>
+Result<Timing> measureFrames(const Job &job, Edit edit)
 {
     Result<Session> session = Session::make(job);
     if (!session)
@@ -105,7 +118,7 @@ Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::si
     for (int step = 0; step < job.dragSteps; ++step) {
         QElapsedTimer timer;
         timer.start();
-        PaintingPtr after = withDensity(*before, index, from, to, step % 2 == 0 ? 1.03f : 0.98f);
+        PaintingPtr after = edit(*before, step);
         const Result<RenderStats> drawn = session->draw(after, job.time, true);
         times.push_back(milliseconds(timer));
         if (!drawn)
@@ -113,6 +126,14 @@ Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::si
         before = std::move(after);
     }
     return timingOf(times);
+}
+
+/// Measures frames in which the density of a stroke's segments [from, to) changes.
+Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::size_t to)
+{
+    return measureFrames(job, [=](const Painting &before, int step) {
+        return withDensity(before, index, from, to, step % 2 == 0 ? 1.03f : 0.98f);
+    });
 }
 
 Error nothingToDrag()
@@ -249,6 +270,18 @@ Result<Timing> measureSegmentEdit(const Job &job, StrokeId stroke)
         return nothingToDrag();
     const std::size_t middle = job.painting->strokes[std::size_t(index)]->segments.size() / 2;
     return measureEdits(job, index, middle, middle + 1);
+}
+
+Result<Timing> measureNodeDrag(const Job &job, StrokeId stroke)
+{
+    const int index = job.painting->indexOf(stroke);
+    if (index < 0 || job.painting->strokes[std::size_t(index)]->segments.size() < 2)
+        return nothingToDrag();
+    return measureFrames(job, [=](const Painting &before, int step) {
+        constexpr float by = 0.75f;
+        const float along[4] = {by, by, -by, -by}, down[4] = {by, -by, -by, by};
+        return withNode(before, index, {along[step % 4], down[step % 4]});
+    });
 }
 
 Result<Timing> measureLiveStroke(const Job &job, double spread, int end, float maxAge)

@@ -52,6 +52,9 @@ Result<Timing> measureDrag(const Job &job, StrokeId stroke);
 /// The same for one segment in the middle of the stroke.
 Result<Timing> measureSegmentEdit(const Job &job, StrokeId stroke);
 
+/// The same where the node between the first two segments of the stroke moves a little.
+Result<Timing> measureNodeDrag(const Job &job, StrokeId stroke);
+
 /// Measures frames of a stroke on top of the painting that grows to `segments` (at least 140), with a frame each 1/60 s
 /// while segments spread: the last 140 of them. Segments spread for `maxAge` seconds, so that 60 · maxAge of them are
 /// active.

@@ -6,6 +6,7 @@
 #include "render/compare.h"
 #include "render/sequence.h"
 #include "tests/bench/cuda/paper_scene.h"
+#include "tests/bench/filled_shapes.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -77,6 +78,9 @@ std::vector<Case> cases()
     return all;
 }
 
+/// The paintings that `fills` makes.
+const QStringList filledCases{"shapes-1000", "shapes-1000-crisp", "disc-8", "disc-100", "coast-100000"};
+
 /// The names of the samples' cases.
 QStringList sampleCases()
 {
@@ -92,6 +96,8 @@ Result<Case> caseOf(const QString &name)
     for (const Case &c : cases())
         if (c.name == name)
             return c;
+    if (filledCases.contains(name))
+        return Case{name, {}, 1024, {}};
     return Error{QStringLiteral("there is no painting %1").arg(name)};
 }
 
@@ -297,6 +303,36 @@ Result<void> againstCpu(const Case &c, const Options &, Report &report)
     return {};
 }
 
+/// Paintings of fills: full renders, the first picture with all that is prepared for it, and frames in which a node of
+/// a shape in the middle is dragged.
+Result<void> fills(const Case &c, const Options &options, Report &report)
+{
+    const std::map<QString, std::function<PaintingPtr()>> paintings{
+        {"shapes-1000", [] { return baseline::shapes(1000, 12, 4); }},
+        {"shapes-1000-crisp", [] { return baseline::shapes(1000, 12, 1e-4); }},
+        {"disc-8", [] { return baseline::disc(8); }},
+        {"disc-100", [] { return baseline::disc(100); }},
+        {"coast-100000", [] { return baseline::coast(100'000, 8); }}};
+    bench::Job job = jobOf(c, paintings.at(c.name)(), Backend::Cuda, options.runs);
+    job.dragSteps = std::max(3 * options.runs, 10);
+    const StrokeId middle = job.painting->strokes[job.painting->strokes.size() / 2]->id;
+    const auto add = [&](const char *name, const Result<bench::Timing> &timing) -> Result<void> {
+        if (!timing)
+            return Error{timing.error()};
+        Result<bench::Row> row = bench::rowFor(job, QLatin1String(name), c.name);
+        if (!row)
+            return Error{row.error()};
+        row->timing = *timing;
+        report.rows.push_back(*row);
+        return {};
+    };
+    if (const Result<void> full = add("full-render", bench::measureFullRender(job)); !full)
+        return full;
+    if (const Result<void> drag = add("drag-node", bench::measureNodeDrag(job, middle)); !drag)
+        return drag;
+    return add("zoom-render", bench::measureZoom(job));
+}
+
 /// Part of the painting's strokes: the reference takes its time.
 Result<void> againstReference(Case c, const Options &options, Report &report)
 {
@@ -469,6 +505,7 @@ std::vector<Group> groups()
     const QStringList withSamples = sampleCases() + all;
     return {{"full", fullRenders, withSamples},
             {"edits", edits, {"figure11f"}},
+            {"fills", fills, filledCases},
             {"live", [](const Case &, const Options &o, Report &r) { return liveStrokes(o, r); }, {"figure11f"}},
             {"cpu", againstCpu, sampleCases() + QStringList{"figure11f", "figure11f-2880", "spread-32-72"}},
             {"repeats", repeats, {"figure11f", "ink-landscape-1024", "still-life-512"}},
@@ -538,7 +575,7 @@ int main(int argc, char *argv[])
     parser.addHelpOption();
     parser.addOptions(
         {{"json", "Prints an object with rows and facts."},
-         {"only", "Groups, with commas between: full, edits, live, cpu, repeats, reference, several.", "GROUPS"},
+         {"only", "Groups, with commas between: full, edits, fills, live, cpu, repeats, reference, several.", "GROUPS"},
          {"paintings", "figure11f, figure11f-2880, spread-32-72, million; samples, as ink-landscape-1024.", "NAMES"},
          {"samples", "The samples' folder.", "FOLDER", samplesFolder()},
          {"runs", "Runs a row.", "N", "101"},

@@ -2,100 +2,17 @@
 // bench_fills [--runs N]
 #include "render/backends.h"
 #include "render/bench/rows.h"
+#include "tests/bench/filled_shapes.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QTextStream>
 
-#include <numbers>
-#include <random>
-
 using namespace suffuse;
+using namespace suffuse::baseline;
 
 namespace {
-
-void addCurve(Stroke &stroke, const std::array<Point, 4> &points, bool start)
-{
-    Segment g;
-    for (std::size_t i = 0; i < 4; ++i)
-        g.bezier[i] = toOffset(points[i], {});
-    g.density = 0;
-    g.start = start && !stroke.segments.empty();
-    if (!start)
-        g.bezier[0] = stroke.segments.back().bezier[3];
-    stroke.segments.push_back(g);
-}
-
-/// A closed outline of curves around a point, whose distance from it changes by a share.
-void addBlob(Stroke &stroke, Point centre, double radius, int segments, double uneven, std::mt19937 &random)
-{
-    std::uniform_real_distribution<double> u(1 - uneven, 1 + uneven);
-    const double angle = 2 * std::numbers::pi / segments, handle = 4.0 / 3 * std::tan(angle / 4);
-    const auto on = [&](double r, double a) { return centre + r * Point{std::cos(a), std::sin(a)}; };
-    double from = radius * u(random);
-    const double first = from;
-    for (int k = 0; k < segments; ++k) {
-        const double to = k + 1 == segments ? first : radius * u(random), a = k * angle, b = a + angle;
-        const Point p = on(from, a), q = on(to, b);
-        addCurve(stroke,
-                 {p, p + handle * from * Point{-std::sin(a), std::cos(a)},
-                  q - handle * to * Point{-std::sin(b), std::cos(b)}, q},
-                 k == 0);
-        from = to;
-    }
-}
-
-Stroke filled(StrokeId id, double spread, StyleKind kind = StyleKind::Uniform)
-{
-    Stroke s;
-    s.id = id;
-    if (kind == StyleKind::Edge)
-        s.style = {kind, {0.36f, 0.40f, 0.5f}};
-    Fill fill;
-    fill.diffusion = float(spread * spread / 4);
-    fill.colour = {float(id % 7) / 7, float(id % 5) / 5, float(id % 3) / 3, 0.8f};
-    s.fill = fill;
-    return s;
-}
-
-PaintingPtr paintingOf(std::vector<Stroke> strokes)
-{
-    auto p = std::make_shared<Painting>();
-    for (Stroke &s : strokes)
-        p->strokes.push_back(std::make_shared<const Stroke>(std::move(s)));
-    return p;
-}
-
-PaintingPtr disc(double spread)
-{
-    std::mt19937 random(1);
-    Stroke s = filled(1, spread);
-    addBlob(s, {512, 384}, 400, 4, 0, random);
-    return paintingOf({s});
-}
-
-PaintingPtr shapes(int count, int segments, double spread)
-{
-    std::mt19937 random(2);
-    std::uniform_real_distribution<double> u(0, 1);
-    std::vector<Stroke> strokes;
-    for (int k = 0; k < count; ++k) {
-        Stroke s = filled(StrokeId(k + 1), spread, k % 3 == 0 ? StyleKind::Edge : StyleKind::Uniform);
-        addBlob(s, {1024 * u(random), 768 * u(random)}, 10 + 20 * u(random), segments, 0.3, random);
-        strokes.push_back(s);
-    }
-    return paintingOf(std::move(strokes));
-}
-
-/// An outline that is as uneven as its segments are long or, if `jagged`, a hundred times as much.
-PaintingPtr coast(int segments, double spread, bool jagged = false)
-{
-    std::mt19937 random(3);
-    Stroke s = filled(1, spread);
-    addBlob(s, {512, 384}, 350, segments, jagged ? 3e-3 : 3e-5, random);
-    return paintingOf({s});
-}
 
 struct Row {
     QString name;

@@ -224,7 +224,7 @@ inline void checkFills(const OpenDevice &open, int randomOnes)
     CudaRenderer cuda({open()}, 0);
     const View view = View::ofArea(Rect::of(0, 0, 64, 48), 64, 48);
     for (const StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
-        for (const double spread : {1e-4, 0.3, 1.5, 5.0, 40.0}) {
+        for (const double spread : {0.0, 0.01, 0.3, 1.5, 5.0, 40.0}) {
             Stroke disc = emptyFill(1, spread, styleOf(kind)),
                    box = emptyFill(2, spread, styleOf(kind), {0.9f, 0.1f, 0.2f, 1});
             addEllipse(disc, {28, 24}, 22, 15);
