@@ -5320,12 +5320,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>hätte mehr als 2 GB; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
-        <translation>%1 (%2); die alte Datei, falls es sie gab, ist unverändert. Bitte Platz schaffen oder einen anderen Ort wählen</translation>
+        <source>cannot be written (%1); choose another place</source>
+        <translation>kann nicht geschrieben werden (%1); bitte einen anderen Ort wählen</translation>
     </message>
     <message>
-        <source>cannot be written</source>
-        <translation>kann nicht geschrieben werden</translation>
+        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
+        <translation>%1 (%2); die alte Datei, falls es sie gab, ist unverändert. Bitte Platz schaffen oder einen anderen Ort wählen</translation>
     </message>
     <message>
         <source>could not be written in full</source>

@@ -5303,12 +5303,12 @@ Arrow keys work too.</source>
         <translation>将超过 2 GB；未写入任何内容</translation>
     </message>
     <message>
-        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
-        <translation>%1（%2）；原有文件（如有）保持不变。请释放空间或选择其他位置</translation>
+        <source>cannot be written (%1); choose another place</source>
+        <translation>无法写入（%1）；请选择其他位置</translation>
     </message>
     <message>
-        <source>cannot be written</source>
-        <translation>无法写入</translation>
+        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
+        <translation>%1（%2）；原有文件（如有）保持不变。请释放空间或选择其他位置</translation>
     </message>
     <message>
         <source>could not be written in full</source>

@@ -10,6 +10,7 @@
 #include "undo/restore_edit.h"
 #include "undo/time_edits.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QScopedValueRollback>
 
@@ -290,8 +291,12 @@ std::vector<QString> Editor::open(OpenedFile file)
         origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, document.leftOut, true, true};
     else if (canBeSavedAs(document.format))
         origin = {file.path, {}, file.path, file.hash, document.leftOut};
-    else
+    else { // A drawing or a recording: the painting of it has its name, and would lie beside it.
+        const QFileInfo drawn(file.path);
+        origin.name = drawn.completeBaseName();
+        origin.suggestedPath = drawn.dir().filePath(origin.name + QStringLiteral(".suffuse"));
         origin.leftOut = document.leftOut;
+    }
     show(std::make_shared<const Painting>(std::move(document.painting)), origin);
     takeUpHistory(history, damaged);
     return std::move(document.losses);

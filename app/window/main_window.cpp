@@ -163,6 +163,12 @@ void MainWindow::addRows()
     m_commands->add(Close, "close", Commands::tr("&Close Window"), "", QKeySequence::keyBindings(QKeySequence::Close))
         .runs([this] { close(); });
     m_commands->add(Quit, "quit", Commands::tr("&Quit"), "", {QKeySequence(Commands::tr("Ctrl+Q"))}).runs([] {
+        // Who is asked about unsaved work and cancels keeps all windows, not only those that come later.
+        QWidgetList windows = QApplication::topLevelWidgets();
+        std::stable_partition(windows.begin(), windows.end(), [](const QWidget *w) { return w->isWindowModified(); });
+        for (QWidget *window : windows)
+            if (window->isWindowModified() && window->isVisible() && !window->close())
+                return;
         QApplication::closeAllWindows();
     });
     action(Quit).setMenuRole(QAction::QuitRole);

@@ -113,7 +113,7 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
                              .arg(what, why));
     };
     if (!file.open(QIODevice::WriteOnly))
-        return failed(FileMessages::tr("cannot be written"));
+        return fileError(path, FileMessages::tr("cannot be written (%1); choose another place").arg(file.errorString()));
     if (!keepOwner(file, path)) {
         file.cancelWriting();
         return fileError(path, FileMessages::tr("belongs to %1, and would not any more; save under another name")

@@ -111,6 +111,17 @@ private slots:
     }
 
     /// The system refuses to write more than a few bytes, as on a full disk, at several places.
+    /// Where no file can be made, room on the disk is not the matter.
+    void otherPlacesAreAdvisedWhereThereCanBeNoFile()
+    {
+        if (!QFileInfo::exists(QStringLiteral("/proc/self")))
+            QSKIP("There is no /proc.");
+        const auto saved = savePainting(Painting(), QStringLiteral("/proc/a.suffuse"));
+        QVERIFY(!saved);
+        QVERIFY2(saved.error().contains("choose another") && !saved.error().contains("space"),
+                 qPrintable(saved.error()));
+    }
+
     void shortWritesLeaveTheOldFile()
     {
         QVERIFY(writeFileAtomically(at("a"), "the old painting"));

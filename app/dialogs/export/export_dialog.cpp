@@ -54,7 +54,7 @@ QString depthTitle(ImageDepth depth)
 } // namespace
 
 ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
-    : ExportingDialog(tr("Export Picture"), parent), m_editor(editor)
+    : ExportingDialog(tr("Export Picture"), QStandardPaths::PicturesLocation, parent), m_editor(editor)
 {
     addFields(*m_grid, shown);
     addWork(QStringLiteral("export"));
@@ -62,7 +62,7 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
     connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::finish);
     const std::optional<ExportSettings> last = exports::last();
-    m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation,
+    m_path->setText(suggestedExportPath(editor, m_place,
                                         last ? endingOf(last->path) : QStringLiteral("png")));
     if (last)
         takeFormat(*last);

@@ -329,11 +329,16 @@ void SizeRow::takeHeight()
     showHeight();
 }
 
+QString exportFolderKey(QStandardPaths::StandardLocation place)
+{
+    return place == QStandardPaths::MoviesLocation ? QStringLiteral("filmFolder") : QStringLiteral("exportFolder");
+}
+
 QString suggestedExportPath(const Editor &editor, QStandardPaths::StandardLocation place, const QString &ending)
 {
     const QFileInfo document(editor.filePath());
     const bool isNew = editor.filePath().isEmpty();
-    QString folder = settings::store().value("exportFolder").toString();
+    QString folder = settings::store().value(exportFolderKey(place)).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = isNew ? QStandardPaths::writableLocation(place) : document.absolutePath();
     if (!QDir(folder).exists())

@@ -123,6 +123,8 @@ private:
     QSpinBox *m_height = nullptr;
 };
 
+/// The setting in which the folder of the last export is kept: of films and of pictures apart.
+QString exportFolderKey(QStandardPaths::StandardLocation place);
 /// Proposes a path: the document's name with this ending, in the folder of the last export, else beside the document,
 /// else in `place`.
 QString suggestedExportPath(const Editor &editor, QStandardPaths::StandardLocation place, const QString &ending);

@@ -1,5 +1,6 @@
 #include "app/dialogs/export/exporting_dialog.h"
 
+#include "app/dialogs/export/export_rows.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
@@ -19,8 +20,8 @@
 
 namespace suffuse {
 
-ExportingDialog::ExportingDialog(const QString &title, QWidget *parent)
-    : QDialog(parent), m_form(new QWidget(this)), m_grid(new QGridLayout(m_form)), m_column(new QVBoxLayout(this))
+ExportingDialog::ExportingDialog(const QString &title, QStandardPaths::StandardLocation place, QWidget *parent)
+    : QDialog(parent), m_place(place), m_form(new QWidget(this)), m_grid(new QGridLayout(m_form)), m_column(new QVBoxLayout(this))
 {
     setWindowTitle(title);
     setMinimumWidth(480);
@@ -121,7 +122,7 @@ void ExportingDialog::finish(bool written, const QString &error)
 {
     setBusy(false);
     if (written) {
-        settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        settings::store().setValue(exportFolderKey(m_place), QFileInfo(m_path->text()).absolutePath());
         remember();
         accept();
     } else if (!error.isEmpty()) {

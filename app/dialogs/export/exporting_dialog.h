@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QDialog>
+#include <QStandardPaths>
 
 class QCheckBox;
 class QFileInfo;
@@ -33,7 +34,8 @@ public:
     void reject() override;
 
 protected:
-    ExportingDialog(const QString &title, QWidget *parent);
+    /// `place` is where people keep such files; a film's frames are many, and no place for pictures.
+    ExportingDialog(const QString &title, QStandardPaths::StandardLocation place, QWidget *parent);
 
     /// Adds a row with a label to the form.
     void addField(int row, const QString &name, QWidget *field, const QString &tip, int columns = 2,
@@ -59,6 +61,7 @@ protected:
     virtual void stop() = 0;
     virtual void remember() {} ///< what was exported is written
 
+    const QStandardPaths::StandardLocation m_place;
     QWidget *const m_form;
     QGridLayout *const m_grid;
     QVBoxLayout *const m_column;

@@ -27,7 +27,7 @@ constexpr int numberWidth = 140;
 } // namespace
 
 TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent)
-    : ExportingDialog(tr("Export Timelapse"), parent), m_editor(editor)
+    : ExportingDialog(tr("Export Timelapse"), QStandardPaths::MoviesLocation, parent), m_editor(editor)
 {
     addFields(*m_grid, shown);
     addWork(QStringLiteral("film"));
@@ -37,7 +37,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
         connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::pathChanged);
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
     connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::finish);
-    m_path->setText(suggestedExportPath(editor, QStandardPaths::MoviesLocation, QStringLiteral("webm")));
+    m_path->setText(suggestedExportPath(editor, m_place, QStringLiteral("webm")));
     begin();
 }
 

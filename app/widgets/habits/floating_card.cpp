@@ -48,7 +48,10 @@ void FloatingCard::openAt(QPoint global, QPoint anchor, QWidget *child)
     show();
     raise();
     window()->setAttribute(Qt::WA_KeyboardFocusChange); // styles show where the keyboard is
-    (child ? child : this)->setFocus(Qt::PopupFocusReason);
+    QWidget *first = child && child->isEnabled() ? child : nullptr;
+    for (QLineEdit *field : findChildren<QLineEdit *>()) // keys must not go on to the canvas below
+        first = !first && child && field->isEnabled() && field->isVisible() ? field : first;
+    (first ? first : this)->setFocus(Qt::PopupFocusReason);
 }
 
 void FloatingCard::close()

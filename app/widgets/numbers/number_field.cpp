@@ -81,12 +81,18 @@ QString NumberField::whyRefused(const QString &text) const
                           : tr("“%1” is not possible here: the unit is %2.").arg(foreign, unit);
 }
 
-/// A number in a sentence. Large ones are grouped there, which is easier to read than an exponent.
+/// A number in a sentence. Large ones are grouped there, and small ones written out, which is easier to read than an
+/// exponent.
 QString NumberField::inWords(double value) const
 {
     const double shown = m_display.toShown(value), size = std::abs(shown);
-    const bool isLarge = size >= 1e6 && size < 1e16;
-    return isLarge ? QLocale().toString(shown, 'f', 0) : m_display.number(value);
+    const bool isLarge = size >= 1e6 && size < 1e16, isSmall = size >= 1e-6 && size < 1e-3;
+    if (!isSmall)
+        return isLarge ? QLocale().toString(shown, 'f', 0) : m_display.number(value);
+    QString text = QLocale().toString(shown, 'f', 9);
+    while (text.endsWith('0'))
+        text.chop(1);
+    return text;
 }
 
 QString NumberField::rangeHint(double value) const

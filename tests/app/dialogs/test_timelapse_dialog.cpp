@@ -1,5 +1,7 @@
 // File ▸ Export Timelapse…: films of every kind, mistakes, and a film that is stopped.
+#include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
+#include "app/session/settings/settings.h"
 #include "app/widgets/look/section.h"
 #include "tests/app/file_dialogs.h"
 #include "tests/app/selecting.h"
@@ -109,6 +111,20 @@ private slots:
         fill(editor);
         TimelapseDialog dialog(editor, Rect::of(0, 0, 80, 60));
         QCOMPARE(dialog.fps()->value(), FilmOptions{}.fps);
+    }
+
+    /// Pictures are not proposed to lie among the frames of a film, nor the other way round.
+    void filmsHaveAFolderOfTheirOwn()
+    {
+        Editor editor;
+        fill(editor);
+        QTemporaryDir films;
+        settings::store().setValue("filmFolder", films.path());
+        TimelapseDialog film(editor, Rect::of(0, 0, 40, 30));
+        ExportDialog picture(editor, Rect::of(0, 0, 40, 30));
+        QVERIFY(film.path()->text().startsWith(films.path()));
+        QVERIFY(!picture.path()->text().startsWith(films.path()));
+        settings::store().remove("filmFolder");
     }
 
     void areasSetTheSize()

@@ -120,7 +120,8 @@ private slots:
         QVERIFY(saved->strokes.empty());
     }
 
-    void droppedRecordingOpensUntitled()
+    /// What no painting can be saved as has no path yet; the painting of it has its name.
+    void droppedRecordingHasItsName()
     {
         QFile csv(path("pen.csv"));
         QVERIFY(csv.open(QIODevice::WriteOnly));
@@ -139,9 +140,11 @@ private slots:
         QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QVERIFY(s.editor().filePath().isEmpty());
+        QCOMPARE(s.editor().displayName(), QString("pen"));
+        QCOMPARE(s.editor().suggestedPath(), path("pen.suffuse"));
     }
 
-    void drawingsOpenUntitled()
+    void drawingsHaveTheirName()
     {
         QFile svg(path("drawing.svg"));
         QVERIFY(svg.open(QIODevice::WriteOnly));
@@ -153,6 +156,9 @@ private slots:
         QCOMPARE(s.painting().canvas.width, 300.0);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QVERIFY(s.editor().filePath().isEmpty());
+        QCOMPARE(s.editor().displayName(), QString("drawing"));
+        QCOMPARE(s.editor().suggestedPath(), path("drawing.suffuse"));
+        QVERIFY(!s.editor().isModified());
         QVERIFY(s.window.statusBar()->currentMessage().contains("left out"));
         s.dry();
         const Point middle = s.canvas().view().toPixels({150, 100});

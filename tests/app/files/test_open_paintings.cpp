@@ -133,6 +133,33 @@ private slots:
         QCOMPARE(c.window.openFile(path("a.suffuse")), &c.window);
     }
 
+    /// Who cancels when asked about one window keeps the others, too, whichever was opened first.
+    void whoCancelsQuittingKeepsAllWindows()
+    {
+        Session a, b, c;
+        for (Session *s : {&a, &c}) {
+            s->paintLine({200, 300}, {700, 300});
+            QVERIFY(s->window.saveTo(path(s == &a ? "a.suffuse" : "c.suffuse")));
+        }
+        b.paintLine({200, 300}, {700, 300});
+        int asked = 0;
+        MessageHooks hooks;
+        hooks.unsaved = [&](const QString &) {
+            ++asked;
+            return SaveAnswer::Cancel;
+        };
+        setMessageHooks(hooks);
+        a.use(Command::Quit);
+        QCOMPARE(asked, 1);
+        for (const Session *s : {&a, &b, &c})
+            QVERIFY(s->window.isVisible());
+        hooks.unsaved = [](const QString &) { return SaveAnswer::Discard; };
+        setMessageHooks(hooks);
+        c.use(Command::Quit);
+        for (const Session *s : {&a, &b, &c})
+            QVERIFY(!s->window.isVisible());
+    }
+
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
     QStringList make(const QStringList &names) const

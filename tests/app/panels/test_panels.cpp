@@ -110,6 +110,14 @@ private slots:
                  qPrintable(panel.hint()->text()));
         type(*panel.segmentSection()->density()->number(), "9e12");
         QVERIFY2(panel.hint()->text().contains("0 to 1,000,000,000,000"), qPrintable(panel.hint()->text()));
+        NumberField field;
+        QString hint;
+        connect(&field, &NumberField::refused, &field, [&](const QString &text) { hint = text; });
+        field.setRange(1e-6, 4);
+        type(field, "0");
+        QVERIFY2(hint.contains("0.000001 to 4"), qPrintable(hint));
+        type(field, "0.0000025");
+        QVERIFY2(hint.isEmpty(), qPrintable(hint));
     }
 
     void headingSaysHowManySegmentsOfAll()
