@@ -8751,7 +8751,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Pie</source>
-        <translation>Torte</translation>
+        <translation>Kreissektor</translation>
     </message>
     <message>
         <source>An arc is closed through the middle; else by a straight line</source>

@@ -250,7 +250,7 @@ void MainWindow::changeSettings()
         return;
     m_canvas->setPenSettings(settings::penSettings());
     if (dialog.needsOtherWindows())
-        rebuildWindowsSoon(); // this is an action of one of them
+        rebuildWindowsSoon(*this); // this is an action of one of them
 }
 
 void MainWindow::updateTitle()

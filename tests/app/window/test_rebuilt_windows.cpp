@@ -131,6 +131,46 @@ private slots:
         delete onlyWindow();
     }
 
+    /// Whoever changes the language goes on in the window in which it was done.
+    void theWindowInFrontStaysThere()
+    {
+        const auto names = [] {
+            QStringList titles;
+            for (QWidget *widget : QApplication::topLevelWidgets())
+                if (auto *window = qobject_cast<MainWindow *>(widget); window && window->isVisible())
+                    titles << window->editor().document().painting()->strokes.front()->name;
+            return titles;
+        };
+        for (const char *name : {"a", "b", "c"}) {
+            auto *window = new MainWindow;
+            window->setAttribute(Qt::WA_DeleteOnClose);
+            window->show();
+            const StrokeId id = addWave(*window, 200)->id;
+            window->editor().push(
+                changeStrokes(window->editor().document(), {id}, [&](Stroke &s) { s.name = name; }), "name");
+        }
+        for (const char *name : {"b", "a", "c"}) {
+            MainWindow *front = nullptr;
+            for (QWidget *widget : QApplication::topLevelWidgets())
+                if (auto *window = qobject_cast<MainWindow *>(widget);
+                    window && window->isVisible() &&
+                    window->editor().document().painting()->strokes.front()->name == name)
+                    front = window;
+            QVERIFY(front);
+            settings::setLanguage(QString(name) == "a" ? "en" : "de");
+            rebuildWindowsSoon(*front);
+            QTRY_VERIFY([&] {
+                const auto *active = qobject_cast<MainWindow *>(QApplication::activeWindow());
+                return active && active != front &&
+                       active->editor().document().painting()->strokes.front()->name == name;
+            }());
+            QCOMPARE(names().size(), 3);
+        }
+        for (QWidget *widget : QApplication::topLevelWidgets())
+            if (auto *window = qobject_cast<MainWindow *>(widget))
+                delete window;
+    }
+
     void threadsChangeAtOnce()
     {
         int threads = -1;
