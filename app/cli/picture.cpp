@@ -43,7 +43,10 @@ const std::atomic<bool> &interrupted()
 {
     static const bool installed = [] {
         for (int signal : {SIGINT, SIGTERM})
-            std::signal(signal, [](int) { stop = true; });
+            std::signal(signal, [](int which) {
+                stop = true;
+                std::signal(which, SIG_DFL); // who cannot wait until it is noticed asks again
+            });
         return true;
     }();
     (void)installed;
