@@ -1,5 +1,5 @@
 // What fills cost: whole pictures, pictures whose fills are prepared anew, and the drag of a node, by all threads.
-// bench_fills [--runs N]
+// bench_fills [--runs N] [--only TEXT]
 #include "render/backends.h"
 #include "render/bench/rows.h"
 #include "tests/bench/filled_shapes.h"
@@ -14,6 +14,13 @@ using namespace suffuse::baseline;
 
 namespace {
 
+/// What the names of the paintings that are measured contain.
+QString &only()
+{
+    static QString text;
+    return text;
+}
+
 struct Row {
     QString name;
     PaintingPtr painting;
@@ -22,6 +29,8 @@ struct Row {
 
 void measure(QTextStream &out, const Row &row, int runs)
 {
+    if (!row.name.contains(only()))
+        return;
     const Rect sheet = Rect::of(0, 0, 1024, 768);
     const View view = View::ofArea(sheet, 1024, 768);
     Picture8 picture;
@@ -61,7 +70,9 @@ int main(int argc, char **argv)
     const QCoreApplication app(argc, argv);
     QCommandLineParser parser;
     parser.addOption({"runs", "Runs of each (default 15).", "N", "15"});
+    parser.addOption({"only", "Paintings whose names contain this.", "TEXT"});
     parser.process(app);
+    only() = parser.value("only");
     const int runs = std::max(1, parser.value("runs").toInt());
     QTextStream out(stdout);
     out << "1024 × 768, medians of " << runs << " runs, ms; of the drag the first frame of each\n"
