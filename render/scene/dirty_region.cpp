@@ -169,23 +169,33 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
            a.stroke->origin == b.stroke->origin && sameKinds() && sameFillValues(a.fill.get(), b.fill.get());
 }
 
-/// What lies inside at a point, as 0 or 1.
-int enteredIn(const SceneFill &fill, Point at)
-{
-    int entered = 0;
-    for (std::size_t run = 0; run < fill.arcRuns.size(); ++run) {
-        const Rect &box = fill.arcRuns[run];
-        const std::size_t first = run * fillRun, count = std::min(fillRun, fill.arcs.size() - first);
-        if (box.top <= at.y && at.y <= box.bottom && box.left <= at.x)
-            for (std::size_t i = 0; i < count; ++i) {
-                const RisingArc &arc = fill.arcs[first + i].arc;
-                if (arc.top() <= at.y && at.y < arc.bottom() && arc.left() < at.x &&
-                    (arc.right() < at.x || arc.xAt(at.y) < at.x))
-                    entered += fill.arcs[first + i].enters;
-            }
+/// Tells along a level line what lies inside, for places that follow each other.
+class LevelLine {
+public:
+    LevelLine(const SceneFill &fill, double y)
+    {
+        for (std::size_t run = 0; run < fill.arcRuns.size(); ++run) {
+            const Rect &box = fill.arcRuns[run];
+            const std::size_t first = run * fillRun, count = std::min(fillRun, fill.arcs.size() - first);
+            if (box.top <= y && y <= box.bottom)
+                for (std::size_t i = first; i < first + count; ++i)
+                    if (const RisingArc &arc = fill.arcs[i].arc; arc.top() <= y && y < arc.bottom())
+                        m_crossings.emplace_back(arc.xAt(y), fill.arcs[i].enters);
+        }
+        std::sort(m_crossings.begin(), m_crossings.end());
     }
-    return entered;
-}
+    int enteredAt(double x)
+    {
+        for (; m_next < m_crossings.size() && m_crossings[m_next].first < x; ++m_next)
+            m_entered += m_crossings[m_next].second;
+        return m_entered;
+    }
+
+private:
+    std::vector<std::pair<double, int>> m_crossings;
+    std::size_t m_next = 0;
+    int m_entered = 0;
+};
 
 /// Marks where the boundary of a fill differs, and what lies inside now and did not before.
 void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &region)
@@ -230,15 +240,21 @@ void markFill(const SceneFill &before, const SceneFill &after, DirtyRegion &regi
     region.mark(ranges);
     for (const PixelRect &bounds : {before.bounds, after.bounds}) {
         const TileRange tiles = region.tilesOf(bounds);
-        for (int row = tiles.top; row < tiles.bottom; ++row)
+        for (int row = tiles.top; row < tiles.bottom; ++row) {
+            bool all = true;
+            for (int column = tiles.left; column < tiles.right; ++column)
+                all = all && region.isDirty(column, row);
+            if (all)
+                continue;
+            const PixelRect first = region.tile(tiles.left, row);
+            LevelLine was(before, first.y + 0.5 * first.height), is(after, first.y + 0.5 * first.height);
             for (int column = tiles.left; column < tiles.right; ++column) {
-                if (region.isDirty(column, row))
-                    continue;
                 const PixelRect tile = region.tile(column, row);
-                const Point middle{tile.x + 0.5 * tile.width, tile.y + 0.5 * tile.height};
-                if (enteredIn(before, middle) != enteredIn(after, middle))
+                const double middle = tile.x + 0.5 * tile.width;
+                if (was.enteredAt(middle) != is.enteredAt(middle))
                     region.mark(TileRange{column, row, column + 1, row + 1});
             }
+        }
     }
 }
 
