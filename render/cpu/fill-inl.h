@@ -15,24 +15,28 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-/// ½erfc(−u), with a relative error of 1.2e-7 for u < 0: Chebyshev's fit of ln(erfc·e^(u²)/t), t = 1/(1 + |u|/2).
-HWY_INLINE Lanes halfErfc(Lanes u)
+/// ½erfc(−u) with a relative error of 4e-7 for u < 0, by a fit in powers of 1/(1 + 0.36 |u|). `gaussian` is e^(−u²).
+HWY_INLINE Lanes halfErfc(Lanes u, Lanes gaussian)
 {
-    const Lanes size = abs_(u), t = reciprocal_(mulAdd_(Lanes(0.5), size, Lanes(1)));
-    Lanes p(0.17087277);
-    for (const double c :
-         {-0.82215223, 1.48851587, -1.13520398, 0.27886807, -0.18628806, 0.09678418, 0.37409196, 1.00002368, -1.26551223})
+    const Lanes t = reciprocal_(mulAdd_(Lanes(0.36), abs_(u), Lanes(1)));
+    Lanes p(-0.083145597);
+    for (const double c : {0.28835637, -0.18964859, 0.22575925, 0.047871786, 0.10986609, 0.10094082})
         p = mulAdd_(p, t, Lanes(c));
-    const Lanes tail = Lanes(0.5) * t * exp2Down(Lanes(log2e) * (p - size * size));
+    const Lanes tail = p * t * gaussian;
     return select_(less_(u, Lanes(0)), tail, Lanes(1) - tail);
+}
+
+HWY_INLINE Lanes gaussianOf(Lanes u)
+{
+    return exp2Down(Lanes(-log2e) * (u * u));
 }
 
 /// Places of nodes that are in the cache at once.
 struct alignas(64) FillTables {
-    float entered[chunk][2 * cellSide]; // ½erfc(−u) of each column, twice
+    float entered[chunk][2 * cellSide]; // ½erfc(−u) of each column; of vectors of 16 lanes twice
     float across[chunk][2 * cellSide];  // e^(−u²)
-    float row[chunk][cellSide];         // weight · e^(−v²)
-    float fall[chunk][cellSide];        // its slope by v
+    float row[chunk + 2][cellSide];     // weight · e^(−v²)
+    float fall[chunk + 2][cellSide];    // its slope by v
 };
 
 /// A row's number for each sample of a vector that begins at sample `at` of a cell.
@@ -48,7 +52,7 @@ HWY_INLINE Lanes ofRow(const float *rows, int at)
 HWY_INLINE void fillRows(const float *offsets, float c, float y, float weight, float *row, float *fall)
 {
     for (int i = 0; i < cellSide; i += std::min(int(hn::Lanes(tag)), cellSide)) {
-        const Lanes v = Lanes(c) * (load(offsets + i) - Lanes(y)), e = Lanes(weight) * exp2Down(Lanes(-log2e) * (v * v));
+        const Lanes v = Lanes(c) * (load(offsets + i) - Lanes(y)), e = Lanes(weight) * gaussianOf(v);
         alignas(64) float values[2][boxRun];
         store(e, values[0]);
         store(Lanes(-2) * v * e, values[1]);
@@ -66,13 +70,73 @@ HWY_INLINE void fillBase(const FillCell &cell, const float *offsets, float *insi
         for (int i = 0; i < cellSide; i += std::min(int(hn::Lanes(tag)), cellSide)) {
             const Lanes v = Lanes(cell.c) * (load(offsets + i) - Lanes(cell.eventY[k]));
             alignas(64) float values[2][boxRun];
-            store(Lanes(cell.eventJump[k]) * halfErfc(v), values[0]);
-            store(Lanes(cell.eventJump[k] * 0.56418958f) * exp2Down(Lanes(-log2e) * (v * v)), values[1]);
+            const Lanes e = gaussianOf(v);
+            store(Lanes(cell.eventJump[k]) * halfErfc(v, e), values[0]);
+            store(Lanes(cell.eventJump[k] * 0.56418958f) * e, values[1]);
             for (int j = 0; j < std::min(int(hn::Lanes(tag)), cellSide); ++j) {
                 inside[i + j] += values[0][j];
                 slope[i + j] += values[1][j];
             }
         }
+}
+
+/// Fills tables of nodes [first, first + n) for vectors of 16 lanes: those of two nodes at once. Behind an odd number
+/// there is a node of weight 0.
+HWY_INLINE void fillPairs(const FillCell &cell, const float *offsets, int first, int n, FillTables &t)
+{
+    alignas(64) static constexpr std::int32_t low[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+    alignas(64) static constexpr std::int32_t high[16] = {8, 9, 10, 11, 12, 13, 14, 15, 8, 9, 10, 11, 12, 13, 14, 15};
+    const auto lower = hn::SetTableIndices(tag, low), upper = hn::SetTableIndices(tag, high);
+    const Mask isFirst = hn::FirstN(tag, cellSide);
+    const Lanes offset = load(offsets);
+    for (int k = 0; k < n; k += 2) {
+        const int one = first + k, other = k + 1 < n ? one + 1 : one;
+        const auto both = [&](const float *values) {
+            return Lanes(hn::IfThenElse(isFirst, Lanes(values[one]).v, Lanes(values[other]).v));
+        };
+        const Lanes u = Lanes(cell.a) * (offset - both(cell.x)), v = Lanes(cell.c) * (offset - both(cell.y));
+        const Lanes across = gaussianOf(u), entered = halfErfc(u, across);
+        store(Lanes(hn::TableLookupLanes(entered.v, lower)), t.entered[k]);
+        store(Lanes(hn::TableLookupLanes(across.v, lower)), t.across[k]);
+        const float weight = k + 1 < n ? cell.weight[other] : 0.0f;
+        const Lanes row = Lanes(hn::IfThenElse(isFirst, Lanes(cell.weight[one]).v, Lanes(weight).v)) * gaussianOf(v);
+        store(row, t.row[k]);
+        store(Lanes(-2) * v * row, t.fall[k]);
+        if (k + 1 < n) {
+            store(Lanes(hn::TableLookupLanes(entered.v, upper)), t.entered[k + 1]);
+            store(Lanes(hn::TableLookupLanes(across.v, upper)), t.across[k + 1]);
+        }
+    }
+}
+
+/// Adds nodes whose tables fillPairs has filled. Sums of all rows stay in registers.
+HWY_INLINE void addPairs(const FillTables &t, int n, FillCellSums &out)
+{
+    constexpr int vectors = cellSize / (2 * cellSide);
+    Lanes density[vectors], along[vectors], down[vectors];
+    for (int m = 0; m < vectors; ++m) {
+        density[m] = load(out.density + m * 2 * cellSide);
+        along[m] = load(out.slopeX + m * 2 * cellSide);
+        down[m] = load(out.slopeY + m * 2 * cellSide);
+    }
+    const Mask isFirst = hn::FirstN(tag, cellSide);
+    for (int k = 0; k < n; ++k) {
+        const Lanes entered = load(t.entered[k]), across = load(t.across[k]);
+        for (int m = 0; m < vectors; ++m) {
+            const auto two = [&](const float *rows) {
+                return Lanes(hn::IfThenElse(isFirst, Lanes(rows[2 * m]).v, Lanes(rows[2 * m + 1]).v));
+            };
+            const Lanes row = two(t.row[k]), fall = two(t.fall[k]);
+            density[m] = mulAdd_(entered, row, density[m]);
+            along[m] = mulAdd_(across, row, along[m]);
+            down[m] = mulAdd_(entered, fall, down[m]);
+        }
+    }
+    for (int m = 0; m < vectors; ++m) {
+        store(density[m], out.density + m * 2 * cellSide);
+        store(along[m], out.slopeX + m * 2 * cellSide);
+        store(down[m], out.slopeY + m * 2 * cellSide);
+    }
 }
 
 void fillCell(const FillCell &cell, FillCellSums &out)
@@ -91,13 +155,18 @@ void fillCell(const FillCell &cell, FillCellSums &out)
     FillTables t;
     for (int first = 0; first < cell.nodes; first += chunk) {
         const int n = std::min(chunk, cell.nodes - first);
+        if (cell.b == 0 && lanes == 2 * cellSide) {
+            fillPairs(cell, offsets, first, n, t);
+            addPairs(t, n, out);
+            continue;
+        }
         for (int k = 0; k < n; ++k) {
             const float x = cell.x[first + k], y = cell.y[first + k];
             fillRows(offsets, cell.c, y, cell.weight[first + k], t.row[k], t.fall[k]);
-            for (int i = 0; i < 2 * cellSide && cell.b == 0; i += lanes) {
-                const Lanes u = Lanes(cell.a) * (load(offsets + i) - Lanes(x));
-                store(halfErfc(u), t.entered[k] + i);
-                store(exp2Down(Lanes(-log2e) * (u * u)), t.across[k] + i);
+            for (int i = 0; i < cellSide && cell.b == 0; i += lanes) {
+                const Lanes u = Lanes(cell.a) * (load(offsets + i) - Lanes(x)), across = gaussianOf(u);
+                store(halfErfc(u, across), t.entered[k] + i);
+                store(across, t.across[k] + i);
             }
         }
         for (int at = 0; at < cellSize; at += lanes) {
@@ -112,8 +181,8 @@ void fillCell(const FillCell &cell, FillCellSums &out)
                 } else {
                     const Lanes u = Lanes(cell.a) * (column - Lanes(cell.x[first + k])) +
                                     Lanes(cell.b) * (line - Lanes(cell.y[first + k]));
-                    entered = halfErfc(u);
-                    across = exp2Down(Lanes(-log2e) * (u * u));
+                    across = gaussianOf(u);
+                    entered = halfErfc(u, across);
                 }
                 density = mulAdd_(entered, row, density);
                 along = mulAdd_(across, row, along);

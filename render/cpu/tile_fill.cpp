@@ -39,9 +39,17 @@ struct Swept {
 void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
 {
     m_fill = &fill;
+    m_tile = tile;
+    m_columns = tile.width / blockSide + 1;
+    m_lists.resize(std::max(m_lists.size(), std::size_t(m_columns) * std::size_t(tile.height / blockSide + 1)));
+    for (BlockList &list : m_lists)
+        list.isMade = false;
     m_panels.clear();
     m_flats.clear();
     m_arcs.clear();
+    m_ends.clear();
+    m_lefts.clear();
+    m_leftAt.clear();
     m_levelCount = 0;
     const double more = std::max({0.0, fill.nearby}) + 1;
     const Rect pixels = Rect::of(tile.x, tile.y, tile.width + blockSide, tile.height + blockSide);
@@ -54,6 +62,10 @@ void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
     for (const BoundaryFlat &flat : fill.flats)
         if (meetsFlat(counted, flat))
             m_flats.push_back(&flat);
+    if (!fill.crisp && !fill.deep) {
+        collectEnds(counted);
+        return;
+    }
     for (std::size_t run = 0; run < fill.arcRuns.size(); ++run) {
         const Rect &box = fill.arcRuns[run];
         if (box.bottom < counted.top || box.top > counted.bottom || box.left > counted.right)
@@ -64,6 +76,107 @@ void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
                 m_arcs.push_back(fill.arcs[i]);
         }
     }
+}
+
+void TileFill::collectEnds(const Rect &counted)
+{
+    const SceneFill &fill = *m_fill;
+    for (std::size_t run = 0; run < fill.panelRuns.size(); ++run) {
+        const Rect &box = fill.panelRuns[run];
+        if (box.bottom <= counted.top || box.top > counted.bottom || box.left > counted.right)
+            continue;
+        for (std::size_t i = run * fillRun; i < std::min((run + 1) * fillRun, fill.panels.size()); ++i) {
+            const FillPanel &panel = fill.panels[i];
+            if (panel.box.bottom <= counted.top || panel.box.top > counted.bottom || panel.box.left > counted.right)
+                continue;
+            const auto &p = panel.part.arc.curve.p;
+            if (panel.box.right < counted.left)
+                m_lefts.push_back({p[0].y, p[3].y, panel.part.enters});
+            else
+                m_ends.push_back({p[0].x, p[0].y, p[3].x, p[3].y, panel.part.enters, panel.begin, panel.end});
+        }
+    }
+    for (const FillLeft &left : fill.lefts)
+        if (left.bottom > counted.top && left.top <= counted.bottom)
+            m_lefts.push_back(left);
+}
+
+int TileFill::leftOfTile(double y)
+{
+    for (const auto &[height, entered] : m_leftAt)
+        if (height == y)
+            return entered;
+    int entered = 0;
+    for (const FillLeft &left : m_lefts)
+        entered += left.top <= y && y < left.bottom ? left.enters : 0;
+    constexpr std::size_t most = 64;
+    if (m_leftAt.size() == most)
+        m_leftAt.clear();
+    m_leftAt.emplace_back(y, entered);
+    return entered;
+}
+
+const TileFill::BlockList &TileFill::listAt(double x, double y)
+{
+    const int column = int(x - m_tile.x) / blockSide, row = int(y - m_tile.y) / blockSide;
+    BlockList &list = m_lists[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
+    if (list.isMade)
+        return list;
+    list.isMade = true;
+    list.panels.clear(), list.flats.clear();
+    const Rect region = grownBy(
+        Rect::of(m_tile.x + column * blockSide, m_tile.y + row * blockSide, blockSide, blockSide), m_fill->reach);
+    for (const Ends &ends : m_ends)
+        if (ends.y1 > region.top && ends.y0 <= region.bottom && std::min(ends.x0, ends.x1) <= region.right)
+            list.panels.push_back(ends);
+    for (const BoundaryFlat *flat : m_flats)
+        if (flat->y > region.top && flat->y <= region.bottom && flat->left <= region.right)
+            list.flats.push_back(flat);
+    return list;
+}
+
+TileFill::Region TileFill::look(const BlockList &list, const Rect &region, bool collect, Point centre)
+{
+    Region found;
+    found.base = leftOfTile(region.top);
+    const auto event = [&](double y, int jump) {
+        m_eventY.push_back(float(y - centre.y));
+        m_eventJump.push_back(float(jump));
+    };
+    for (const Ends &p : list.panels) {
+        if (p.y1 <= region.top || p.y0 > region.bottom || std::min(p.x0, p.x1) > region.right)
+            continue;
+        if (std::max(p.x0, p.x1) < region.left) {
+            found.base += p.y0 <= region.top ? p.enters : 0;
+            continue;
+        }
+        found.isMet = true;
+        if (!collect)
+            continue;
+        if (p.x0 < region.left && p.y0 > region.top)
+            event(p.y0, -p.enters);
+        else if (p.x1 < region.left)
+            event(p.y1, p.enters);
+        const std::size_t most = m_nodeCount + (p.endNode - p.firstNode);
+        if (most > m_x.size())
+            m_x.resize(2 * most), m_y.resize(2 * most), m_weight.resize(2 * most);
+        for (std::uint32_t k = p.firstNode; k < p.endNode; ++k) {
+            const FillNode &node = m_fill->nodes[k];
+            m_x[m_nodeCount] = float(node.x - centre.x);
+            m_y[m_nodeCount] = float(node.y - centre.y);
+            m_weight[m_nodeCount] = float(node.weight);
+            // Beyond the region it would add nothing. Left of it, it belongs to its panel.
+            m_nodeCount += (node.y >= region.top) & (node.y <= region.bottom) & (node.x <= region.right);
+        }
+    }
+    for (const BoundaryFlat *flat : list.flats) {
+        if (flat->y <= region.top || flat->y > region.bottom || flat->left > region.right || flat->right < region.left)
+            continue;
+        found.isMet = true;
+        if (collect && flat->left < region.left)
+            event(flat->y, flat->jump);
+    }
+    return found;
 }
 
 bool TileFill::meets(const Cubic &curve, const Rect &square, int depth)
@@ -120,12 +233,18 @@ const TileFill::Near &TileFill::near(const Rect &counted)
     return m_near;
 }
 
-FillPresence TileFill::presence(const Rect &area)
+FillPresence TileFill::presence(int x, int y)
 {
-    const Rect counted = grownBy(area, m_fill->reach);
-    if (!near(counted).isEmpty() || m_fill->deep)
+    if (m_fill->deep)
         return FillPresence::Outline;
-    return entered(area.centre()) ? FillPresence::Inside : FillPresence::Nothing;
+    const Rect area = Rect::of(x, y, blockSide, blockSide);
+    if (m_fill->crisp) {
+        if (!near(area).isEmpty())
+            return FillPresence::Outline;
+        return entered(area.centre()) ? FillPresence::Inside : FillPresence::Nothing;
+    }
+    const Region found = look(listAt(x, y), grownBy(area, m_fill->reach), false);
+    return found.isMet ? FillPresence::Outline : found.base ? FillPresence::Inside : FillPresence::Nothing;
 }
 
 float TileFill::placeAt(double x, double y, double inverse, double slopeX, double slopeY) const
@@ -179,39 +298,22 @@ void TileFill::addConstant(const Block &block, int i0, int j0, int channels, Sum
 void TileFill::addTo(const Kernels &kernels, const Block &block, int channels, Sums &sums)
 {
     const double side = cellSide * block.step;
+    const BlockList &list = listAt(block.x, block.y);
     for (int j0 = 0; j0 < blockSide; j0 += cellSide)
         for (int i0 = 0; i0 < blockSide; i0 += cellSide) {
             const double x = block.x + i0 * block.step, y = block.y + j0 * block.step;
-            const Rect counted = grownBy(Rect::of(x, y, side, side), m_fill->reach);
-            const Near &near = this->near(counted);
-            const int inside = entered({counted.left, counted.top});
-            if (near.isEmpty()) {
-                if (inside)
+            const Rect region = grownBy(Rect::of(x, y, side, side), m_fill->reach);
+            const Point centre{x + 0.5 * side, y + 0.5 * side};
+            m_nodeCount = 0, m_eventY.clear(), m_eventJump.clear();
+            const Region found = look(list, region, true, centre);
+            if (!found.isMet) {
+                if (found.base)
                     addConstant(block, i0, j0, channels, sums);
                 continue;
             }
-            m_events.clear();
-            m_nodes.clear();
-            collectFill(*m_fill, near.panels.data(), near.panels.size(), counted.left, counted.top, counted.bottom,
-                        m_events, m_nodes);
-            for (const BoundaryFlat *flat : near.flats)
-                if (flat->y > counted.top && flat->left < counted.left && counted.left <= flat->right)
-                    m_events.push_back({flat->y, flat->jump});
-            const Point centre{x + 0.5 * side, y + 0.5 * side};
-            m_x.resize(m_nodes.size()), m_y.resize(m_nodes.size()), m_weight.resize(m_nodes.size());
-            for (std::size_t k = 0; k < m_nodes.size(); ++k) {
-                m_x[k] = float(m_nodes[k].x - centre.x);
-                m_y[k] = float(m_nodes[k].y - centre.y);
-                m_weight[k] = float(m_nodes[k].weight);
-            }
-            m_eventY.resize(m_events.size()), m_eventJump.resize(m_events.size());
-            for (std::size_t k = 0; k < m_events.size(); ++k) {
-                m_eventY[k] = float(m_events[k].y - centre.y);
-                m_eventJump[k] = float(m_events[k].jump);
-            }
-            const FillCell cell{float(m_fill->a), float(m_fill->b), float(m_fill->c),   float(block.step),
-                                float(inside),    m_eventY.data(),  m_eventJump.data(), int(m_events.size()),
-                                m_x.data(),       m_y.data(),       m_weight.data(),    int(m_nodes.size())};
+            const FillCell cell{float(m_fill->a),  float(m_fill->b), float(m_fill->c),   float(block.step),
+                                float(found.base), m_eventY.data(),  m_eventJump.data(), int(m_eventY.size()),
+                                m_x.data(),        m_y.data(),       m_weight.data(),    int(m_nodeCount)};
             FillCellSums own;
             kernels.fillCell(cell, own);
             addCell(block, i0, j0, channels, own, sums);

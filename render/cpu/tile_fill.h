@@ -11,14 +11,19 @@ enum class FillPresence : std::uint8_t { Nothing, Inside, Outline };
 
 /// The panels of a fill that count in a tile, and what is computed from them in its cells. Each cell takes what counts
 /// there, whatever the tile, so its bits do not depend on the tile.
+///
+/// What counts in a cell is decided by the ends of panels alone, with the cell grown by the reach as the region. A
+/// level line is crossed by panels left of the region, and by those that meet it, which are summed up by their nodes.
+/// The first are counted on the region's upper border. Further down their number changes only where a summed panel ends
+/// left of the region, since there its neighbour goes on (docs/solver.md, "Fills").
 class TileFill {
 public:
     /// Begins a tile. It keeps its memory.
     void begin(const SceneFill &fill, const PixelRect &tile);
 
     const SceneFill &fill() const { return *m_fill; }
-    /// In a rectangle of the tile, as far as the density goes.
-    FillPresence presence(const Rect &area);
+    /// In a block of the tile whose corner lies at a pixel, as far as the density goes.
+    FillPresence presence(int x, int y);
 
     /// Adds the fill to the sums at a block of the tile, which may have smaller samples than pixels. Neither deep nor
     /// crisp.
@@ -58,6 +63,33 @@ private:
         bool isEmpty() const { return panels.empty() && flats.empty(); }
     };
 
+    /// A panel by its ends, the upper one first.
+    struct Ends {
+        double x0, y0, x1, y1;
+        int enters;
+        std::uint32_t firstNode, endNode;
+    };
+    /// What may count in a block.
+    struct BlockList {
+        std::vector<Ends> panels;
+        std::vector<const BoundaryFlat *> flats;
+        bool isMade = false;
+    };
+    /// What panels and flats are in a region.
+    struct Region {
+        int base = 0; ///< how often the area is entered left of it at its upper border, by what does not meet it
+        bool isMet = false;
+    };
+
+    /// Collects the ends of panels that may count in the tile.
+    void collectEnds(const Rect &counted);
+    /// The list of the block in which a place lies.
+    const BlockList &listAt(double x, double y);
+    /// How often the area is entered left of what counts in the tile.
+    int leftOfTile(double y);
+    /// Looks at what counts in a region. If `collect`, nodes and events are collected, relative to a centre.
+    Region look(const BlockList &list, const Rect &region, bool collect, Point centre = {});
+
     /// Whether a monotone curve meets a rectangle, to a hundredth of a pixel.
     static bool meets(const Cubic &curve, const Rect &square, int depth = 0);
     int entered(Point at);
@@ -68,6 +100,12 @@ private:
     float placeAt(double x, double y, double inverse, double slopeX, double slopeY) const;
 
     const SceneFill *m_fill = nullptr;
+    PixelRect m_tile;
+    int m_columns = 0; ///< of blocks
+    std::vector<BlockList> m_lists;
+    std::vector<Ends> m_ends; ///< of panels that meet the tile's region
+    std::vector<FillLeft> m_lefts;
+    std::vector<std::pair<double, int>> m_leftAt; ///< what leftOfTile has found for some heights
     std::vector<const FillPanel *> m_panels;
     std::vector<const BoundaryFlat *> m_flats;
     std::vector<BoundaryArc> m_arcs;
@@ -79,8 +117,7 @@ private:
     };
     std::vector<Level> m_levels;
     std::size_t m_levelCount = 0;
-    std::vector<FillEvent> m_events;
-    std::vector<FillNode> m_nodes;
+    std::size_t m_nodeCount = 0; ///< of m_x, m_y and m_weight
     std::vector<float> m_x, m_y, m_weight, m_eventY, m_eventJump;
 };
 

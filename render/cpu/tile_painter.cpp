@@ -115,7 +115,11 @@ private:
     /// Adds a fill that is neither crisp nor deep to the sums.
     void addFill(const SceneStroke &scene, const Block &block)
     {
-        if (m_fill && !scene.fill->crisp && !scene.fill->deep)
+        if (!m_fill || scene.fill->crisp || scene.fill->deep)
+            return;
+        if (m_fill.presence == FillPresence::Inside)
+            m_fill.tile->addInside(block, scene.channels, m_s.sums);
+        else
             m_fill.tile->addTo(*m_frame.kernels, block, scene.channels, m_s.sums);
     }
 

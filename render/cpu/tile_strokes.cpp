@@ -76,8 +76,7 @@ bool TileStrokes::findFill(const SceneStroke &stroke, Entry &entry)
     bool any = false;
     for (std::size_t i = 0; i < blockCount(); ++i) {
         const int column = int(i) % m_grid.columns, row = int(i) / m_grid.columns;
-        entry.presence[i] = fill.presence(Rect::of(m_tile.x + column * blockSide, m_tile.y + row * blockSide,
-                                                   blockSide, blockSide));
+        entry.presence[i] = fill.presence(m_tile.x + column * blockSide, m_tile.y + row * blockSide);
         any |= entry.presence[i] != FillPresence::Nothing;
     }
     if (any)

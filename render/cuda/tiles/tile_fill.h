@@ -16,7 +16,14 @@ SUFFUSE_PROGRAM bool listFill(Warp &warp, const Fetched &chunk, int records, con
     const FillRegion region = fillRegion(fill, cellX, cellY, block.x, block.y, block.step);
     typename Warp::template Var<std::uint32_t> use;
     const std::uint32_t hits = warp.ballot([&](int lane) {
-        use[lane] = lane < records ? useOf(endsOf(fillRecordOf(chunk, lane)), region) : 0;
+        const FillRecord r = fillRecordOf(chunk, lane);
+        use[lane] = lane < records ? useOf(endsOf(r), region) : 0;
+        // A place beyond the region would add nothing. Left of it, it belongs to its panel.
+        const std::int32_t cell = tileSide * fillUnits;
+        const std::int32_t x = r.cellX * cell + std::int32_t(r.x * float(fillUnits));
+        const std::int32_t y = r.cellY * cell + std::int32_t(r.y * float(fillUnits));
+        if (x > region.right || y < region.top || y > region.bottom)
+            use[lane] &= ~std::uint32_t(listedFill);
         return (use[lane] & listedFill) != 0;
     });
     const std::uint32_t events = warp.ballot([&](int lane) { return (use[lane] & fillEvent) != 0; });
