@@ -3151,6 +3151,14 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
         <source>Change swatch</source>
         <translation>Farbfeld ändern</translation>
     </message>
+    <message>
+        <source>Colour of the fill</source>
+        <translation>Farbe der Füllung</translation>
+    </message>
+    <message>
+        <source>Colours of the fill</source>
+        <translation>Farben der Füllung</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourWheel</name>
@@ -6276,6 +6284,10 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n Strich</numerusform>
             <numerusform>%n Strichen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A fill is cut only where the line goes all the way through it.</source>
+        <translation>Eine Füllung wird nur geschnitten, wo die Linie ganz durch sie hindurchgeht.</translation>
     </message>
 </context>
 <context>

@@ -3135,6 +3135,14 @@ Shift: all change as the shown one does, and keep their differences.</source>
         <source>Change swatch</source>
         <translation>更改色板</translation>
     </message>
+    <message>
+        <source>Colour of the fill</source>
+        <translation>填充的颜色</translation>
+    </message>
+    <message>
+        <source>Colours of the fill</source>
+        <translation>填充的颜色</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourWheel</name>
@@ -6234,6 +6242,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%n 条笔画</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A fill is cut only where the line goes all the way through it.</source>
+        <translation>只有当线完全穿过填充时，填充才会被切开。</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,10 @@
 #include "undo/node_edits.h"
 
 #include "model/painting/validate.h"
+#include "model/shaping/chain_strokes.h"
 #include "model/shaping/coarse_nodes.h"
 #include "model/shaping/erase.h"
+#include "model/shaping/fill_cut.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 
@@ -123,6 +125,17 @@ Edit splitSegments(const Document &document, const PlacesOfStrokes &places, Spli
     if (!edit.isEmpty())
         setSelection(edit, document, std::move(selection));
     return edit;
+}
+
+/// The strokes that the chains of a cut stroke make. `sources` goes along with its segments.
+std::vector<Stroke> apart(const Stroke &cut, std::vector<int> &sources)
+{
+    std::vector<int> from;
+    std::vector<Stroke> strokes = strokesOfChains(cut, &from);
+    for (int &source : from)
+        source = sources[std::size_t(source)];
+    sources = std::move(from);
+    return strokes;
 }
 
 Edit splitIntoChains(const Document &document, const PlacesOfStrokes &places)
@@ -248,17 +261,28 @@ Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves)
     for (const StrokePtr &stroke : painting->strokes) {
         const auto it = places.find(stroke->id);
         std::vector<Stroke> cut;
-        if (it != places.end() && !painting->isLocked(*stroke))
+        std::vector<int> sources;
+        if (it != places.end() && !painting->isLocked(*stroke) && stroke->fill)
+            cut = apart(cutInOne(*stroke, it->second, &sources), sources);
+        else if (it != places.end() && !painting->isLocked(*stroke))
             cut = cutAt(*stroke, it->second);
         if (cut.size() < 2) {
             parts.keep(*stroke);
             continue;
         }
-        std::vector<int> sources;
-        withNodes(*stroke, it->second, &sources);
+        if (!stroke->fill)
+            withNodes(*stroke, it->second, &sources);
         parts.replace(*stroke, std::move(cut), sources);
     }
     return parts.edit();
+}
+
+Edit cutAlong(const Document &document, const PlacesOfStrokes &places, Point a, Point b)
+{
+    return splitSegments(document, places,
+                         [a, b](const Stroke &stroke, const std::vector<CurvePlace> &where, std::vector<int> *sources) {
+                             return stroke.fill ? filledCut(stroke, a, b, sources) : cutInOne(stroke, where, sources);
+                         });
 }
 
 Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves)
@@ -284,10 +308,12 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
         }
         std::vector<int> sources;
         std::vector<Stroke> left;
-        if (leaves == Leaves::Strokes)
+        if (leaves == Leaves::Strokes && !stroke->fill)
             left = erased(*stroke, path, radius, &sources, T);
         else if (std::optional<Stroke> one = erasedInOne(*stroke, path, radius, &sources, T))
             left.push_back(std::move(*one));
+        if (leaves == Leaves::Strokes && stroke->fill && !left.empty())
+            left = apart(left.front(), sources);
         if (left.size() == 1 && left.front().segments == stroke->segments)
             parts.keep(*stroke);
         else

@@ -35,6 +35,9 @@ Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeK
 /// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are
 /// selected if the stroke was. They stand together in the order.
 Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves = Leaves::Strokes);
+/// Cuts strokes into chains along the line from a to b, which crosses them at the places. Fills fall into pieces along
+/// it (`filledCut`).
+Edit cutAlong(const Document &document, const PlacesOfStrokes &places, Point a, Point b);
 Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves = Leaves::Strokes);
 /// Takes away what lies nearer than `radius` to the path and is painted by T, of those of the targets that are visible.
 Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,

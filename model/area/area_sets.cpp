@@ -131,6 +131,18 @@ std::size_t Area::curves() const
     return count;
 }
 
+double sizeOf(const Area &area)
+{
+    double twice = 0;
+    for (const std::vector<Cubic> &loop : area.loops)
+        for (const Cubic &c : loop)
+            for (const double place : {-1.0, 0.0, 1.0}) { // Gauss: exact for the fifth degree
+                const double t = 0.5 + place * std::sqrt(0.15);
+                twice += (place == 0 ? 8.0 / 18 : 5.0 / 18) * cross(c.at(t), c.derivative(t));
+            }
+    return 0.5 * std::abs(twice);
+}
+
 Area areaOf(const Loops &loops, FillRule rule)
 {
     return {BoundaryWalk(boundaryOf(loops, rule)).loops()};

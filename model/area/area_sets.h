@@ -18,6 +18,9 @@ struct Area {
     std::size_t curves() const;
 };
 
+/// How large it is, in square units.
+double sizeOf(const Area &area);
+
 /// What lies inside closed loops of any kind.
 Area areaOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule);
 

@@ -1,7 +1,5 @@
 #include "model/shaping/chains.h"
 
-#include "model/painting/influence.h"
-
 namespace suffuse {
 
 std::vector<Chain> chainsOf(const Stroke &stroke)
@@ -89,34 +87,6 @@ Stroke chainOnly(const Stroke &stroke, const Chain &chain)
     one.segments.assign(stroke.segments.begin() + chain.first, stroke.segments.begin() + chain.last + 1);
     one.segments.front().start = false;
     return one;
-}
-
-std::vector<Stroke> strokesOfChains(const Stroke &stroke, std::vector<int> *sources)
-{
-    std::vector<Stroke> strokes;
-    const std::vector<Chain> chains = chainsOf(stroke);
-    const Microseconds dry = stroke.driesAt();
-    const auto lifts = [&](const Chain &chain) { return stroke.segments[std::size_t(chain.first)].lift; };
-    for (const Chain &chain : chains) {
-        if (lifts(chain))
-            continue;
-        Stroke &one = strokes.emplace_back(chainOnly(stroke, chain));
-        const Rect reach = influenceOf(one, dry);
-        std::vector<int> from;
-        const auto note = [&from](const Chain &added) {
-            for (int k = added.first; k <= added.last; ++k)
-                from.push_back(k);
-        };
-        note(chain);
-        for (const Chain &other : chains)
-            if (lifts(other) && influenceOf(chainOnly(stroke, other), dry).intersects(reach)) {
-                appendChain(one, chainOnly(stroke, other).segments);
-                note(other);
-            }
-        if (sources)
-            sources->insert(sources->end(), from.begin(), from.end());
-    }
-    return strokes;
 }
 
 void appendChain(Stroke &stroke, std::vector<Segment> segments)

@@ -42,10 +42,6 @@ std::vector<int> endNodesOf(const Stroke &stroke);
 
 /// A stroke that consists of one chain of another one.
 Stroke chainOnly(const Stroke &stroke, const Chain &chain);
-/// A stroke for each chain that lays paint, all with the same id. Each takes along what takes paint away and may reach
-/// it when all is dry. `sources`: for all of their segments, one stroke after the other, the index of that each came
-/// from.
-std::vector<Stroke> strokesOfChains(const Stroke &stroke, std::vector<int> *sources = nullptr);
 /// Appends segments as a new chain.
 void appendChain(Stroke &stroke, std::vector<Segment> segments);
 

@@ -1,8 +1,11 @@
 #include "model/shaping/erase.h"
 
+#include "model/area/outline.h"
 #include "model/painting/bernstein.h"
+#include "model/shaping/fill_cut.h"
 #include "model/shaping/split.h"
 
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -233,11 +236,20 @@ std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path,
 std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point> &path, double radius,
                                   std::vector<int> *sources, Microseconds T)
 {
+    if (stroke.fill && stroke.fill->born <= T)
+        return filledErased(stroke, path, radius, sources);
     std::optional<ErasedPieces> left = erasedPieces(stroke, path, radius, T);
     if (sources)
         *sources = allSegments(stroke);
     if (!left)
         return stroke;
+    if (stroke.fill) { // It comes later, within the outline that it always had.
+        for (std::size_t i = 0; i < left->pieces.size(); ++i)
+            if (left->inside[i])
+                left->pieces[i].segment.density = 0;
+        const auto no = [](std::size_t) { return false; };
+        return chainsOfPieces(stroke, left->pieces, std::not_fn(no), no, sources);
+    }
     Stroke result = chainsOfPieces(
         stroke, left->pieces, [&](std::size_t i) { return !left->inside[i]; }, [](std::size_t) { return false; },
         sources);
@@ -246,6 +258,8 @@ std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point>
 
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone, std::vector<int> *sources)
 {
+    if (stroke.fill)
+        return filledWithout(stroke, gone, sources);
     const std::set<int> without(gone.begin(), gone.end());
     std::vector<Piece> pieces = piecesOf(stroke, std::vector<CurvePlace>());
     Stroke result = chainsOfPieces(
@@ -270,6 +284,8 @@ bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radiu
     for (Point p : path)
         box.include(p - stroke.origin);
     box = box.grown(radius);
+    if (stroke.fill && outlineBox(stroke).intersects(box))
+        return radius > 0;
     return radius > 0 && std::any_of(stroke.segments.begin(), stroke.segments.end(),
                                      [&box](const Segment &s) { return offsetsOf(s).controlBox().intersects(box); });
 }
@@ -308,6 +324,8 @@ std::vector<Stroke> cutAt(const Stroke &stroke, const std::vector<CurvePlace> &p
 
 Stroke cutInOne(const Stroke &stroke, const std::vector<CurvePlace> &places, std::vector<int> *sources)
 {
+    if (stroke.fill)
+        return filledCutAt(stroke, places, sources);
     const Cuts cuts(stroke, places);
     std::vector<Piece> pieces = piecesOf(stroke, cuts.splits);
     return chainsOfPieces(

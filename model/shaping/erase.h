@@ -18,12 +18,13 @@ std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path,
                            Microseconds T = std::numeric_limits<Microseconds>::max());
 
 /// The same as one stroke whose chains are the runs. What is left then mixes as before, and the picture changes only
-/// where the removed part reached. No value where nothing is left that lays paint.
+/// where the removed part reached. No value where nothing is left that lays paint. A fill is cut out, too, if it is
+/// there at T (model/shaping/fill_cut.h); if it comes later, it keeps its outline, which loses its paint.
 std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point> &path, double radius,
                                   std::vector<int> *sources = nullptr,
                                   Microseconds T = std::numeric_limits<Microseconds>::max());
-/// The stroke without some of its segments; behind a gap a new chain begins. No value where nothing is left that lays
-/// paint. `sources` is filled as by `erased`.
+/// The stroke without some of its segments; behind a gap a new chain begins, and a fill ends at a straight line. No value
+/// where nothing is left that lays paint. `sources` is filled as by `erased`.
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone,
                                       std::vector<int> *sources = nullptr);
 
@@ -39,7 +40,8 @@ std::vector<CurvePlace> crossings(const Stroke &stroke, Point a, Point b);
 
 /// Cuts the stroke into strokes at places, by exact splits. All have its id, which the caller gives to one of them.
 std::vector<Stroke> cutAt(const Stroke &stroke, const std::vector<CurvePlace> &places);
-/// Cuts the stroke into chains at places, which leaves the picture as it is. `sources` is filled as by `erased`.
+/// Cuts the stroke into chains at places, which leaves the picture as it is. `sources` is filled as by `erased`, with −1
+/// for what bounds the parts of a fill anew.
 Stroke cutInOne(const Stroke &stroke, const std::vector<CurvePlace> &places, std::vector<int> *sources = nullptr);
 
 } // namespace suffuse

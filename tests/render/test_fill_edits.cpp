@@ -3,6 +3,7 @@
 #include "tests/render/filled.h"
 
 #include "model/area/outline.h"
+#include "model/shaping/fill_cut.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -171,6 +172,33 @@ private slots:
         const auto last = withStroke(r, 0, s);
         QVERIFY(renderer->render({last, last->end(), view, false}, picture));
         QVERIFY(same(picture, test::render(*make(Backend::Cpu), last, view)));
+    }
+
+    /// The Knife cuts fills into pieces whose picture is that of the whole.
+    void cutsThroughFillsDoNotShow()
+    {
+        std::mt19937_64 random(21);
+        std::uniform_real_distribution<double> u(0, 130);
+        const auto p = mixedFills(random, 6, 130, 101, PaperKind::Procedural);
+        Painting cut = *p;
+        StrokeList strokes;
+        std::size_t chains = 0, before = 0;
+        for (const StrokePtr &stroke : p->strokes) {
+            Stroke pieces = *stroke;
+            for (int i = 0; i < 3; ++i)
+                if (pieces.fill)
+                    pieces = filledCut(pieces, {-30, u(random)}, {160, u(random)});
+            before += chainsOf(*stroke).size();
+            chains += chainsOf(pieces).size();
+            strokes.push_back(std::make_shared<const Stroke>(pieces));
+        }
+        cut.strokes = strokes;
+        QVERIFY(chains > before);
+        for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 9, 0.2, false, 120, 90}}) {
+            const Worst w = worst(test::render(*make(Backend::Cpu), p, v),
+                                  test::render(*make(Backend::Cpu), std::make_shared<const Painting>(cut), v));
+            QVERIFY2(w.difference < 1.0 / 512, qPrintable(QString("%1 at %2, %3").arg(w.difference).arg(w.x).arg(w.y)));
+        }
     }
 
     void extremeValuesGiveNoNaN()

@@ -1,8 +1,11 @@
 // Edits of fills: what begins, what changes, and what stays.
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "undo/colour_edits.h"
 #include "undo/fill_edits.h"
+#include "undo/node_edits.h"
 
 #include <QTest>
 
@@ -92,6 +95,26 @@ private slots:
         QCOMPARE(w.stroke(1).fill->diffusion, 10.5f);
         QCOMPARE(w.stroke(2).fill->diffusion, 10.5f);
         QVERIFY(changeFills(w.document, *before, {1}, [](Fill &now, const Fill &) { now.maxAge = -1; }).isEmpty());
+    }
+
+    void cutFillsFallApartIntoWhatTheyAre()
+    {
+        Work w;
+        w.apply(addFills(w.document, {1}));
+        w.document.setSelection({{1}, {}});
+        w.apply(cutAlong(w.document, {{1, {{0, 0.5}}}}, {30, -10}, {30, 70}));
+        QCOMPARE(chainsOf(w.stroke(1)).size(), std::size_t(2));
+        const auto size = [](const Stroke &stroke) { return sizeOf(areaOf(closedOutline(stroke), stroke.fill->rule)); };
+        QVERIFY(std::abs(size(w.stroke(1)) - 1500) < 1e-3);
+        w.apply(breakApart(w.document));
+        QCOMPARE(w.document.painting()->strokes.size(), std::size_t(4));
+        for (const StrokeId id : w.document.selection().strokes)
+            QVERIFY(std::abs(size(w.stroke(id)) - 750) < 1e-3);
+        // Parts of strokes, as it is where they need not stay one.
+        w.apply(addFills(w.document, {2}));
+        const auto before = w.document.painting()->strokes.size();
+        w.apply(eraseAlong(w.document, {2}, {{30, -10}, {30, 70}}, 2));
+        QCOMPARE(w.document.painting()->strokes.size(), before + 1);
     }
 
     /// The fill belongs to the stroke: it is recoloured with all of it, and not with a part.

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/habits/at_next_change.h"
 #include "model/shaping/erase.h"
+#include "model/shaping/fill_cut.h"
 
 #include <QPainter>
 
@@ -66,7 +67,8 @@ void KnifeTool::release(const PointerEvent &event)
 
 void KnifeTool::cut()
 {
-    const PlacesOfStrokes places = cuts();
+    bool endsWithin = false;
+    const PlacesOfStrokes places = cuts(&endsWithin);
     Document &document = m_editor.document();
     const auto sum = [&](auto count) { // counts over the strokes that are crossed
         int all = 0;
@@ -78,7 +80,7 @@ void KnifeTool::cut()
     const auto chains = [&] { return sum([](const Stroke &stroke) { return chainsOf(stroke).size(); }); };
     const int nodesBefore = sum(nodeCount), chainsBefore = chains();
     if (m_splits)
-        m_editor.push(splitAt(document, places, Leaves::Chains), tr("Cut strokes"));
+        m_editor.push(cutAlong(document, places, m_from, m_to), tr("Cut strokes"));
     else
         m_editor.push(insertNodes(document, places), tr("Insert nodes"));
     const int inserted = sum(nodeCount) - nodesBefore, crossed = int(places.size());
@@ -90,7 +92,8 @@ void KnifeTool::cut()
         //: what the knife did; %1: "3 nodes", %2: "2 strokes"
         say(tr("%1 inserted in %2").arg(tr("%n node(s)", nullptr, inserted), tr("%n stroke(s)", "in", crossed)));
     else
-        say(crossed > 0                      ? tr("There are nodes already where the line crosses strokes.")
+        say(endsWithin ? tr("A fill is cut only where the line goes all the way through it.")
+            : crossed > 0                    ? tr("There are nodes already where the line crosses strokes.")
             : document.selection().isEmpty() ? tr("The line crosses no stroke.")
                                              : tr("The line crosses no selected stroke."));
 }
@@ -112,7 +115,8 @@ void KnifeTool::cancel()
     m_canvas.updateOverlay();
 }
 
-PlacesOfStrokes KnifeTool::cuts() const
+/// `endsWithin` gets whether the outline of a fill is crossed and not cut.
+PlacesOfStrokes KnifeTool::cuts(bool *endsWithin) const
 {
     PlacesOfStrokes places;
     Rect line;
@@ -128,6 +132,11 @@ PlacesOfStrokes KnifeTool::cuts() const
         if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
             continue;
         std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to);
+        if (m_splits && stroke->fill && !found.empty()) {
+            found = filledCutPlaces(*stroke, m_from, m_to);
+            if (endsWithin)
+                *endsWithin = *endsWithin || found.empty();
+        }
         std::erase_if(found, [&](const CurvePlace &p) { // Strokes that are not painted yet at this moment are not cut.
             return stroke->segments[std::size_t(p.segment)].born > m_editor.clock().time();
         });

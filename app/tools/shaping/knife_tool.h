@@ -26,7 +26,7 @@ private:
     /// Says in the status bar what the last cut did, until something else happens.
     void say(const QString &text);
     void aim(const PointerEvent &event);
-    PlacesOfStrokes cuts() const;
+    PlacesOfStrokes cuts(bool *endsWithin = nullptr) const;
 
     bool m_busy = false;
     Point m_from, m_to; ///< canvas units
