@@ -16,9 +16,7 @@ StrokePtr recoloured(const Stroke &now, const ColourPart &part, const ColourMap 
     if (now.segments.size() != before.size())
         return nullptr;
     std::shared_ptr<Stroke> result;
-    bool whole = true;
     for (std::size_t k = 0; k < before.size(); ++k) {
-        whole = whole && (part.has(k) || before[k].lift);
         if (!part.has(k))
             continue;
         const Colour colour = map(before[k].colour);
@@ -28,13 +26,14 @@ StrokePtr recoloured(const Stroke &now, const ColourPart &part, const ColourMap 
             result = std::make_shared<Stroke>(now);
         result->segments[k].colour = colour;
     }
-    if (!whole || !now.fill || !part.stroke->fill)
+    if (!now.fill || !part.stroke->fill)
         return result;
-    // The fill belongs to the stroke as a whole.
     Fill fill = *now.fill;
-    fill.colour = map(part.stroke->fill->colour);
-    if (fill.gradient && part.stroke->fill->gradient)
-        fill.gradient->colour = map(part.stroke->fill->gradient->colour);
+    const Fill &then = *part.stroke->fill;
+    if (part.fill)
+        fill.colour = map(then.colour);
+    if (part.gradient && fill.gradient && then.gradient)
+        fill.gradient->colour = map(then.gradient->colour);
     if (fill == *now.fill || !problemOf(fill.colour).isEmpty() ||
         (fill.gradient && !problemOf(fill.gradient->colour).isEmpty()))
         return result;

@@ -11,7 +11,7 @@ namespace suffuse {
 /// What becomes of a colour.
 using ColourMap = std::function<Colour(const Colour &)>;
 
-/// Gives the segments of the parts the colours that the map makes of those which they have there, whatever colours
+/// Gives the segments and fills of the parts the colours that the map makes of those which they have there, whatever colours
 /// stand in the document now: so a drag and a dialog can show one try after the other. Strokes that have lost or gained
 /// segments since are left alone, and so are locked ones.
 Edit recolour(const Document &document, const ColourParts &parts, const ColourMap &map);

@@ -54,6 +54,18 @@ Rect outlineBox(const Stroke &stroke)
     return box;
 }
 
+bool onlyBounds(const Stroke &stroke, std::size_t segment)
+{
+    const Segment &s = stroke.segments[segment];
+    return stroke.fill && !s.lift && !(s.density > 0);
+}
+
+bool isFillAlone(const Stroke &stroke)
+{
+    return stroke.fill && std::ranges::all_of(stroke.segments,
+                                              [](const Segment &s) { return s.lift || !(s.density > 0); });
+}
+
 bool sameOutline(const Stroke &a, const Stroke &b)
 {
     const auto same = [](const Segment &s, const Segment &t) {

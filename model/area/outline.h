@@ -13,6 +13,11 @@ std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke);
 /// The box of the control points of the segments that bound a fill, offsets from the origin.
 Rect outlineBox(const Stroke &stroke);
 
+/// Whether a segment only bounds the fill of its stroke: it lays no paint of its own.
+bool onlyBounds(const Stroke &stroke, std::size_t segment);
+/// Whether a stroke is its fill alone.
+bool isFillAlone(const Stroke &stroke);
+
 /// Whether two strokes have the same outline, relative to their origins.
 bool sameOutline(const Stroke &a, const Stroke &b);
 

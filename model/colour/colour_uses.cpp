@@ -1,5 +1,7 @@
 #include "model/colour/colour_uses.h"
 
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
 #include "model/colour/perceived.h"
 
@@ -33,14 +35,32 @@ struct ExactUse {
     double paint = 0;
 };
 
+void addFill(std::map<Colour, ExactUse, ByChannels> &found, const ColourPart &part)
+{
+    const Fill &fill = *part.stroke->fill;
+    const double paint =
+        (fill.gradient ? 0.5 : 1.0) * double(fill.density) * sizeOf(areaOf(closedOutline(*part.stroke), fill.rule));
+    const auto add = [&](const Colour &colour) {
+        ExactUse &use = found[withOpacity(colour, 1)];
+        use.strokes.insert(part.stroke->id);
+        use.paint += paint * double(colour.opacity);
+    };
+    if (part.fill)
+        add(fill.colour);
+    if (part.gradient)
+        add(fill.gradient->colour);
+}
+
 std::vector<ExactUse> exactUses(const ColourParts &parts)
 {
     std::map<Colour, ExactUse, ByChannels> found;
     for (const ColourPart &part : parts) {
         const Stroke &stroke = *part.stroke;
+        if (part.fill || part.gradient)
+            addFill(found, part);
         for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
             const Segment &segment = stroke.segments[k];
-            if (!part.has(k) || segment.lift)
+            if (!part.has(k) || segment.lift || onlyBounds(stroke, k))
                 continue;
             ExactUse &use = found[withOpacity(segment.colour, 1)];
             ++use.segments;
@@ -97,6 +117,20 @@ void leaveErasuresOut(ColourPart &part)
         part.chosen[k] = part.chosen[k] && !segments[k].lift;
 }
 
+/// Whether what is chosen of a stroke means its fill, too: all of it, or nothing that lays paint.
+bool meansFill(const ColourPart &part)
+{
+    const Stroke &stroke = *part.stroke;
+    if (!stroke.fill)
+        return false;
+    bool all = true, lays = false;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        all = all && (part.has(k) || stroke.segments[k].lift);
+        lays = lays || (part.has(k) && !onlyBounds(stroke, k));
+    }
+    return all || !lays;
+}
+
 } // namespace
 
 std::size_t ColourPart::count() const
@@ -119,8 +153,11 @@ ColourParts partsToColour(const Painting &painting, const Selection &selection)
                 part.chosen[std::size_t(at->segment)] = true;
         }
         leaveErasuresOut(part);
-        if (part.count() > 0)
-            parts.push_back(std::move(part));
+        if (part.count() == 0)
+            continue;
+        part.fill = meansFill(part);
+        part.gradient = part.fill && stroke->fill->gradient;
+        parts.push_back(std::move(part));
     }
     return parts;
 }
@@ -129,11 +166,18 @@ ColourParts partsOfColour(const Painting &painting, const Colour &colour)
 {
     ColourParts parts;
     for (const StrokePtr &stroke : painting.strokes) {
-        std::vector<bool> chosen(stroke->segments.size());
-        for (std::size_t k = 0; k < chosen.size(); ++k)
-            chosen[k] = !stroke->segments[k].lift && samePaint(stroke->segments[k].colour, colour);
-        if (std::ranges::find(chosen, true) != chosen.end())
-            parts.push_back({stroke, std::move(chosen)});
+        ColourPart part{stroke, std::vector<bool>(stroke->segments.size())};
+        bool isSeen = false; // What only bounds a fill goes along with others.
+        for (std::size_t k = 0; k < part.chosen.size(); ++k) {
+            part.chosen[k] = !stroke->segments[k].lift && samePaint(stroke->segments[k].colour, colour);
+            isSeen = isSeen || (part.chosen[k] && !onlyBounds(*stroke, k));
+        }
+        if (const SharedFill &fill = stroke->fill) {
+            part.fill = samePaint(fill->colour, colour);
+            part.gradient = fill->gradient && samePaint(fill->gradient->colour, colour);
+        }
+        if (isSeen || part.fill || part.gradient)
+            parts.push_back(std::move(part));
     }
     return parts;
 }
@@ -174,16 +218,34 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
     };
     std::map<Colour, Count, ByChannels> counts;
     ColourSummary summary;
+    std::size_t seen = 0, bounding = 0;
     auto last = counts.end(); // Neighbours mostly have one colour, which is then not looked up again.
-    for (const ColourPart &part : parts)
-        for (std::size_t k = 0; k < part.stroke->segments.size(); ++k)
-            if (part.has(k)) {
-                const Colour &colour = part.stroke->segments[k].colour;
-                if (last == counts.end() || last->first != colour)
-                    last = counts.emplace(colour, Count{0, summary.segments}).first;
-                ++last->second.segments;
-                ++summary.segments;
+    const auto add = [&](const Colour &colour, std::size_t times) {
+        if (last == counts.end() || last->first != colour)
+            last = counts.emplace(colour, Count{0, seen}).first;
+        last->second.segments += times;
+        seen += times;
+    };
+    for (const ColourPart &part : parts) {
+        const std::vector<Segment> &segments = part.stroke->segments;
+        for (std::size_t k = 0; k < segments.size(); ++k) {
+            if (!part.has(k))
+                continue;
+            if (onlyBounds(*part.stroke, k)) {
+                ++bounding;
+                continue;
             }
+            add(segments[k].colour, 1);
+            ++summary.segments;
+        }
+        if (part.fill)
+            add(part.stroke->fill->colour, segments.size());
+        if (part.gradient)
+            add(part.stroke->fill->gradient->colour, segments.size());
+    }
+    summary.onlyFills = summary.segments == 0;
+    if (summary.onlyFills)
+        summary.segments = bounding;
     const auto rank = [coloured](const auto &entry) {
         const auto &[colour, count] = entry;
         return std::tuple(!(coloured && isGrey(colour)), count.segments, std::size_t(-1) - count.first);

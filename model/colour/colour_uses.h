@@ -8,19 +8,22 @@
 
 namespace suffuse {
 
-/// A stroke as it was at some moment, and which of its segments are meant.
+/// A stroke as it was at some moment, and which of its colours are meant.
 struct ColourPart {
     StrokePtr stroke;
     std::vector<bool> chosen; ///< for each segment; empty: all are
+    bool fill = false;        ///< whether the colour of its fill is
+    bool gradient = false;    ///< whether the second colour of its fill is
 
     bool has(std::size_t segment) const { return chosen.empty() || chosen[segment]; }
-    std::size_t count() const;
+    std::size_t count() const; ///< of segments
 };
 using ColourParts = std::vector<ColourPart>;
 
 /// What a change of colour means: of visible, unlocked strokes, the segments that are selected, or all of the selected
 /// strokes without selected segments. Where nothing is selected, all of the painting. Bottom to top. Erasures are left
-/// out: what takes paint away has no colour.
+/// out: what takes paint away has no colour. A fill is meant with all of its stroke, and with segments that only bound
+/// it, which have no paint of their own.
 ColourParts partsToColour(const Painting &painting, const Selection &selection);
 /// Where a painting has exactly this red, yellow and blue, in hidden and locked strokes, too.
 ColourParts partsOfColour(const Painting &painting, const Colour &colour);
@@ -30,21 +33,23 @@ struct ColourUse {
     Colour colour;               ///< of those, the one with the most paint; opaque
     std::vector<Colour> members; ///< all of them, `colour` among them, each once; opaque
     std::size_t segments = 0;
-    std::size_t strokes = 0; ///< that have such segments
-    double paint = 0;        ///< share of all paint: ∫φˢ along the curves, by opacity
+    std::size_t strokes = 0; ///< that have such segments or fills
+    double paint = 0;        ///< share of all paint: ∫φˢ along the curves and ρ by the area of fills, by opacity
 };
 
 /// The colours of the parts, those with the most paint first. Where there are more than `most`, colours that look alike
 /// become one, and the less alike ones the more there are. Segments that take paint away show no colour, and are left
-/// out.
+/// out, and so are those that only bound a fill. The second colour of a fill has half of its paint.
 std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most);
 
 /// What a person is told of the colours of some parts.
 struct ColourSummary {
-    Colour usual;         ///< that most segments have, opacity included; of several, the first
+    Colour usual;         ///< that most segments have, opacity included; of several, the first. A fill counts as many
+                          ///< times as its stroke has segments
     bool several = false; ///< they differ in red, yellow or blue
     std::size_t strokes = 0;
-    std::size_t segments = 0;
+    std::size_t segments = 0; ///< that lay paint or, if none does, that bound fills
+    bool onlyFills = false;   ///< whether nothing but fills has a colour
 };
 /// Where `coloured`, greys are the usual colour only if there is nothing else. There must be at least one part.
 ColourSummary summaryOf(const ColourParts &parts, bool coloured);

@@ -48,6 +48,27 @@ StrokePtr strokeOf(StrokeId id, const std::vector<Colour> &colours)
     return stroke;
 }
 
+/// A square of 30 units, filled with one colour, or two, and with or without a white outline.
+StrokePtr filled(StrokeId id, const std::vector<Colour> &colours, bool outlined)
+{
+    auto stroke = std::make_shared<Stroke>();
+    stroke->id = id;
+    const Offset corners[] = {{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}};
+    for (int k = 0; k < 4; ++k) {
+        Segment segment;
+        segment.bezier = {corners[k], corners[k], corners[k + 1], corners[k + 1]};
+        segment.density = outlined ? 9 : 0;
+        segment.colour = white;
+        stroke->segments.push_back(segment);
+    }
+    Fill fill;
+    fill.colour = colours[0];
+    if (colours.size() > 1)
+        fill.gradient = Gradient{{0, 0}, {30, 0}, colours[1]};
+    stroke->fill = fill;
+    return stroke;
+}
+
 } // namespace
 
 class TestColourMaps : public QObject {
@@ -202,6 +223,57 @@ private slots:
         QVERIFY(std::abs(uses[0].paint - 3 / 4.25) < 1e-9);
         QVERIFY(std::abs(uses[2].paint - 0.25 / 4.25) < 1e-9);
         QVERIFY(coloursOf({}, 24).empty());
+    }
+
+    /// A fill is paint by its area, and so are both colours of a gradient; what only bounds it is none.
+    void fillsArePaint()
+    {
+        Painting painting;
+        painting.strokes = {strokeOf(1, {red}), filled(2, {blue}, false), filled(3, {yellow, black}, true)};
+        const ColourParts parts = partsToColour(painting, {});
+        const std::vector<ColourUse> uses = coloursOf(parts, 24);
+        // The line of density 9 and 30 units; squares of 30 × 30 units and density 1, one of them in two colours, with
+        // an outline of 4 × 30 units.
+        QCOMPARE(uses.size(), std::size_t(5));
+        const auto paintOf = [&](const Colour &colour) {
+            const auto use = std::ranges::find(uses, colour, &ColourUse::colour);
+            return use == uses.end() ? -1 : use->paint;
+        };
+        const double all = 270 + 900 + 900 + 4 * 270;
+        QVERIFY(std::abs(paintOf(red) - 270 / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(blue) - 900 / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(yellow) - 450 / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(black) - 450 / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(white) - 4 * 270 / all) < 1e-6);
+        QCOMPARE(uses[1].colour, blue);
+        QCOMPARE(uses[1].segments, std::size_t(0));
+        QCOMPARE(uses[1].strokes, std::size_t(1));
+    }
+
+    void fillsAreMeantWithWhatOnlyBoundsThem()
+    {
+        Painting painting;
+        painting.strokes = {filled(1, {blue}, false), filled(2, {yellow, black}, true)};
+        ColourParts parts = partsToColour(painting, {{1}, {{1, 2}}});
+        QVERIFY(parts.size() == 1 && parts[0].fill && !parts[0].gradient && parts[0].count() == 1);
+        ColourSummary summary = summaryOf(parts, false);
+        QCOMPARE(summary.usual, blue);
+        QVERIFY(summary.onlyFills && !summary.several);
+        QCOMPARE(summary.segments, std::size_t(1));
+        parts = partsToColour(painting, {{2}, {{2, 2}}}); // that has paint of its own
+        QVERIFY(!parts[0].fill && !parts[0].gradient);
+        parts = partsToColour(painting, {{2}, {}});
+        QVERIFY(parts[0].fill && parts[0].gradient);
+        summary = summaryOf(parts, false);
+        QVERIFY(summary.several && !summary.onlyFills);
+        QCOMPARE(summary.segments, std::size_t(4));
+        // Exactly one colour: that of segments, of a fill, or the second one of a fill.
+        parts = partsOfColour(painting, black);
+        QVERIFY(parts.size() == 1 && !parts[0].fill && parts[0].gradient && parts[0].count() == 0);
+        parts = partsOfColour(painting, yellow);
+        QVERIFY(parts.size() == 1 && parts[0].fill && !parts[0].gradient);
+        parts = partsOfColour(painting, white); // The outline of the first one is not seen.
+        QVERIFY(parts.size() == 1 && parts[0].stroke->id == 2 && parts[0].count() == 4);
     }
 
     void manyColoursBecomeFew()

@@ -5,6 +5,7 @@
 #include "model/painting/validate.h"
 #include "undo/colour_edits.h"
 #include "undo/fill_edits.h"
+#include "undo/edits.h"
 #include "undo/node_edits.h"
 
 #include <QTest>
@@ -46,6 +47,17 @@ struct Work {
     }
     void apply(Edit edit) { document.exchange(edit); }
     const Stroke &stroke(StrokeId id) { return *document.painting()->find(id); }
+    void fillAlone(StrokeId id, const Colour &colour, std::optional<Gradient> gradient = {})
+    {
+        apply(changeStrokes(document, {id}, [&](Stroke &stroke) {
+            for (Segment &segment : stroke.segments)
+                segment.density = 0;
+            Fill fill = usualFill(stroke);
+            fill.colour = colour;
+            fill.gradient = gradient;
+            stroke.fill = fill;
+        }));
+    }
 };
 
 } // namespace
@@ -130,6 +142,29 @@ private slots:
         QCOMPARE(w.stroke(1).segments[2].colour, blue);
         QCOMPARE(w.stroke(1).fill->colour, blue);
         QVERIFY(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {}}), toBlue).isEmpty());
+    }
+
+    /// A segment of what is a fill alone has no paint: its colour is that of the fill.
+    void segmentsThatOnlyBoundColourTheFill()
+    {
+        Work w;
+        w.fillAlone(1, red);
+        const auto toBlue = [](const Colour &) { return blue; };
+        w.apply(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {{1, 0}}}), toBlue));
+        QCOMPARE(w.stroke(1).fill->colour, blue);
+    }
+
+    void swatchesChangeTheSecondColourOfAGradient()
+    {
+        Work w;
+        w.fillAlone(1, blue, Gradient{{0, 0}, {60, 0}, {1, 0, 0, 0.5f}});
+        Painting painting = *w.document.painting();
+        painting.swatches = {{"red", red, true}};
+        w.document.reset(std::make_shared<const Painting>(painting));
+        const Colour green{0, 1, 1, 1};
+        w.apply(changeSwatch(w.document, 0, green, usersOf(*w.document.painting(), 0)));
+        QCOMPARE(w.stroke(1).fill->colour, blue);
+        QCOMPARE(w.stroke(1).fill->gradient->colour, (Colour{0, 1, 1, 0.5f}));
     }
 };
 

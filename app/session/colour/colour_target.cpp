@@ -111,7 +111,10 @@ QString ColourTarget::title() const
         return name.isEmpty() ? tr("Colour of a swatch") : tr("Colour of the swatch “%1”").arg(name);
     }
     const ColourSummary &summary = *m_selected;
-    if (!m_editor.unsettled().selection().segments.empty())
+    const bool ofSegments = !m_editor.unsettled().selection().segments.empty();
+    if (ofSegments && summary.onlyFills && summary.strokes == 1)
+        return summary.several ? tr("Colours of the fill") : tr("Colour of the fill");
+    if (ofSegments && !summary.onlyFills)
         return summary.several ? tr("Colours of %n segment(s)", "", int(summary.segments))
                                : tr("Colour of %n segment(s)", "", int(summary.segments));
     return summary.several ? tr("Colours of %n stroke(s)", "", int(summary.strokes))

@@ -142,7 +142,7 @@ void selectColour(Editor &editor, const Colour &colour)
         if (!painting.isVisible(stroke) || painting.isLocked(stroke))
             continue;
         selection.strokes.insert(stroke.id);
-        if (part.count() == stroke.segments.size())
+        if (part.fill || part.gradient || part.count() == stroke.segments.size())
             continue;
         for (std::size_t k = 0; k < stroke.segments.size(); ++k)
             if (part.has(k))
