@@ -1,8 +1,11 @@
 #include "model/restyling/restyle.h"
 
+#include "model/area/outline.h"
 #include "model/brush/brush_dynamics.h"
+#include "model/brush/brush_width.h"
 #include "model/brush/stroke_fit.h"
 #include "model/paint/half_width.h"
+#include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "model/shaping/reshape.h"
 
@@ -131,13 +134,36 @@ void takeStyle(Stroke &stroke, const Restyle &how, const std::vector<bool> &mean
         stroke.brush = how.brush.name;
 }
 
+/// What a fill takes of the brush; when, where and in which shape it is stays.
+Fill filledBy(const Fill &fill, const Style &style, const Restyle &how)
+{
+    const Segment laid = valuesAtFullPressure(how.brush);
+    const bool whole = how.part == BrushPart::Whole;
+    Fill result = fill;
+    if (whole || how.part == BrushPart::Texture) {
+        result.granulation = laid.granulation;
+        result.maxAge = laid.maxAge;
+        result.diffusion = float(double(fill.diffusion) * double(fill.maxAge) / double(laid.maxAge)); // as wide as it was
+        const double before = visibleCut(style), after = visibleCut(how.brush.style);
+        if (before > 0 && after > 0) // as dense to the eye as it was
+            result.density = float(double(fill.density) * after / before);
+    }
+    if (whole || how.part == BrushPart::Form)
+        result.diffusion = float(double(laid.diffusion) * double(laid.maxAge) / double(result.maxAge));
+    if (whole || how.part == BrushPart::Colour) {
+        result.colour = laid.colour;
+        result.gradient.reset();
+    }
+    return result;
+}
+
 } // namespace
 
 Stroke restyled(const Stroke &stroke, const Restyle &how, const std::vector<bool> &chosen, std::vector<int> *sources)
 {
     std::vector<int> origins(stroke.segments.size());
     std::iota(origins.begin(), origins.end(), 0);
-    const bool splits = how.part != BrushPart::Texture && variesAlong(how.brush);
+    const bool splits = how.part != BrushPart::Texture && variesAlong(how.brush) && !isFillAlone(stroke);
     Stroke result = splits ? splitFor(stroke, how.brush, chosen, origins) : stroke;
     const std::vector<RememberedPen> pens = penOf(result, how.painted, how.strongest);
     std::vector<bool> meant;
@@ -156,9 +182,17 @@ Stroke restyled(const Stroke &stroke, const Restyle &how, const std::vector<bool
     for (std::size_t k = 0; k < result.segments.size(); ++k) {
         painted[k].density = float(std::min(1e12, double(painted[k].density) * raise));
         Segment next = taken(result.segments[k], painted[k], how);
+        if (onlyBounds(result, k))
+            next.density = 0;
         if (meant[k] && problemOf(next).isEmpty())
             result.segments[k] = std::move(next);
     }
+    const auto lays = [&](std::size_t k) { return meant[k] && !onlyBounds(result, k); };
+    bool meansFill = bool(stroke.fill);
+    for (std::size_t k = 0; k < meant.size() && !chosen.empty(); ++k)
+        meansFill = meansFill && !lays(k);
+    if (meansFill)
+        result.fill = filledBy(*stroke.fill, stroke.style, how);
     takeStyle(result, how, meant, chosen.empty());
     if (sources)
         *sources = std::move(origins);

@@ -19,7 +19,8 @@ struct Restyle {
 /// The stroke as if it had been painted with the brush by the pen that it remembers (`penOf`). Curves and times stay.
 /// Segments that are longer than what the brush lays down varies in are split. `chosen`: for each segment whether it is
 /// meant; empty: all are, and then the stroke takes style, mixing and the brush's name as a whole. What takes paint
-/// away stays as it is. `sources` gets, for each segment of the result, the index of the one that it came from.
+/// away stays as it is. A fill takes what the brush lays at full pressure, as far as a fill has such values, where all of
+/// the stroke is meant, or nothing but what bounds the fill; that goes on laying no paint. `sources` gets, for each segment of the result, the index of the one that it came from.
 Stroke restyled(const Stroke &stroke, const Restyle &how, const std::vector<bool> &chosen, std::vector<int> *sources);
 
 } // namespace suffuse

@@ -1,5 +1,6 @@
 #include "model/restyling/vary.h"
 
+#include "model/area/outline.h"
 #include "model/brush/random_values.h"
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
@@ -78,6 +79,29 @@ Segment variedSegment(const Segment &segment, const VaryAmounts &amounts, const 
     return problemOf(result).isEmpty() ? result : segment;
 }
 
+Fill variedFill(const Fill &fill, const VaryAmounts &amounts, Strays &strays)
+{
+    Segment like;
+    like.diffusion = fill.diffusion > 0 ? fill.diffusion : 1; // A crisp edge has no D, and stays crisp.
+    like.density = fill.density;
+    like.granulation = fill.granulation;
+    like.maxAge = fill.maxAge;
+    like.colour = fill.colour;
+    const Segment varied = variedSegment(like, amounts, strays);
+    Fill result = fill;
+    if (fill.diffusion > 0)
+        result.diffusion = varied.diffusion;
+    result.density = varied.density;
+    result.granulation = varied.granulation;
+    result.maxAge = varied.maxAge;
+    result.colour = varied.colour;
+    if (fill.gradient) {
+        like.colour = fill.gradient->colour;
+        result.gradient->colour = variedSegment(like, amounts, strays).colour;
+    }
+    return result;
+}
+
 } // namespace
 
 Colour withHueTurned(const Colour &colour, double radians)
@@ -103,6 +127,13 @@ Stroke varied(const Stroke &stroke, const VaryAmounts &amounts, const std::vecto
         distance += arc;
         if ((chosen.empty() || chosen[k]) && !segment.lift)
             result.segments[k] = variedSegment(segment, amounts, strays);
+    }
+    bool meansFill = bool(stroke.fill);
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+        meansFill = meansFill && (chosen.empty() || !chosen[k] || onlyBounds(stroke, k));
+    if (meansFill) { // It strays as a segment does in its place.
+        strays.goTo(stroke.segments.size(), 0.5 * distance);
+        result.fill = variedFill(*stroke.fill, amounts, strays);
     }
     return problemOf(result).isEmpty() ? result : stroke;
 }

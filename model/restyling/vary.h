@@ -29,7 +29,7 @@ struct VaryAmounts {
 };
 
 /// The stroke with its values varied; curves, times and styles stay. `chosen`: for each segment whether it is meant;
-/// empty: all are.
+/// empty: all are. A fill strays, too, where all of the stroke is meant, or nothing but what bounds the fill.
 Stroke varied(const Stroke &stroke, const VaryAmounts &amounts, const std::vector<bool> &chosen);
 
 /// The colour turned about the axis of greys (red towards yellow towards blue), within its domain.

@@ -1,5 +1,7 @@
 // Values that change together, the pen that strokes remember, brushes and appearances put on them, random variation.
+#include "model/area/outline.h"
 #include "model/brush/stroke_builder.h"
+#include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "model/restyling/appearance.h"
 #include "model/restyling/restyle.h"
@@ -62,6 +64,25 @@ double spreadAlong(const Stroke &stroke, double share)
         if ((length += arcLength(stroke.cubicOf(s))) >= place)
             return spreadOf(s);
     return spreadOf(stroke.segments.back());
+}
+
+/// A square of 40 units, filled; its outline is painted or not.
+Stroke filledSquare(bool alone)
+{
+    Stroke stroke;
+    stroke.id = 5;
+    const Offset corners[] = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}};
+    for (int k = 0; k < 4; ++k) {
+        Segment segment;
+        segment.bezier = {corners[k], corners[k], corners[k + 1], corners[k + 1]};
+        if (alone)
+            segment.density = 0;
+        stroke.segments.push_back(segment);
+    }
+    Fill fill;
+    fill.colour = {0.25f, 0.5f, 0.75f, 1};
+    stroke.fill = fill;
+    return stroke;
 }
 
 } // namespace
@@ -289,6 +310,77 @@ private slots:
         QCOMPARE(yellow.opacity, 0.5f);
         const Colour grey{0.4f, 0.4f, 0.4f, 1};
         QVERIFY(std::abs(withHueTurned(grey, 1).blue - 0.4f) < 1e-6f);
+    }
+
+    /// A brush or an appearance on what is a fill alone changes the fill, and no outline appears.
+    void fillsTakeBrushes()
+    {
+        const Stroke stroke = filledSquare(true);
+        const Brush &brush = *findBrush("glow");
+        Stroke whole = restyled(stroke, with(stroke, "glow", BrushPart::Whole), {}, nullptr);
+        QVERIFY(isFillAlone(whole));
+        QCOMPARE(whole.fill->colour, brush.colour);
+        QCOMPARE(whole.segments.size(), stroke.segments.size());
+        QVERIFY(whole.style == brush.style);
+        // It ends on its outline as before.
+        QVERIFY(std::abs(double(whole.fill->density) / visibleCut(whole.style) - 1 / visibleCut(stroke.style)) < 1e-4);
+        QCOMPARE(whole.fill->maxAge, whole.segments[0].maxAge);
+        Stroke coloured = restyled(stroke, with(stroke, "glow", BrushPart::Colour), {}, nullptr);
+        QCOMPARE(coloured.fill->colour, brush.colour);
+        QCOMPARE(coloured.fill->diffusion, stroke.fill->diffusion);
+        // One of its segments stands for the fill, while one that has paint does not.
+        std::vector<bool> one(4, false);
+        one[1] = true;
+        QCOMPARE(restyled(stroke, with(stroke, "glow", BrushPart::Colour), one, nullptr).fill->colour, brush.colour);
+        const Stroke outlined = filledSquare(false);
+        QVERIFY(restyled(outlined, with(outlined, "glow", BrushPart::Colour), one, nullptr).fill == outlined.fill);
+    }
+
+    void fillsStray()
+    {
+        VaryAmounts amounts;
+        amounts.hue = 1;
+        amounts.density = 0.5;
+        const Stroke stroke = filledSquare(true), other = varied(stroke, amounts, {});
+        QVERIFY(other.fill->colour != stroke.fill->colour && other.fill->density != stroke.fill->density);
+        QVERIFY(isFillAlone(other));
+        QVERIFY(varied(stroke, amounts, {}) == other);
+        std::vector<bool> one(4, false);
+        one[2] = true;
+        const Stroke outlined = filledSquare(false);
+        QVERIFY(varied(outlined, amounts, one).fill == outlined.fill);
+        QVERIFY(varied(stroke, amounts, one).fill->colour != stroke.fill->colour);
+    }
+
+    void fillsTakeAppearances()
+    {
+        const Stroke line = painted("pencil"), fill = filledSquare(true), both = filledSquare(false);
+        const Stroke asLine = withAppearance(fill, appearanceOf(line), Variation::Kept);
+        QVERIFY(isFillAlone(asLine));
+        QCOMPARE(asLine.fill->diffusion, float(appearanceOf(line).diffusion));
+        QCOMPARE(asLine.fill->colour.red, float(appearanceOf(line).colour[0]));
+        const Appearance copied = appearanceOf(fill);
+        QVERIFY(copied.isFillAlone && copied.fill == fill.fill);
+        const Stroke lineLikeIt = withAppearance(line, copied, Variation::Levelled);
+        QVERIFY(!lineLikeIt.fill); // It has its line.
+        QCOMPARE(lineLikeIt.segments[3].density, line.segments[3].density);
+        QCOMPARE(lineLikeIt.segments[3].colour, fill.fill->colour);
+        const Stroke filledLine = withAppearance(line, appearanceOf(both), Variation::Kept);
+        QVERIFY(filledLine.fill);
+        QCOMPARE(filledLine.fill->colour, both.fill->colour);
+        // The gradient lies in the other outline as it lay in its own.
+        Fill graded = *both.fill;
+        graded.gradient = Gradient{{0, 0}, {40, 40}, {1, 1, 1, 1}};
+        Stroke source = both, target = fill;
+        source.fill = graded;
+        for (Segment &segment : target.segments)
+            for (Offset &o : segment.bezier)
+                o = {o.x * 2 + 10, o.y};
+        const Stroke taken = withAppearance(target, appearanceOf(source), Variation::Kept);
+        QVERIFY(taken.fill->gradient);
+        QCOMPARE(taken.fill->gradient->from, (Offset{10, 0}));
+        QCOMPARE(taken.fill->gradient->to, (Offset{90, 40}));
+        QVERIFY(isFillAlone(taken));
     }
 };
 
