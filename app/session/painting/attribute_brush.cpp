@@ -81,4 +81,31 @@ Segment withAttribute(const Segment &segment, const AttributeWish &wish, double 
     return problemOf(changed).isEmpty() ? changed : segment;
 }
 
+Fill withAttribute(const Fill &fill, const AttributeWish &wish, double share)
+{
+    if (wish.attribute == Attribute::Density && !wish.relative)
+        return fill;
+    Segment like;
+    like.diffusion = fill.diffusion > 0 ? fill.diffusion : 1; // A crisp edge has none, which no segment may have.
+    like.density = fill.density;
+    like.granulation = fill.granulation;
+    like.maxAge = fill.maxAge;
+    like.colour = fill.colour;
+    const Segment painted = withAttribute(like, wish, share);
+    Fill result = fill;
+    if (fill.diffusion > 0)
+        result.diffusion = painted.diffusion;
+    else if (wish.attribute == Attribute::Diffusion && !wish.relative)
+        result.diffusion = float(share * wish.value);
+    result.density = painted.density;
+    result.granulation = painted.granulation;
+    result.maxAge = painted.maxAge;
+    result.colour = painted.colour;
+    if (fill.gradient) {
+        like.colour = fill.gradient->colour;
+        result.gradient->colour = withAttribute(like, wish, share).colour;
+    }
+    return result;
+}
+
 } // namespace suffuse

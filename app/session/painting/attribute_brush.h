@@ -1,7 +1,7 @@
 // What the attribute brush does to the values of a segment. This unit knows nothing about windows.
 #pragma once
 
-#include "model/painting/segment.h"
+#include "model/painting/fill.h"
 
 #include <array>
 
@@ -29,5 +29,7 @@ double falloff(double distance, double radius);
 /// Returns the segment with `share` (0 … 1) of the wish. Ratios change evenly in their logarithm. Values stay in their
 /// domain, and share 0 returns the segment itself.
 Segment withAttribute(const Segment &segment, const AttributeWish &wish, double share);
+/// The same for a fill, all of it. A density in absolute numbers is that of a line, and changes nothing.
+Fill withAttribute(const Fill &fill, const AttributeWish &wish, double share);
 
 } // namespace suffuse

@@ -4,7 +4,9 @@
 #include "app/session/editor.h"
 #include "app/tools/brush/wish_fields.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/area/outline.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>
@@ -19,6 +21,12 @@ constexpr double dabSpacing = 0.25; ///< radii between dabs while the pointer mo
 /// One report of the pointer lays down no more dabs than these, however far away it is.
 constexpr int mostDabs = 400;
 
+/// The density of a line is a length, and no fill has it.
+bool isLineDensity(const AttributeWish &wish)
+{
+    return wish.attribute == Attribute::Density && !wish.relative;
+}
+
 } // namespace
 
 AttributeBrushTool::AttributeBrushTool(CanvasWidget &canvas, QObject *parent)
@@ -29,6 +37,8 @@ AttributeBrushTool::AttributeBrushTool(CanvasWidget &canvas, QObject *parent)
 
 QString AttributeBrushTool::hint() const
 {
+    if (!m_said.isEmpty())
+        return m_said;
     return m_editor.document().selection().isEmpty()
                ? tr("Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.")
                : tr("Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.");
@@ -66,6 +76,7 @@ void AttributeBrushTool::setFlow(double flow)
 void AttributeBrushTool::gatherTargets()
 {
     m_targets.clear();
+    m_fills.clear();
     const Document &document = m_editor.document();
     const Painting &painting = *document.painting();
     const Selection &selection = document.selection();
@@ -77,8 +88,13 @@ void AttributeBrushTool::gatherTargets()
         if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
             continue;
         const bool part = inPart.contains(stroke->id);
+        if (stroke->fill && !part && stroke->fill->age(m_editor.clock().time()) > 0)
+            m_fills.push_back({stroke, DensityOfFill(*stroke, m_editor.clock().time())});
+        const auto isPainted = [&](int k) {
+            return !stroke->segments[std::size_t(k)].lift && !onlyBounds(*stroke, std::size_t(k));
+        };
         for (int k = 0; k < int(stroke->segments.size()); ++k)
-            if (part ? selection.segments.contains({stroke->id, k}) : !stroke->segments[std::size_t(k)].lift)
+            if (part ? selection.segments.contains({stroke->id, k}) : isPainted(k))
                 m_targets.push_back({stroke->id, k, stroke->cubicOf(stroke->segments[std::size_t(k)]).at(0.5), 1});
     }
     std::sort(m_targets.begin(), m_targets.end(), [](const Target &a, const Target &b) {
@@ -90,6 +106,7 @@ void AttributeBrushTool::press(const PointerEvent &event)
 {
     const QString names[] = {tr("Paint diffusion"), tr("Paint density"), tr("Paint granulation"),
                              tr("Paint colour"),    tr("Paint opacity"), tr("Paint drying time")};
+    say({});
     m_last = event;
     m_wish.colour = m_editor.brush().colour;
     m_touched.clear();
@@ -110,6 +127,18 @@ void AttributeBrushTool::dabAt(Point point, double pressure)
         target.left *= 1 - share;
         m_touched.insert(target.stroke);
     }
+    constexpr double within = 0.25; // of ρ: half of what there is at the outline
+    for (FillTarget &target : m_fills) {
+        const Stroke &stroke = *target.stroke;
+        if (target.density(point - stroke.origin).density <= within * double(stroke.fill->density))
+            continue;
+        if (isLineDensity(m_wish)) {
+            m_metFill = true;
+            continue;
+        }
+        target.left *= 1 - std::min(1.0, m_flow * pressure);
+        m_touched.insert(stroke.id);
+    }
 }
 
 void AttributeBrushTool::show()
@@ -125,6 +154,9 @@ void AttributeBrushTool::show()
             if (t->left < 1 && std::size_t(t->segment) < stroke.segments.size())
                 changed.segments[std::size_t(t->segment)] =
                     withAttribute(stroke.segments[std::size_t(t->segment)], m_wish, 1 - t->left);
+        const auto fill = std::ranges::find(m_fills, stroke.id, [](const FillTarget &t) { return t.stroke->id; });
+        if (stroke.fill && fill != m_fills.end() && fill->left < 1)
+            changed.fill = withAttribute(*stroke.fill, m_wish, 1 - fill->left);
         return changed;
     });
 }
@@ -153,13 +185,27 @@ void AttributeBrushTool::timerEvent(QTimerEvent *event)
 
 void AttributeBrushTool::release(const PointerEvent &)
 {
+    const bool onlyFills = m_metFill && m_touched.empty();
     finish();
+    if (onlyFills)
+        say(tr("A fill has a density of its own, ρ, which the inspector shows. It can be painted relative to what it is."));
+}
+
+void AttributeBrushTool::say(const QString &text)
+{
+    if (text == m_said)
+        return;
+    m_said = text;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void AttributeBrushTool::cancel()
 {
     m_gesture.giveUp();
     finish();
+    say({});
 }
 
 void AttributeBrushTool::finish()
@@ -167,7 +213,9 @@ void AttributeBrushTool::finish()
     m_timer.stop();
     m_gesture.commit();
     m_targets.clear();
+    m_fills.clear();
     m_touched.clear();
+    m_metFill = false;
 }
 
 } // namespace suffuse

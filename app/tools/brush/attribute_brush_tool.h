@@ -3,6 +3,7 @@
 #include "app/session/gesture.h"
 #include "app/session/painting/attribute_brush.h"
 #include "app/tools/sized_tool.h"
+#include "model/paint/fill_density.h"
 
 #include <QBasicTimer>
 
@@ -11,7 +12,8 @@ namespace suffuse {
 class WishFields;
 
 /// Paints a quantity onto segments that exist: the selected ones or, without a selection, all. A segment gets more the
-/// nearer its middle is and the longer the brush stays. One stroke of the brush gives no segment more than the whole
+/// nearer its middle is and the longer the brush stays. A fill gets it as a whole, while the middle of the brush is in
+/// it. One stroke of the brush gives no segment more than the whole
 /// wish.
 class AttributeBrushTool : public SizedTool {
     Q_OBJECT
@@ -47,6 +49,15 @@ private:
         double left = 1; ///< the share of the wish that this segment has not received yet
     };
 
+    /// A fill that it may paint.
+    struct FillTarget {
+        StrokePtr stroke;
+        DensityOfFill density;
+        double left = 1;
+    };
+
+    /// Says in the status bar why nothing was painted, until something else happens.
+    void say(const QString &text);
     void gatherTargets();
     void dabAt(Point point, double pressure);
     void show();
@@ -59,7 +70,10 @@ private:
 
     PointerEvent m_last;
     std::vector<Target> m_targets; ///< in the order of stroke ids and, within a stroke, of segments
+    std::vector<FillTarget> m_fills;
     std::set<StrokeId> m_touched;
+    bool m_metFill = false; ///< that cannot have what is painted
+    QString m_said;
     Gesture m_gesture;
     QBasicTimer m_timer; ///< lays down more dabs while the pointer stays
 };

@@ -6,6 +6,7 @@
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/tools/tool_fields.h"
+#include "model/paint/local_paint.h"
 #include "model/painting/influence.h"
 #include "render/probe.h"
 
@@ -48,6 +49,16 @@ std::optional<Colour> strokeColourAt(const Painting &painting, Microseconds time
     const std::optional<SegmentRef> hit = pickTopmost(painting, time, point, tolerance);
     if (!hit)
         return {};
+    const StrokePtr stroke = painting.find(hit->stroke);
+    if (stroke->fill && stroke->fill->age(time) > 0) { // It is the fill's if that has the greater share.
+        const DensityOfFill::Value fill = DensityOfFill(*stroke, time)(point - stroke->origin);
+        if (fill.density > 0.5 * seenPaint(*stroke, time, point).density) {
+            LocalPaint paint;
+            paint.add(*stroke->fill, stroke->style, fill.density, fill.place);
+            const std::array<double, 4> c = paint.colour();
+            return Colour{float(c[0]), float(c[1]), float(c[2]), float(c[3])};
+        }
+    }
     return painting.find(hit->stroke)->segments[std::size_t(hit->segment)].colour;
 }
 

@@ -340,6 +340,47 @@ private slots:
         QCOMPARE(s.editor().brush().colour.red, 0.0f);
     }
 
+    /// Within a fill it is the fill that paints: the eyedropper takes its colour, and the attribute brush paints it.
+    void fillsArePickedAndPainted()
+    {
+        WaveSession s;
+        const Point within{300, 308}; // between the wave and the line that closes it
+        const Colour green{0.1f, 0.8f, 0.6f, 1};
+        const auto fill = [&](Stroke &stroke) {
+            for (Segment &segment : stroke.segments)
+                segment.density = 0;
+            Fill painted;
+            painted.diffusion = 1;
+            painted.colour = green;
+            stroke.fill = painted;
+        };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
+        s.editor().clock().setTime(s.painting().end());
+        s.use(Command::Eyedropper);
+        s.editor().colourTarget().choose(ColourTarget::Kind::Brush);
+        s.click(within, Qt::ShiftModifier);
+        QCOMPARE(s.editor().brush().colour, green);
+
+        s.use(Command::AttributeBrush);
+        auto *tool = static_cast<AttributeBrushTool *>(s.canvas().tool());
+        tool->setFlow(1);
+        s.editor().setColour({1, 0, 0, 1});
+        tool->setWish({Attribute::Colour, false, 1, {}});
+        s.click(within);
+        QCOMPARE(s.stroke().fill->colour, (Colour{1, 0, 0, 1}));
+        tool->setWish({Attribute::Density, true, 2, {}});
+        s.click(within);
+        QCOMPARE(s.stroke().fill->density, 2.0f);
+        QCOMPARE(s.stroke().segments[0].density, 0.0f);
+        // A line's density means nothing there, and the status bar says so.
+        const QString usual = tool->hint();
+        const int steps = s.steps();
+        tool->setWish({Attribute::Density, false, 5, {}});
+        s.click(within);
+        QCOMPARE(s.steps(), steps);
+        QVERIFY(tool->hint() != usual);
+    }
+
     void brushWithControlPicks()
     {
         WaveSession s;
