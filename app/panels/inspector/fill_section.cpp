@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QLabel>
 #include <QVBoxLayout>
 
 namespace suffuse {
@@ -50,7 +51,7 @@ FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_e
     addRow(densitySpec(), *grid, &Fill::density);
     addRow(specOf(Quantity::Granulation), *grid, &Fill::granulation);
     addRow(specOf(Quantity::MaxAge), *grid, &Fill::maxAge);
-    auto *label = new QLabel(tr("Inside"), m_values);
+    auto *label = m_ruleLabel = new QLabel(tr("Inside"), m_values);
     m_rule = new QComboBox(m_values);
     m_rule->addItems({tr("All that is enclosed"), tr("Every other area")});
     m_rule->setPlaceholderText(QStringLiteral("—"));
@@ -96,6 +97,13 @@ void FillSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Fill::*
     connect(field, &SliderField::changed, this,
             [=, this](const ValueChange &change, ValueEntry *entry) { changeTogether(value, change, entry); });
     connect(field, &SliderField::refused, this, &FillSection::refused);
+}
+
+void FillSection::showFew()
+{
+    m_filled->hide();
+    m_ruleLabel->hide();
+    m_rule->hide();
 }
 
 SliderField *FillSection::row(float Fill::*member) const

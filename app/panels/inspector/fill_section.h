@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 
 namespace suffuse {
 
@@ -21,6 +22,9 @@ public:
     explicit FillSection(Editor &editor, QWidget *parent = nullptr);
 
     void refresh(const Inspected &inspected);
+
+    /// Leaves the switch and the rule out, for a card that shows what a fill has.
+    void showFew();
 
     QCheckBox *filled() const { return m_filled; }
     SliderField *row(float Fill::*member) const;
@@ -48,6 +52,7 @@ private:
     std::vector<std::pair<float Fill::*, SliderField *>> m_rows;
     ColourRows *m_colour = nullptr;
     QComboBox *m_rule = nullptr;
+    QLabel *m_ruleLabel = nullptr;
 };
 
 } // namespace suffuse

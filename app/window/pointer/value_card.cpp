@@ -1,6 +1,7 @@
 #include "app/window/pointer/value_card.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/rewet_rows.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/strokes/strokes_model.h"
@@ -8,6 +9,7 @@
 #include "app/session/painting/seen_width.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/area/outline.h"
 #include "model/painting/fields.h"
 #include "undo/edits.h"
 
@@ -56,12 +58,16 @@ ValueCard::ValueCard(CanvasWidget &canvas) : FloatingCard(canvas), m_canvas(canv
     QGridLayout *grid = addFieldGrid(*column);
     m_width = new SliderField(widthSpec(), *grid, 0, this);
     m_segments = new SegmentSection(m_editor, this);
+    m_fill = new FillSection(m_editor, this);
+    m_fill->showFew();
     m_hint = new HintLabel(this);
     column->addWidget(m_segments);
+    column->addWidget(m_fill);
     column->addWidget(m_hint);
     alignFieldLabels(*this);
     connect(m_width, &SliderField::edited, this, &ValueCard::setWidth);
     connect(m_width, &SliderField::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_fill, &FillSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showRefusal);
     connect(&m_editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (isOpen() && (change.selection || change.reset || !change.strokes.empty()))
@@ -116,8 +122,20 @@ void ValueCard::openAt(QPoint global, std::optional<SegmentRef> at)
     m_whole->setVisible(m_at.has_value());
     constexpr QPoint beside(-18, -18); // the paint that was pointed at stays to be seen
     setMinimumWidth(cardWidth);
-    FloatingCard::openAt(global, beside, m_width->number());
-    m_width->number()->selectAll();
+    NumberField *first = firstNumber();
+    FloatingCard::openAt(global, beside, first);
+    first->selectAll();
+}
+
+/// The first one that can be typed into.
+NumberField *ValueCard::firstNumber() const
+{
+    const SliderField *field = m_width;
+    if (!m_fill->isHidden())
+        field = m_fill->row(&Fill::diffusion);
+    else if (!m_width->number()->isEnabled())
+        field = m_segments->diffusion();
+    return field->number();
 }
 
 void ValueCard::choose(bool whole)
@@ -170,7 +188,12 @@ void ValueCard::refresh()
     const bool one = m_at && m_editor.selection().segments.size() == 1;
     const QString stroke = count == 1 ? titleOf(*inspected.strokes.front()) : tr("%n stroke(s)", nullptr, int(count));
     m_title->setText(one ? tr("%1, segment %2").arg(stroke).arg(m_at->segment + 1) : stroke);
+    const bool fillsAlone = std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); });
+    m_fill->setVisible(fillsAlone);
+    m_segments->setVisible(!fillsAlone);
+    m_width->setVisible(!fillsAlone);
     m_segments->refresh(inspected);
+    m_fill->refresh(inspected);
     showFew();
     const double now = widest(inspected);
     m_width->setEnabled(now > 0);

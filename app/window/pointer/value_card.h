@@ -14,6 +14,8 @@ namespace suffuse {
 class CanvasWidget;
 class Editor;
 class HintLabel;
+class FillSection;
+class NumberField;
 class SegmentSection;
 class SliderField;
 class ValueEntry;
@@ -31,6 +33,7 @@ public:
 
     SegmentSection *segments() const { return m_segments; }
     SliderField *width() const { return m_width; }
+    FillSection *fill() const { return m_fill; }
     QToolButton *wholeButton() const { return m_whole; }
     QToolButton *segmentButton() const { return m_one; }
 
@@ -39,6 +42,7 @@ private:
     void showFew();
     void refresh();
     void setWidth(double width, ValueEntry *entry);
+    NumberField *firstNumber() const;
     double widest(const Inspected &inspected) const;
     void choose(bool whole);
 
@@ -49,6 +53,7 @@ private:
     QToolButton *m_one = nullptr;
     SliderField *m_width = nullptr;
     SegmentSection *m_segments = nullptr;
+    FillSection *m_fill = nullptr; ///< in their place where fills are all that is seen
     HintLabel *m_hint = nullptr;
     std::optional<SegmentRef> m_at;
     std::set<StrokeId> m_strokes; ///< of the selection that it was opened for

@@ -1,4 +1,5 @@
 // The values of a stroke that are typed where it lies.
+#include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/session/painting/seen_width.h"
 #include "app/widgets/numbers/bar_slider.h"
@@ -69,6 +70,36 @@ private slots:
         s.key(Qt::Key_3);
         QVERIFY(s.values()->isOpen() && s.canvas().tool()->hint() != QString());
         QVERIFY(s.window.action(Command::Select).isChecked());
+    }
+
+    /// Of what is a fill alone the card shows the fill, and a number can be typed at once.
+    void theValuesOfAFill()
+    {
+        Crossing s;
+        const StrokeId id = s.painting().strokes.back()->id;
+        s.editor().push(changeStrokes(s.editor().document(), {id},
+                                      [](Stroke &stroke) {
+                                          for (Segment &segment : stroke.segments)
+                                              segment.density = 0;
+                                          stroke.fill = Fill{};
+                                      }),
+                        "fill");
+        s.use(Command::Select);
+        s.editor().document().setSelection({{id}, {}});
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QTest::keyClick(&s.canvas(), Qt::Key_Return);
+        ValueCard &card = *s.values();
+        QVERIFY(card.isOpen());
+        QVERIFY(card.fill()->isVisible() && !card.segments()->isVisible());
+        QLineEdit *field = card.fill()->row(&Fill::diffusion)->number();
+        QCOMPARE(QApplication::focusWidget(), field);
+        enter(*field, "30");
+        QCOMPARE(s.painting().find(id)->fill->diffusion, 30.0f);
+        QVERIFY(!card.isOpen());
+        s.editor().document().setSelection({{s.painting().strokes.front()->id}, {}});
+        QTest::keyClick(&s.canvas(), Qt::Key_Return);
+        QVERIFY(!card.fill()->isVisible() && card.segments()->isVisible());
+        QCOMPARE(QApplication::focusWidget(), card.width()->number());
     }
 
     void escapeClosesTheValuesAndGivesUpTheDrag()
