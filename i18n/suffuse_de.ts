@@ -1197,6 +1197,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Map colours to swatches</source>
         <translation>Farben auf Farbfelder abbilden</translation>
     </message>
+    <message>
+        <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
+        <translation>Nicht kombiniert: Ein Strich hat eine Füllung, und diese sind verschieden, überlappen sich oder fehlen bei einigen Strichen.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2113,6 +2117,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Strength</source>
         <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>A fill has a density of its own, ρ, which the inspector shows. It can be painted relative to what it is.</source>
+        <translation>Eine Füllung hat eine eigene Dichte ρ, die der Inspektor zeigt. Relativ zu dem, was sie ist, kann sie gemalt werden.</translation>
     </message>
 </context>
 <context>
@@ -4648,6 +4656,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click a stroke: the selected ones get its style, mixing, values and colour</source>
         <translation>Einen Strich anklicken: Die ausgewählten bekommen seinen Stil, seine Mischung, seine Werte und seine Farbe</translation>
+    </message>
+    <message>
+        <source>A fill cannot be wetted again. It spreads as long as it takes to dry.</source>
+        <translation>Eine Füllung kann nicht noch einmal befeuchtet werden. Sie breitet sich aus, so lange sie trocknet.</translation>
     </message>
 </context>
 <context>

@@ -1187,6 +1187,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Map colours to swatches</source>
         <translation>将颜色映射到色板</translation>
     </message>
+    <message>
+        <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
+        <translation>未合并：一条笔画只有一个填充，而所选笔画的填充各不相同、相互重叠，或有的没有填充。</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2101,6 +2105,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Strength</source>
         <translation>强度</translation>
+    </message>
+    <message>
+        <source>A fill has a density of its own, ρ, which the inspector shows. It can be painted relative to what it is.</source>
+        <translation>填充有自己的密度 ρ，可在检查器中查看。可以相对于现有值来绘制它。</translation>
     </message>
 </context>
 <context>
@@ -4631,6 +4639,10 @@ Arrow keys work too.</source>
     <message>
         <source>Click a stroke: the selected ones get its style, mixing, values and colour</source>
         <translation>点击一条笔画：所选笔画获得其样式、混合、数值和颜色</translation>
+    </message>
+    <message>
+        <source>A fill cannot be wetted again. It spreads as long as it takes to dry.</source>
+        <translation>填充无法再次润湿。它在干燥之前会一直扩散。</translation>
     </message>
 </context>
 <context>

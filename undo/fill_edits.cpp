@@ -2,6 +2,7 @@
 
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
+#include "model/shaping/unfilled.h"
 #include "undo/edits.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ Fill usualFill(const Stroke &stroke)
     Fill fill;
     fill.density = float(2 * visibleCut(stroke.style)); // It is half of that along a long straight edge.
     fill.born = stroke.born();
+    for (const Segment &segment : stroke.segments) // An outline that is being drawn encloses nothing yet.
+        if (!segment.lift)
+            fill.born = std::max(fill.born, segment.born);
     if (paints == stroke.segments.end())
         return fill;
     fill.diffusion = paints->diffusion;
@@ -33,7 +37,10 @@ Edit addFills(const Document &document, const std::set<StrokeId> &strokes)
 
 Edit removeFills(const Document &document, const std::set<StrokeId> &strokes)
 {
-    return changeStrokes(document, strokes, [](Stroke &stroke) { stroke.fill = {}; });
+    return changeStrokes(document, strokes, [](Stroke &stroke) {
+        if (stroke.fill)
+            stroke = withoutFill(stroke);
+    });
 }
 
 Edit changeFills(const Document &document, const Painting &before, const std::set<StrokeId> &strokes,

@@ -7,13 +7,13 @@
 
 namespace suffuse {
 
-/// The fill with which a stroke begins: the colour, the spread, the grain and the time of its paint, and so dense that
-/// the paint ends on the outline.
+/// The fill with which a stroke begins: the colour, the spread, the grain and the drying time of its paint, and so dense
+/// that the paint ends on the outline. It is born with the last segment of the outline.
 Fill usualFill(const Stroke &stroke);
 
 /// Fills those of the strokes that are not filled.
 Edit addFills(const Document &document, const std::set<StrokeId> &strokes);
-/// Takes away the fills of the strokes.
+/// Takes away the fills of the strokes (`withoutFill`).
 Edit removeFills(const Document &document, const std::set<StrokeId> &strokes);
 /// Applies `change` to the fills of the strokes. `then` is the fill of the stroke in `before`, or the present one where
 /// it had none. A fill that becomes invalid (`problemOf`) stays as it was.

@@ -1,6 +1,7 @@
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
 #include "undo/node_edits.h"
 #include "undo/remap.h"
-
 
 namespace suffuse {
 
@@ -46,6 +47,42 @@ std::vector<StrokePtr> unlockedSelected(const Document &document)
         if (document.selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
             strokes.push_back(stroke);
     return strokes;
+}
+
+/// Whether two outlines have nothing in common, so that one fill can lie in both.
+bool areApart(const Stroke &a, const Stroke &b)
+{
+    const auto areaIn = [&](const Stroke &stroke) {
+        const Point shift = stroke.origin - a.origin;
+        std::vector<std::vector<Cubic>> loops = closedOutline(stroke);
+        for (std::vector<Cubic> &loop : loops)
+            for (Cubic &curve : loop)
+                for (Point &p : curve.p)
+                    p = p + shift;
+        return areaOf(loops, stroke.fill->rule);
+    };
+    const Area one = areaIn(a), other = areaIn(b), both = intersection(one, other);
+    constexpr double rounding = 1e-5; // of what is smaller
+    return both.isEmpty() || sizeOf(both) <= rounding * std::min(sizeOf(one), sizeOf(other));
+}
+
+/// The fill that one stroke has in the place of two, if it shows what theirs show.
+std::optional<SharedFill> oneFill(const Stroke &upper, const Stroke &lower)
+{
+    if (!upper.fill && !lower.fill)
+        return SharedFill();
+    if (!upper.fill || !lower.fill || upper.style != lower.style)
+        return std::nullopt; // The outline of one would be filled, or lose its fill, or look like the other.
+    Fill fill = *upper.fill, like = *lower.fill;
+    if (like.gradient) { // its place is an offset from another origin
+        const Point shift = lower.origin - upper.origin;
+        like.gradient->from = toOffset(shift + like.gradient->from, {});
+        like.gradient->to = toOffset(shift + like.gradient->to, {});
+    }
+    like.born = fill.born = std::max(fill.born, like.born);
+    if (fill != like || !areApart(upper, lower))
+        return std::nullopt;
+    return fill;
 }
 
 /// Puts `whole` in the place of the stroke with its id, and removes others.
@@ -127,19 +164,29 @@ Edit joinSelection(const Document &document)
     return gone.empty() ? Edit() : mergedInto(document, std::move(whole), gone);
 }
 
-Edit combineSelection(const Document &document)
+Edit combineSelection(const Document &document, bool *keepsFills)
 {
     std::vector<StrokePtr> strokes = unlockedSelected(document);
+    if (keepsFills)
+        *keepsFills = true;
     if (strokes.size() < 2)
         return {};
     Stroke whole = *strokes.back();
     strokes.pop_back();
     std::set<StrokeId> gone;
-    for (const StrokePtr &stroke : strokes)
+    for (const StrokePtr &stroke : strokes) {
+        const std::optional<SharedFill> fill = oneFill(whole, *stroke);
+        if (!fill) {
+            if (keepsFills)
+                *keepsFills = false;
+            return {};
+        }
         if (std::optional<Stroke> more = combined(whole, *stroke)) {
             whole = std::move(*more);
+            whole.fill = *fill;
             gone.insert(stroke->id);
         }
+    }
     return gone.empty() ? Edit() : mergedInto(document, std::move(whole), gone);
 }
 

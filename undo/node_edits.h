@@ -49,8 +49,9 @@ Edit joinNodes(const Document &document, NodeRef a, NodeRef b);
 /// Joins the selected strokes to the topmost one, each time the one whose end is nearest to its ends.
 Edit joinSelection(const Document &document);
 /// The selected strokes become one, whose chains are theirs: their densities add up, and nothing mixes over anything. It
-/// takes the place, name and mixing of the topmost one; styles stay.
-Edit combineSelection(const Document &document);
+/// takes the place, name and mixing of the topmost one; styles stay. Filled strokes become one only where the picture
+/// stays: all are filled alike, and their areas are apart. Else there is no edit, and `keepsFills` gets false.
+Edit combineSelection(const Document &document, bool *keepsFills = nullptr);
 /// The opposite: the chains of the selected strokes become strokes, each with what takes paint away from it.
 Edit breakApart(Document &document);
 /// What takes paint away goes, of the selected segments, or of the selected strokes without any; so paint comes back.

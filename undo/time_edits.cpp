@@ -1,5 +1,6 @@
 #include "undo/time_edits.h"
 
+#include "model/area/outline.h"
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
 #include "undo/order_tree.h"
@@ -359,7 +360,18 @@ Edit rewet(const Document &document, Microseconds T, Microseconds extra)
 {
     if (extra <= 0)
         return {};
-    return changeSegments(document, targetSegments(document), [&](Segment &segment) {
+    const Painting &painting = *document.painting();
+    std::vector<SegmentRef> targets = targetSegments(document);
+    std::map<StrokeId, StrokePtr> strokes;
+    for (const SegmentRef &ref : targets)
+        if (StrokePtr &stroke = strokes[ref.stroke]; !stroke)
+            stroke = painting.find(ref.stroke);
+    std::erase_if(targets, [&](const SegmentRef &ref) { // Without paint there is nothing to wet.
+        const StrokePtr &stroke = strokes[ref.stroke];
+        return stroke && std::size_t(ref.segment) < stroke->segments.size() &&
+               onlyBounds(*stroke, std::size_t(ref.segment));
+    });
+    return changeSegments(document, targets, [&](Segment &segment) {
         if (segment.born > T)
             return;
         const auto later = std::ranges::upper_bound(segment.rewet, T, {}, &Rewet::time);

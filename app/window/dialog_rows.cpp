@@ -8,6 +8,7 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/widgets/habits/place_beside.h"
+#include "model/area/outline.h"
 #include "undo/time_edits.h"
 
 #include <QInputDialog>
@@ -65,6 +66,17 @@ void rewetSelected(const Workplace &place)
     Editor &editor = place.open.editor;
     constexpr double usualSeconds = 1, mostSeconds = 1e6;
     const Microseconds now = editor.clock().time(); // the dialog takes its time
+    const Painting &painting = *editor.document().painting();
+    const auto &selected = editor.selection().strokes;
+    const auto isFill = [&](StrokeId id) {
+        const StrokePtr stroke = painting.find(id);
+        return stroke && isFillAlone(*stroke);
+    };
+    if (std::ranges::all_of(selected, isFill)) {
+        emit place.commands.said(Commands::tr("A fill cannot be wetted again. It spreads as long as it takes to dry."),
+                                 8000);
+        return;
+    }
     bool ok = false;
     const double seconds = QInputDialog::getDouble(&place.window, Commands::tr("Re-wet"),
                                                    Commands::tr("Seconds that the paint spreads on"), usualSeconds,

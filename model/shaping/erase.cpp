@@ -4,6 +4,7 @@
 #include "model/painting/bernstein.h"
 #include "model/shaping/fill_cut.h"
 #include "model/shaping/split.h"
+#include "model/shaping/unfilled.h"
 
 #include <functional>
 #include <numeric>
@@ -275,7 +276,16 @@ std::optional<Stroke> withSegmentsOnly(const Stroke &stroke, const std::vector<i
     for (int k = 0; k < int(stroke.segments.size()); ++k)
         if (!stays.contains(k))
             others.push_back(k);
-    return withoutSegments(stroke, others);
+    if (others.empty() || !stroke.fill)
+        return withoutSegments(stroke, others);
+    Stroke unfilled = stroke; // The fill belongs to the stroke as a whole.
+    unfilled.fill = {};
+    std::optional<Stroke> part = withoutSegments(unfilled, others);
+    if (part) {
+        part->fill = stroke.fill;
+        part = withoutFill(*part);
+    }
+    return part;
 }
 
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius)

@@ -28,7 +28,8 @@ std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point>
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone,
                                       std::vector<int> *sources = nullptr);
 
-/// The stroke of some of its segments alone, each run of them a chain. No value where they lay no paint.
+/// The stroke of some of its segments alone, each run of them a chain, without the fill unless these are all. What only
+/// bounded the fill gets paint (`withoutFill`). No value where they lay no paint.
 std::optional<Stroke> withSegmentsOnly(const Stroke &stroke, const std::vector<int> &kept);
 
 /// Returns false where the boxes alone show that the eraser leaves a stroke as it is.

@@ -1,12 +1,14 @@
 // Edits of fills: what begins, what changes, and what stays.
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
+#include "model/paint/half_width.h"
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "undo/colour_edits.h"
 #include "undo/fill_edits.h"
 #include "undo/edits.h"
 #include "undo/node_edits.h"
+#include "undo/time_edits.h"
 
 #include <QTest>
 
@@ -72,7 +74,7 @@ private slots:
         QCOMPARE(fill.diffusion, 7.0f);
         QCOMPARE(fill.granulation, 0.4f);
         QCOMPARE(fill.maxAge, 3.0f);
-        QCOMPARE(fill.born, Microseconds(2'000'000));
+        QCOMPARE(fill.born, Microseconds(2'000'002)); // with what closes the outline
         QCOMPARE(fill.colour, red);
         // Half of its density is where the style's paint ends.
         QVERIFY(std::abs(0.5 * double(fill.density) - visibleCut(triangle(1)->style)) < 1e-6);
@@ -165,6 +167,67 @@ private slots:
         w.apply(changeSwatch(w.document, 0, green, usersOf(*w.document.painting(), 0)));
         QCOMPARE(w.stroke(1).fill->colour, blue);
         QCOMPARE(w.stroke(1).fill->gradient->colour, (Colour{0, 1, 1, 0.5f}));
+    }
+
+    /// What was its fill alone does not vanish with it.
+    void anOutlineGetsThePaintOfItsFill()
+    {
+        Work w;
+        w.fillAlone(1, blue);
+        w.apply(addFills(w.document, {2}));
+        const Stroke outlined = w.stroke(2);
+        w.apply(removeFills(w.document, {1, 2}));
+        QVERIFY(!w.stroke(1).fill && !w.stroke(2).fill);
+        QVERIFY(w.stroke(2).segments == outlined.segments);
+        for (const Segment &segment : w.stroke(1).segments) {
+            QCOMPARE(segment.colour, blue);
+            const double cut = visibleCut(w.stroke(1).style), age = double(segment.maxAge);
+            QVERIFY(halfWidth(double(segment.diffusion), double(segment.density), age, cut) >= 0.99);
+        }
+        // So does a copy of one of its segments.
+        w.fillAlone(1, blue);
+        w.document.setSelection({{1}, {{1, 0}}});
+        w.apply(duplicateSelection(w.document, {0, 0}));
+        const Stroke &copy = w.stroke(*w.document.selection().strokes.begin());
+        QVERIFY(!copy.fill && copy.segments.size() == 1 && copy.segments[0].density > 0);
+        QCOMPARE(copy.segments[0].colour, blue);
+    }
+
+    /// One stroke has one fill. Where it cannot show what was there, nothing is combined.
+    void combiningKeepsFillsOrIsRefused()
+    {
+        Work w;
+        const auto combines = [&](std::set<StrokeId> strokes) {
+            w.document.setSelection({std::move(strokes), {}});
+            bool keeps = true;
+            const Edit edit = combineSelection(w.document, &keeps);
+            return keeps ? edit.isEmpty() ? QString("nothing to do") : QString("combined") : QString("refused");
+        };
+        QCOMPARE(combines({1, 2}), QString("combined")); // none is filled
+        w.fillAlone(1, blue);
+        QCOMPARE(combines({1, 2}), QString("refused")); // one is
+        w.fillAlone(2, red);
+        QCOMPARE(combines({1, 2}), QString("refused")); // in different colours
+        w.fillAlone(2, blue);
+        QCOMPARE(combines({1, 2}), QString("refused")); // They overlap.
+        w.apply(changeStrokes(w.document, {2}, [](Stroke &stroke) { stroke.origin = {60, 0}; }));
+        QCOMPARE(combines({1, 2}), QString("combined"));
+        w.apply(combineSelection(w.document));
+        QCOMPARE(w.stroke(2).fill->colour, blue);
+        QCOMPARE(chainsOf(w.stroke(2)).size(), std::size_t(2));
+    }
+
+    void fillsAreNotWettedAgain()
+    {
+        Work w;
+        w.fillAlone(1, blue);
+        w.document.setSelection({{1}, {}});
+        QVERIFY(rewet(w.document, 10'000'000, 1'000'000).isEmpty());
+        w.apply(addFills(w.document, {2}));
+        w.document.setSelection({{1, 2}, {}});
+        w.apply(rewet(w.document, 10'000'000, 1'000'000));
+        QCOMPARE(w.stroke(2).segments[0].rewet.size(), std::size_t(1));
+        QVERIFY(w.stroke(1).segments[0].rewet.empty());
     }
 };
 

@@ -148,7 +148,10 @@ void addChainRows(Commands &table, Editor &editor)
         .add(CombineStrokes, "combine", Commands::tr("&Combine"), "", key(Commands::tr("Ctrl+Alt+K")),
              Commands::tr("Make one stroke of the selected ones, whose paint adds up"))
         .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; })
-        .runs([&editor] { commands::combineSelected(editor); });
+        .runs([&editor, &table] {
+            if (const QString why = commands::combineSelected(editor); !why.isEmpty())
+                emit table.said(why, 8000);
+        });
     table
         .add(BreakApart, "breakApart", Commands::tr("Break Apart"), "", key(Commands::tr("Ctrl+Shift+K")),
              Commands::tr("Make strokes of the parts of the selected ones"))

@@ -132,9 +132,15 @@ void ungroupSelected(Editor &editor)
     editor.push(ungroupSelection(editor.document()), QCoreApplication::translate("Commands", "Ungroup"));
 }
 
-void combineSelected(Editor &editor)
+QString combineSelected(Editor &editor)
 {
-    editor.push(combineSelection(editor.document()), QCoreApplication::translate("Commands", "Combine strokes"));
+    bool keepsFills = true;
+    Edit edit = combineSelection(editor.document(), &keepsFills);
+    if (!keepsFills)
+        return QCoreApplication::translate("Commands", "Not combined: one stroke has one fill, and these differ, overlap, "
+                                                       "or are missing in some strokes.");
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Combine strokes"));
+    return {};
 }
 
 void breakSelectedApart(Editor &editor)

@@ -30,7 +30,8 @@ void distributeSelected(Editor &editor, Axis axis, Spacing spacing);
 
 void groupSelected(Editor &editor);
 void ungroupSelected(Editor &editor);
-void combineSelected(Editor &editor);
+/// Returns why nothing was done, or nothing.
+QString combineSelected(Editor &editor);
 void breakSelectedApart(Editor &editor);
 /// Of the selected segments, or of the selected strokes without any.
 void removeSelectedErasures(Editor &editor);
