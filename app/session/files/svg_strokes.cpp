@@ -2,7 +2,9 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/files/svg_widths.h"
+#include "model/area/outline.h"
 #include "model/paint/derived_figures.h"
+#include "model/paint/style_function.h"
 #include "model/painting/influence.h"
 
 #include <QXmlStreamWriter>
@@ -18,6 +20,12 @@ constexpr double widthStep = 0.01; ///< canvas units: smaller differences of wid
 QString number(double value)
 {
     return QString::number(value, 'g', 9);
+}
+
+/// Whether a segment is a line of paint.
+bool isLine(const Stroke &stroke, std::size_t segment)
+{
+    return !stroke.segments[segment].lift && !onlyBounds(stroke, segment);
 }
 
 /// How a segment looks as a line.
@@ -60,32 +68,129 @@ Look lookOf(const Stroke &stroke, const Segment &segment, double half)
     return look;
 }
 
-void writePath(QXmlStreamWriter &xml, const Look &look, const QString &data)
+/// A path with its attributes, and the gradient that its fill refers to.
+struct WrittenPath {
+    QString data;
+    QXmlStreamAttributes attributes;
+    const Fill *gradient = nullptr;
+    QString gradientId;
+};
+
+QString share(double value)
 {
-    xml.writeStartElement("path");
-    xml.writeAttribute("d", data);
-    xml.writeAttribute("stroke", look.colour.name());
+    return QString::number(std::clamp(value, 0.0, 1.0), 'g', 4);
+}
+
+WrittenPath linePath(const Look &look, const QString &data)
+{
+    WrittenPath path{data, {}, nullptr, {}};
+    path.attributes.append("stroke", look.colour.name());
     if (look.colour.alphaF() < 1)
-        xml.writeAttribute("stroke-opacity", QString::number(double(look.colour.alphaF()), 'g', 3));
-    xml.writeAttribute("stroke-width", number(look.width));
+        path.attributes.append("stroke-opacity", QString::number(double(look.colour.alphaF()), 'g', 3));
+    path.attributes.append("stroke-width", number(look.width));
+    return path;
+}
+
+QString pointText(Point p)
+{
+    return number(p.x) + ',' + number(p.y);
+}
+
+QString curveText(const Cubic &c)
+{
+    return " C" + pointText(c.p[1]) + ' ' + pointText(c.p[2]) + ' ' + pointText(c.p[3]);
+}
+
+/// How much of a fill is seen deep within it.
+double coverageOf(const Stroke &stroke)
+{
+    return densityFunction(stroke.style, double(stroke.fill->density));
+}
+
+/// The area of a fill, as its outline bounds it.
+WrittenPath areaPath(const Stroke &stroke, int &gradients)
+{
+    const Fill &fill = *stroke.fill;
+    WrittenPath path;
+    for (const std::vector<Cubic> &loop : closedOutline(stroke)) {
+        path.data += (path.data.isEmpty() ? "M" : " M") + pointText(stroke.origin + loop.front().p[0]);
+        for (Cubic curve : loop) {
+            for (Point &p : curve.p)
+                p = stroke.origin + p;
+            path.data += curveText(curve);
+        }
+        path.data += " Z";
+    }
+    if (fill.gradient) {
+        path.gradient = &fill;
+        path.gradientId = QStringLiteral("gradient%1").arg(++gradients);
+        path.attributes.append("fill", "url(#" + path.gradientId + ')');
+    } else {
+        path.attributes.append("fill", toOpaqueScreen(fill.colour).name());
+        if (const double opacity = double(fill.colour.opacity) * coverageOf(stroke); opacity < 1)
+            path.attributes.append("fill-opacity", share(opacity));
+    }
+    if (fill.rule == FillRule::EvenOdd)
+        path.attributes.append("fill-rule", "evenodd");
+    return path;
+}
+
+/// The stops of a gradient: more than its ends where paint takes another way between two colours than a screen.
+std::vector<std::pair<double, Colour>> stopsOf(const Fill &fill)
+{
+    constexpr int mostParts = 8;
+    constexpr double seen = 0.01;
+    const Colour &a = fill.colour, &b = fill.gradient->colour;
+    const auto between = [&](double t) {
+        const auto mix = [t](float x, float y) { return float(std::lerp(double(x), double(y), t)); };
+        return Colour{mix(a.red, b.red), mix(a.yellow, b.yellow), mix(a.blue, b.blue), mix(a.opacity, b.opacity)};
+    };
+    const QColor first = toOpaqueScreen(a), last = toOpaqueScreen(b), middle = toOpaqueScreen(between(0.5));
+    double bend = 0;
+    for (const auto &channel : {&QColor::redF, &QColor::greenF, &QColor::blueF})
+        bend = std::max(bend, std::abs(0.5 * double((first.*channel)() + (last.*channel)()) - double((middle.*channel)())));
+    const int parts = std::clamp(int(std::ceil(std::sqrt(bend / seen))), 1, mostParts);
+    std::vector<std::pair<double, Colour>> stops;
+    for (int i = 0; i <= parts; ++i)
+        stops.emplace_back(double(i) / parts, between(double(i) / parts));
+    return stops;
+}
+
+void writeGradient(QXmlStreamWriter &xml, const Stroke &stroke, const WrittenPath &path)
+{
+    const Gradient &gradient = *path.gradient->gradient;
+    const Point from = stroke.origin + gradient.from, to = stroke.origin + gradient.to;
+    xml.writeStartElement("defs");
+    xml.writeStartElement("linearGradient");
+    xml.writeAttribute("id", path.gradientId);
+    xml.writeAttribute("gradientUnits", "userSpaceOnUse");
+    xml.writeAttribute("x1", number(from.x));
+    xml.writeAttribute("y1", number(from.y));
+    xml.writeAttribute("x2", number(to.x));
+    xml.writeAttribute("y2", number(to.y));
+    for (const auto &[place, colour] : stopsOf(*path.gradient)) {
+        xml.writeEmptyElement("stop");
+        xml.writeAttribute("offset", share(place));
+        xml.writeAttribute("stop-color", toOpaqueScreen(colour).name());
+        if (const double opacity = double(colour.opacity) * coverageOf(stroke); opacity < 1)
+            xml.writeAttribute("stop-opacity", share(opacity));
+    }
+    xml.writeEndElement();
     xml.writeEndElement();
 }
 
-/// Writes a stroke as a group of paths. `half` points at half of the width of its first segment, and afterwards behind
+/// The lines of a stroke. `half` points at half of the width of its first segment that is one, and afterwards behind
 /// that of its last one.
-void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double>::const_iterator &half)
+void addLines(std::vector<WrittenPath> &paths, const Stroke &stroke, std::vector<double>::const_iterator &half)
 {
-    const auto text = [](Point p) { return number(p.x) + ',' + number(p.y); };
-    xml.writeStartElement("g");
-    if (!stroke.name.isEmpty())
-        xml.writeTextElement("title", stroke.name);
     QString data;
     Look look;
     bool isGap = false;
+    Point start; // of the subpath
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
         isGap = isGap || stroke.beginsChain(k);
-        if (segment.lift) {
+        if (!isLine(stroke, k)) {
             isGap = true;
             continue;
         }
@@ -93,19 +198,93 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
         const Cubic c = stroke.cubicOf(segment);
         if (data.isEmpty() || !(here == look)) {
             if (!data.isEmpty())
-                writePath(xml, look, data);
-            data = 'M' + text(c.p[0]);
+                paths.push_back(linePath(look, data));
+            data = 'M' + pointText(c.p[0]);
             look = here;
+            start = c.p[0];
         } else if (isGap) {
-            data += " M" + text(c.p[0]);
+            data += " M" + pointText(c.p[0]);
+            start = c.p[0];
         }
         isGap = false;
-        data += " C" + text(c.p[1]) + ' ' + text(c.p[2]) + ' ' + text(c.p[3]);
+        data += curveText(c);
+        const bool ends = k + 1 == stroke.segments.size() || stroke.beginsChain(k + 1);
+        if (ends && c.p[3] == start)
+            data += " Z";
     }
     if (!data.isEmpty())
-        writePath(xml, look, data);
-    xml.writeEndElement();
+        paths.push_back(linePath(look, data));
 }
+
+/// Writes a stroke as a path or, where it takes several, as a group of paths: the area first, then the lines over it.
+void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double>::const_iterator &half, int &gradients)
+{
+    std::vector<WrittenPath> paths;
+    if (stroke.fill)
+        paths.push_back(areaPath(stroke, gradients));
+    addLines(paths, stroke, half);
+    const auto writeTitle = [&] {
+        if (!stroke.name.isEmpty())
+            xml.writeTextElement("title", stroke.name);
+    };
+    if (paths.size() > 1) {
+        xml.writeStartElement("g");
+        writeTitle();
+    }
+    for (const WrittenPath &path : paths) {
+        if (path.gradient)
+            writeGradient(xml, stroke, path);
+        xml.writeStartElement("path");
+        xml.writeAttribute("d", path.data);
+        xml.writeAttributes(path.attributes);
+        if (paths.size() == 1)
+            writeTitle();
+        xml.writeEndElement();
+    }
+    if (paths.size() > 1)
+        xml.writeEndElement();
+}
+
+/// Writes the beginnings and ends of groups between strokes.
+class WrittenGroups {
+public:
+    WrittenGroups(QXmlStreamWriter &xml, const Painting &painting) : m_xml(xml), m_painting(painting) {}
+
+    /// What follows is in this group.
+    void goTo(GroupId group)
+    {
+        std::vector<GroupId> wanted;
+        for (; group != 0; group = parentOf(group))
+            wanted.insert(wanted.begin(), group);
+        std::size_t same = 0;
+        while (same < m_open.size() && same < wanted.size() && m_open[same] == wanted[same])
+            ++same;
+        for (; m_open.size() > same; m_open.pop_back())
+            m_xml.writeEndElement();
+        for (; m_open.size() < wanted.size(); m_open.push_back(wanted[m_open.size()])) {
+            m_xml.writeStartElement("g");
+            const Group *group = find(wanted[m_open.size()]);
+            if (group && !group->name.isEmpty())
+                m_xml.writeTextElement("title", group->name);
+        }
+    }
+
+private:
+    const Group *find(GroupId id) const
+    {
+        const auto at = std::ranges::find(m_painting.groups, id, &Group::id);
+        return at == m_painting.groups.end() ? nullptr : &*at;
+    }
+    GroupId parentOf(GroupId id) const
+    {
+        const Group *group = find(id);
+        return group ? group->parent : 0;
+    }
+
+    QXmlStreamWriter &m_xml;
+    const Painting &m_painting;
+    std::vector<GroupId> m_open; ///< from outside to inside
+};
 
 } // namespace
 
@@ -132,20 +311,24 @@ SvgStrokes svgOf(const Painting &painting)
     xml.writeAttribute("height", number(box.height()));
     xml.writeAttribute(
         "viewBox", QStringList{number(box.left), number(box.top), number(box.width()), number(box.height())}.join(' '));
-    xml.writeStartElement("g");
     xml.writeAttribute("fill", "none");
     xml.writeAttribute("stroke-linecap", "round");
     xml.writeAttribute("stroke-linejoin", "round");
     std::vector<SvgLine> lines;
     for (const StrokePtr &stroke : painting.strokes)
-        for (const Segment &segment : stroke->segments)
-            if (painting.isVisible(*stroke) && !segment.lift)
-                lines.push_back(lineOf(*stroke, segment));
+        for (std::size_t k = 0; k < stroke->segments.size(); ++k)
+            if (painting.isVisible(*stroke) && isLine(*stroke, k))
+                lines.push_back(lineOf(*stroke, stroke->segments[k]));
     const std::vector<double> halves = joinedHalfWidths(lines);
     auto half = halves.begin();
-    for (const StrokePtr &stroke : painting.strokes)
-        if (painting.isVisible(*stroke))
-            writeStroke(xml, *stroke, half);
+    int gradients = 0;
+    WrittenGroups groups(xml, painting);
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!painting.isVisible(*stroke))
+            continue;
+        groups.goTo(stroke->group);
+        writeStroke(xml, *stroke, half, gradients);
+    }
     xml.writeEndDocument();
     return svg;
 }

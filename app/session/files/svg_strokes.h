@@ -12,8 +12,9 @@ struct SvgStrokes {
     QByteArray bytes;
     int erasing = 0; ///< segments that take paint away, which SVG has nothing for: they are left out
 };
-/// The visible strokes of a painting: a <path> for each run of segments that look alike, in its colour and as wide as
-/// the dry paint is seen; each chain is a subpath. The view box is the influence of the strokes, in canvas units.
+/// The visible strokes of a painting, in their groups: a <path> for the area of a fill, in its colour or gradient, and one
+/// for each run of segments that look alike, in its colour and as wide as the dry paint is seen; each chain is a subpath.
+/// A stroke of several paths is a group. The view box is the influence of the strokes, in canvas units.
 SvgStrokes svgOf(const Painting &painting);
 /// How many segments of visible strokes take paint away.
 int erasingSegments(const Painting &painting);

@@ -2,6 +2,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/files/clipboard.h"
 #include "app/session/files/svg_strokes.h"
+#include "model/area/outline.h"
 #include "app/widgets/colour/colour_swatch.h"
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
@@ -323,6 +324,60 @@ private slots:
         QVERIFY(std::abs(back[0].segments[0].colour.red - 1) < 0.01 && back[0].segments[0].colour.yellow < 0.01);
         QVERIFY(std::abs(back[0].segments[0].colour.opacity - 0.5f) < 0.01f);
         QCOMPARE(back[0].segments[0].born, Microseconds(3'000'000));
+    }
+
+    /// What fills is written so that it comes in again as it was.
+    void svgOfFills()
+    {
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 200 100'><defs><linearGradient id='g' "
+            "gradientUnits='userSpaceOnUse' x1='10' y1='20' x2='80' y2='30'><stop offset='0' stop-color='#202020'/>"
+            "<stop offset='1' stop-color='#c0c0c0' stop-opacity='0.5'/></linearGradient></defs><g><title>pair</title>"
+            "<path d='M0 0H100V80H0Z M20 20H60V60H20Z' fill='#e0a030' fill-opacity='0.5' fill-rule='evenodd'>"
+            "<title>frame</title></path><path d='M5 5C50 0 90 50 10 90Z' fill='url(#g)'/></g>"
+            "<path d='M5 5H50V50Z' fill='#00ff00' stroke='#ff0000' stroke-width='4'/></svg>";
+        const auto read = [](const QByteArray &bytes) {
+            return readSvg(bytes, "a.svg", builtinBrushes().front());
+        };
+        const auto before = read(drawing);
+        QVERIFY(bool(before));
+        const QByteArray written = svgOf(*before).bytes;
+        QVERIFY(!written.contains("stroke-opacity=\"0\""));
+        const auto after = read(written);
+        QVERIFY2(bool(after), qPrintable(after.error()));
+        QCOMPARE(after->strokes.size(), before->strokes.size());
+        QCOMPARE(after->groups.front().name, QString("pair"));
+        // The drawing's corner is another one: what is drawn has moved as a whole.
+        const Point moved = after->strokes[0]->cubicOf(after->strokes[0]->segments[0]).p[0] -
+                            before->strokes[0]->cubicOf(before->strokes[0]->segments[0]).p[0];
+        int fills = 0;
+        for (std::size_t i = 0; i < before->strokes.size(); ++i) {
+            const Stroke &was = *before->strokes[i], &is = *after->strokes[i];
+            QCOMPARE(is.name, was.name);
+            QCOMPARE(bool(is.fill), bool(was.fill));
+            if (!was.fill)
+                continue;
+            ++fills;
+            QCOMPARE(is.fill->rule, was.fill->rule);
+            const auto alike = [](const Colour &a, const Colour &b) {
+                return std::abs(a.red - b.red) + std::abs(a.yellow - b.yellow) + std::abs(a.blue - b.blue) +
+                           std::abs(a.opacity - b.opacity) <
+                       0.02f;
+            };
+            QVERIFY(alike(is.fill->colour, was.fill->colour));
+            QCOMPARE(bool(is.fill->gradient), bool(was.fill->gradient));
+            if (was.fill->gradient) {
+                QVERIFY(alike(is.fill->gradient->colour, was.fill->gradient->colour));
+                QVERIFY(near(is.origin + is.fill->gradient->from, was.origin + was.fill->gradient->from + moved, 1e-3));
+                QVERIFY(near(is.origin + is.fill->gradient->to, was.origin + was.fill->gradient->to + moved, 1e-3));
+            }
+            const auto loops = closedOutline(was), again = closedOutline(is);
+            QCOMPARE(again.size(), loops.size());
+            for (std::size_t l = 0; l < loops.size(); ++l)
+                for (std::size_t k = 0; k < loops[l].size(); ++k)
+                    QVERIFY(near(is.origin + again[l][k].p[1], was.origin + loops[l][k].p[1] + moved, 1e-3));
+        }
+        QCOMPARE(fills, 3);
     }
 
     void pathData()
