@@ -1,5 +1,6 @@
 #include "model/shaping/paint_samples.h"
 
+#include "model/area/outline.h"
 #include "model/brush/stroke_fit.h"
 #include "model/paint/style_function.h"
 #include "model/shaping/split.h"
@@ -19,6 +20,12 @@ double excessOf(const Style *style, double density, double opacity)
     if (!style || !(density > 0) || densityFunction(*style, density) * opacity < visibleOpacity)
         return 0;
     return std::max(density - visibleCut(*style), density / 4);
+}
+
+/// A gradient may begin transparent.
+float mostOpacity(const Fill &fill)
+{
+    return fill.gradient ? std::max(fill.colour.opacity, fill.gradient->colour.opacity) : fill.colour.opacity;
 }
 
 } // namespace
@@ -59,8 +66,10 @@ PaintSamples::PaintAt PaintSamples::look(Point fromOrigin) const
     for (const PaintSight &sight : m_sights) {
         const SeenPaint seen = sight.at(at);
         if (seen.segment >= 0 && seen.density > sample.density) {
-            const Segment &segment = m_present->segments[std::size_t(seen.segment)];
-            sample = {&m_present->styleOf(segment), seen.density, double(segment.colour.opacity), 0};
+            const auto k = std::size_t(seen.segment);
+            const Segment &segment = m_present->segments[k];
+            const float opacity = onlyBounds(*m_present, k) ? mostOpacity(*m_present->fill) : segment.colour.opacity;
+            sample = {&m_present->styleOf(segment), seen.density, double(opacity), 0};
         }
     }
     for (const DensityOfSegment &lift : m_taken)

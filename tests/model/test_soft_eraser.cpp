@@ -273,6 +273,27 @@ private slots:
                 QVERIFY(after.segments[k].lift);
         }
     }
+
+    /// A fill is seen although its gradient begins transparent, and what bounds it has that colour.
+    void gradientsThatBeginTransparent()
+    {
+        Stroke stroke = line({{100, -50}, {200, -50}, {200, 50}, {100, 50}});
+        for (Segment &segment : stroke.segments) {
+            segment.density = 0;
+            segment.colour = {1, 0, 0, 0};
+        }
+        stroke.style = {StyleKind::Uniform, {0.5f, 0.05f, 0}};
+        Fill fill;
+        fill.diffusion = 0;
+        fill.colour = {1, 0, 0, 0};
+        fill.gradient = Gradient{toOffset({100, 0}, stroke.origin), toOffset({101, 0}, stroke.origin), {1, 0, 0, 1}};
+        stroke.fill = fill;
+        QVERIFY(seenAt(stroke, {150, 0}) > 0.9);
+        const Stroke after = erasedBy({10, 0.5, 1}, stroke, line({150, -20}, {150, 20}));
+        QVERIFY(after.hasLift());
+        QVERIFY(seenAt(after, {150, 0}) < 0.1);
+        QVERIFY(seenAt(after, {190, 0}) > 0.9);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestSoftEraser)
