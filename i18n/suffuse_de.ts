@@ -8951,4 +8951,70 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>die aktuelle Farbe</translation>
     </message>
 </context>
+<context>
+    <name>suffuse::GradientRows</name>
+    <message>
+        <source>Gradient</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>The fill&apos;s colour fades from left to right. The Segments tool drags the ends.</source>
+        <translation>Die Farbe der Füllung verblasst von links nach rechts. Das Werkzeug Segmente zieht die Enden.</translation>
+    </message>
+    <message>
+        <source>Add gradient</source>
+        <translation>Verlauf hinzufügen</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>The two colours change places</source>
+        <translation>Die beiden Farben tauschen die Plätze</translation>
+    </message>
+    <message>
+        <source>Swap colours of gradient</source>
+        <translation>Farben des Verlaufs tauschen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The fill has its first colour everywhere</source>
+        <translation>Die Füllung hat überall ihre erste Farbe</translation>
+    </message>
+    <message>
+        <source>Remove gradient</source>
+        <translation>Verlauf entfernen</translation>
+    </message>
+    <message>
+        <source>The second colour of the gradient</source>
+        <translation>Die zweite Farbe des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Change gradient</source>
+        <translation>Verlauf ändern</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für alles möglich, was ausgewählt ist: Ein Wert läge außerhalb des Bereichs.</translation>
+    </message>
+</context>
+<context>
+    <name>GradientHandles</name>
+    <message>
+        <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>
+        <translation>Ein Ende des Verlaufs ziehen. Strg: in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>Verlauf verschieben</translation>
+    </message>
+</context>
 </TS>

@@ -8901,4 +8901,70 @@ Arrow keys work too.</source>
         <translation>当前颜色</translation>
     </message>
 </context>
+<context>
+    <name>suffuse::GradientRows</name>
+    <message>
+        <source>Gradient</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>The fill&apos;s colour fades from left to right. The Segments tool drags the ends.</source>
+        <translation>填充的颜色从左到右渐隐。可用“线段”工具拖动两端。</translation>
+    </message>
+    <message>
+        <source>Add gradient</source>
+        <translation>添加渐变</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>The two colours change places</source>
+        <translation>两种颜色互换位置</translation>
+    </message>
+    <message>
+        <source>Swap colours of gradient</source>
+        <translation>交换渐变的颜色</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>The fill has its first colour everywhere</source>
+        <translation>填充各处均为第一种颜色</translation>
+    </message>
+    <message>
+        <source>Remove gradient</source>
+        <translation>移除渐变</translation>
+    </message>
+    <message>
+        <source>The second colour of the gradient</source>
+        <translation>渐变的第二种颜色</translation>
+    </message>
+    <message>
+        <source>Change gradient</source>
+        <translation>更改渐变</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
+    </message>
+</context>
+<context>
+    <name>GradientHandles</name>
+    <message>
+        <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>
+        <translation>拖动渐变的一端。Ctrl：以 15° 为步长。</translation>
+    </message>
+    <message>
+        <source>Move gradient</source>
+        <translation>移动渐变</translation>
+    </message>
+</context>
 </TS>

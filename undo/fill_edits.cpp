@@ -1,5 +1,6 @@
 #include "undo/fill_edits.h"
 
+#include "model/area/outline.h"
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "model/shaping/unfilled.h"
@@ -41,6 +42,45 @@ Edit removeFills(const Document &document, const std::set<StrokeId> &strokes)
         if (stroke.fill)
             stroke = withoutFill(stroke);
     });
+}
+
+Edit addGradients(const Document &document, const std::set<StrokeId> &strokes)
+{
+    return changeStrokes(document, strokes, [](Stroke &stroke) {
+        if (!stroke.fill || stroke.fill->gradient)
+            return;
+        const Rect box = outlineBox(stroke);
+        Fill fill = *stroke.fill;
+        const auto middle = float(box.centre().y);
+        fill.gradient = Gradient{{float(box.left), middle}, {float(box.right), middle}, fill.colour};
+        if (fill.gradient->from == fill.gradient->to)
+            fill.gradient->to.x += 1;
+        fill.gradient->colour.opacity = 0;
+        stroke.fill = fill;
+    });
+}
+
+namespace {
+
+Edit changeGradients(const Document &document, const std::set<StrokeId> &strokes,
+                     const std::function<void(Fill &)> &change)
+{
+    return changeFills(document, *document.painting(), strokes, [&](Fill &now, const Fill &) {
+        if (now.gradient)
+            change(now);
+    });
+}
+
+} // namespace
+
+Edit removeGradients(const Document &document, const std::set<StrokeId> &strokes)
+{
+    return changeGradients(document, strokes, [](Fill &fill) { fill.gradient.reset(); });
+}
+
+Edit swapGradients(const Document &document, const std::set<StrokeId> &strokes)
+{
+    return changeGradients(document, strokes, [](Fill &fill) { std::swap(fill.colour, fill.gradient->colour); });
 }
 
 Edit changeFills(const Document &document, const Painting &before, const std::set<StrokeId> &strokes,

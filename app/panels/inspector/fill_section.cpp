@@ -1,5 +1,6 @@
 #include "app/panels/inspector/fill_section.h"
 
+#include "app/panels/inspector/gradient_rows.h"
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
@@ -64,6 +65,8 @@ FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_e
     grid->addWidget(m_rule, grid->rowCount() - 1, 1, 1, 2);
     m_colour = new ColourRows(true, m_values);
     values->addWidget(m_colour);
+    m_gradient = new GradientRows(editor, m_values);
+    values->addWidget(m_gradient);
     column->addWidget(m_values);
 
     connect(m_filled, &QCheckBox::clicked, this, &FillSection::fillSelected);
@@ -84,6 +87,7 @@ FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_e
         changeTogether(channelOf(channel), change, entry);
     });
     connect(m_colour, &ColourRows::refused, this, &FillSection::refused);
+    connect(m_gradient, &GradientRows::refused, this, &FillSection::refused);
 }
 
 void FillSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Fill::*member)
@@ -197,6 +201,7 @@ void FillSection::refresh(const Inspected &inspected)
     m_colour->setColour(channels, fills.front()->colour);
     const auto rule = commonValue(fills, [](const Fill *fill) { return fill->rule; });
     m_rule->setCurrentIndex(rule ? int(*rule) : -1);
+    m_gradient->refresh(inspected);
 }
 
 } // namespace suffuse

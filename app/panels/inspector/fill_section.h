@@ -13,6 +13,7 @@ namespace suffuse {
 
 class ColourRows;
 class Editor;
+class GradientRows;
 
 /// Shows and changes the fills of the selected strokes: whether they have one, and its values.
 class FillSection : public QWidget {
@@ -29,6 +30,7 @@ public:
     QCheckBox *filled() const { return m_filled; }
     SliderField *row(float Fill::*member) const;
     ColourRows *colour() const { return m_colour; }
+    GradientRows *gradient() const { return m_gradient; }
     QComboBox *rule() const { return m_rule; }
 
 signals:
@@ -51,6 +53,7 @@ private:
     QWidget *m_values = nullptr; ///< all but the switch
     std::vector<std::pair<float Fill::*, SliderField *>> m_rows;
     ColourRows *m_colour = nullptr;
+    GradientRows *m_gradient = nullptr;
     QComboBox *m_rule = nullptr;
     QLabel *m_ruleLabel = nullptr;
 };

@@ -17,7 +17,7 @@ namespace suffuse {
 
 NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_drag(canvas, m_reach),
-      m_width(canvas)
+      m_width(canvas), m_gradient(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -54,6 +54,8 @@ QString NodeTool::hint() const
         return tr(
             "Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. "
             "Shift+click for more.");
+    if (m_hovered.gradient)
+        return GradientHandles::hint();
     if (m_hovered.width)
         return WidthHandle::hint();
     if (m_hovered.erasure || (m_drag.isOpen() && m_hit.erasure))
@@ -76,7 +78,7 @@ QString NodeTool::erasureHint() const
 
 QCursor NodeTool::cursor() const
 {
-    if (!m_hovered.mark.isEmpty() || m_hovered.width)
+    if (!m_hovered.mark.isEmpty() || m_hovered.width || m_hovered.gradient)
         return Qt::SizeAllCursor;
     return m_hovered.curve ? Qt::OpenHandCursor : Qt::PointingHandCursor;
 }
@@ -218,8 +220,9 @@ void NodeTool::hover(const PointerEvent &event)
     const NodeHit hit = hitAt(event);
     Hovered hovered;
     hovered.mark = hit.mark;
-    hovered.width = hovered.mark.isEmpty() && m_width.isAt(event.pixel);
-    hovered.curve = !hovered.width && hit.curve;
+    hovered.gradient = hovered.mark.isEmpty() && m_gradient.isAt(event.pixel);
+    hovered.width = hovered.mark.isEmpty() && !hovered.gradient && m_width.isAt(event.pixel);
+    hovered.curve = !hovered.width && !hovered.gradient && hit.curve;
     hovered.erasure = hovered.curve && !erasureOf(*m_editor.document().painting(), hit.segment()).empty();
     setHovered(hovered);
 }
@@ -231,7 +234,10 @@ void NodeTool::leave()
 
 void NodeTool::press(const PointerEvent &event)
 {
-    const bool atWidth = marks().hit(event.pixel).isEmpty() && m_width.isAt(event.pixel);
+    const bool isFree = marks().hit(event.pixel).isEmpty();
+    if (isFree && m_gradient.press(event))
+        return;
+    const bool atWidth = isFree && m_width.isAt(event.pixel);
     if (atWidth && event.doubleClick)
         emit valuesAsked(event, *m_width.segment()); // to type the number
     else if (!atWidth || !m_width.press(event))
@@ -240,7 +246,9 @@ void NodeTool::press(const PointerEvent &event)
 
 void NodeTool::move(const PointerEvent &event)
 {
-    if (m_width.isBusy())
+    if (m_gradient.isBusy())
+        m_gradient.move(event);
+    else if (m_width.isBusy())
         m_width.move(event);
     else
         SelectionTool::move(event);
@@ -248,7 +256,9 @@ void NodeTool::move(const PointerEvent &event)
 
 void NodeTool::release(const PointerEvent &event)
 {
-    if (m_width.isBusy())
+    if (m_gradient.isBusy())
+        m_gradient.release();
+    else if (m_width.isBusy())
         m_width.release();
     else
         SelectionTool::release(event);
@@ -256,6 +266,8 @@ void NodeTool::release(const PointerEvent &event)
 
 void NodeTool::cancel()
 {
+    if (m_gradient.isBusy())
+        m_gradient.cancel();
     if (m_width.isBusy())
         m_width.cancel();
     SelectionTool::cancel();
@@ -503,12 +515,13 @@ void NodeTool::stepSize(int steps)
 std::optional<double> NodeTool::paintMargin() const
 {
     constexpr double marks = 20; // logical pixels that nodes, handles and the mark of a snap take
-    return std::max({marks * m_canvas.devicePixelRatioF(), m_width.reach(), m_drag.margin()});
+    return std::max({marks * m_canvas.devicePixelRatioF(), m_width.reach(), m_gradient.reach(), m_drag.margin()});
 }
 
 void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_width.paint(painter, view, dpr);
+    m_gradient.paint(painter, view, dpr);
     m_drag.paint(painter, view, dpr);
     marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
     SelectionTool::paint(painter, view, dpr);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/nodes/gradient_handles.h"
 #include "app/tools/nodes/node_commands.h"
 #include "app/tools/nodes/node_drag.h"
 #include "app/tools/nodes/width_handle.h"
@@ -27,7 +28,7 @@ public:
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
-    bool isBusy() const override { return m_width.isBusy() || SelectionTool::isBusy(); }
+    bool isBusy() const override { return m_width.isBusy() || m_gradient.isBusy() || SelectionTool::isBusy(); }
     bool showsErasures() const override { return true; }
     void cancel() override;
     void hover(const PointerEvent &event) override;
@@ -68,6 +69,7 @@ private:
         bool curve = false;
         bool erasure = false; ///< The curve takes paint away.
         bool width = false;
+        bool gradient = false;
         friend bool operator==(const Hovered &, const Hovered &) = default;
     };
     void setHovered(const Hovered &hovered);
@@ -97,6 +99,7 @@ private:
     NodeHit m_hit;           ///< what the press hit
     bool m_inserted = false; ///< whether this press has inserted a node
     WidthHandle m_width;
+    GradientHandles m_gradient;
     ValueEntry m_nodeNudges;
 };
 

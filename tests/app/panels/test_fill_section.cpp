@@ -2,12 +2,14 @@
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/density_plot.h"
 #include "app/panels/inspector/figures_section.h"
+#include "app/panels/inspector/gradient_rows.h"
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/area/outline.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
@@ -16,6 +18,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 using namespace suffuse;
 
@@ -52,6 +55,41 @@ private slots:
         QTest::mouseClick(section.filled(), Qt::LeftButton, {}, {8, section.filled()->height() / 2});
         QVERIFY(!bench.stroke(2).fill && !bench.stroke(3).fill);
         QCOMPARE(bench.steps(), 3);
+    }
+
+    void gradientsAreAddedTurnedAndRemoved()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        FillSection &section = *panel.fillSection();
+        GradientRows &gradient = *section.gradient();
+        bench.select({1, 2});
+        bench.editor.push(addFills(bench.editor.document(), {1, 2}), "fill");
+        const Colour colour = bench.stroke(1).fill->colour;
+        QVERIFY(gradient.addButton()->isVisible() && !gradient.colour()->isVisible());
+        gradient.addButton()->click();
+        QVERIFY(bench.stroke(1).fill->gradient && bench.stroke(2).fill->gradient);
+        QCOMPARE(bench.stroke(1).fill->colour, colour);
+        QCOMPARE(bench.stroke(1).fill->gradient->colour.opacity, 0.0f);
+        const Rect box = outlineBox(bench.stroke(1));
+        QCOMPARE(bench.stroke(1).fill->gradient->from.x, float(box.left));
+        QCOMPARE(bench.stroke(1).fill->gradient->to.x, float(box.right));
+        QVERIFY(!gradient.addButton()->isVisible() && gradient.colour()->isVisible());
+        NumberField &red = *gradient.colour()->row(ColourRows::Red)->number();
+        red.setFocus();
+        red.selectAll();
+        QTest::keyClicks(&red, "25");
+        QTest::keyClick(&red, Qt::Key_Return);
+        QCOMPARE(bench.stroke(1).fill->gradient->colour.red, 0.25f);
+        QCOMPARE(bench.stroke(2).fill->gradient->colour.red, 0.25f);
+        QCOMPARE(bench.stroke(1).fill->colour, colour);
+        gradient.swapButton()->click();
+        QCOMPARE(bench.stroke(1).fill->gradient->colour, colour);
+        QCOMPARE(bench.stroke(1).fill->colour.red, 0.25f);
+        gradient.removeButton()->click();
+        QVERIFY(!bench.stroke(1).fill->gradient && !bench.stroke(2).fill->gradient);
+        QCOMPARE(bench.steps(), 5);
     }
 
     /// A shape without an outline is painted by its fill alone: no figure and no warning speaks of paint that is not

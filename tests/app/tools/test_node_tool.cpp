@@ -138,6 +138,40 @@ private slots:
         QVERIFY(s.tool().nodes().empty());
     }
 
+    /// The ends of a fill's gradient are dragged by their knobs.
+    void theEndsOfAGradientAreDragged()
+    {
+        NodeSession s;
+        const auto fill = [](Stroke &stroke) {
+            Fill graded;
+            graded.gradient = Gradient{toOffset({250, 420}, stroke.origin), toOffset({350, 420}, stroke.origin), {}};
+            stroke.fill = graded;
+        };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
+        const int steps = s.steps();
+        const auto end = [&](bool second) {
+            const Gradient &gradient = *s.stroke().fill->gradient;
+            return s.stroke().origin + (second ? gradient.to : gradient.from);
+        };
+        const Point before = s.sent({350, 420}), after = s.sent({380, 460});
+        s.hover({350, 420});
+        QVERIFY(s.canvas().tool()->hint().contains("gradient"));
+        s.drag({350, 420}, {380, 460});
+        QVERIFY(length(end(true) - (Point{350, 420} + after - before)) < 1e-3);
+        QVERIFY(length(end(false) - Point{250, 420}) < 1e-3);
+        QCOMPARE(s.steps(), steps + 1);
+        s.drag({250, 420}, {200, 400}, Qt::ControlModifier, false);
+        const Point arm = end(false) - end(true);
+        const double turns = std::atan2(arm.y, arm.x) / (std::numbers::pi / 12);
+        QVERIFY(std::abs(turns - std::round(turns)) < 1e-4);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape); // gives it up
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, Qt::ControlModifier, s.at({200, 400}));
+        QVERIFY(length(end(false) - Point{250, 420}) < 1e-3);
+        QCOMPARE(s.steps(), steps + 1);
+        s.use(Command::Undo);
+        QVERIFY(length(end(true) - Point{350, 420}) < 1e-3);
+    }
+
     void severalNodesMoveTogether()
     {
         NodeSession s;

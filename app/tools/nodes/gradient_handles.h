@@ -1,0 +1,54 @@
+// The two ends of a fill's gradient, as handles on the canvas.
+#pragma once
+
+#include "app/canvas/input/pointer_event.h"
+#include "app/session/gesture.h"
+#include "model/painting/ids.h"
+#include "render/view.h"
+
+#include <optional>
+
+class QPainter;
+
+namespace suffuse {
+
+class CanvasWidget;
+
+/// A line from one end to the other, with a knob in the colour of each, for every selected stroke whose fill has a
+/// gradient. A knob that is dragged takes its end along; with Ctrl the line keeps to steps of 15°. Tools that select
+/// offer each press to the handles before they look at it themselves.
+class GradientHandles {
+public:
+    explicit GradientHandles(CanvasWidget &canvas) : m_canvas(canvas) {}
+
+    /// Whether a press at a pixel of the canvas would take hold of a knob.
+    bool isAt(Point pixel) const { return endAt(pixel).has_value(); }
+    /// Returns true if the press took hold of a knob: then moves and the release belong to it, too.
+    bool press(const PointerEvent &event);
+    void move(const PointerEvent &event);
+    /// Ends the drag, and makes a step of it.
+    void release();
+    /// Gives the drag up.
+    void cancel();
+    bool isBusy() const { return m_gesture.isOpen(); }
+    /// Paints the handles in device pixels.
+    void paint(QPainter &painter, const View &view, double dpr) const;
+    /// Device pixels from the curves of what is selected to what is painted, which may lie anywhere; 0 if there is none.
+    double reach() const;
+    /// What dragging a knob does, for the status bar.
+    static QString hint();
+
+private:
+    struct End {
+        StrokeId stroke = 0;
+        bool isSecond = false;
+    };
+    std::optional<End> endAt(Point pixel) const;
+
+    CanvasWidget &m_canvas;
+    End m_end;
+    Point m_grab; ///< from the pointer to the end, canvas units
+    Gesture m_gesture;
+};
+
+} // namespace suffuse
