@@ -1,8 +1,12 @@
 // Random edits of nodes, shapes and groups for the tests of undo.
 #pragma once
 
+#include "model/shaping/erase.h"
+#include "model/shaping/fill_cut.h"
 #include "tests/model/awkward_strokes.h"
 #include "tests/undo/random_edits.h"
+#include "undo/colour_edits.h"
+#include "undo/fill_edits.h"
 #include "undo/group_edits.h"
 #include "undo/node_edits.h"
 #include "undo/transform_edits.h"
@@ -30,7 +34,7 @@ public:
     {
         if (m_random.below(3) == 0)
             selectSome();
-        switch (m_random.below(25)) {
+        switch (m_random.below(28)) {
         case 0:
             return insertNodes(m_document, places());
         case 1:
@@ -92,6 +96,20 @@ public:
             return breakApart(m_document);
         case 23:
             return removeErasures(m_document);
+        case 24:
+            return fills();
+        case 25: {
+            const Point a = m_random.point(300), b = m_random.point(300);
+            PlacesOfStrokes places;
+            for (const StrokePtr &stroke : m_document.painting()->strokes)
+                places[stroke->id] = stroke->fill ? filledCutPlaces(*stroke, a, b) : crossings(*stroke, a, b);
+            return cutAlong(m_document, places, a, b);
+        }
+        case 26:
+            return recolour(m_document, partsToColour(*m_document.painting(), m_document.selection()),
+                            [this](const Colour &each) {
+                                return Colour{float(m_random.real(0, 1)), each.blue, each.red, each.opacity};
+                            });
         default:
             return m_others.next();
         }
@@ -100,6 +118,24 @@ public:
     int below(int n) { return m_random.below(n); }
 
 private:
+    Edit fills()
+    {
+        const std::set<StrokeId> &strokes = m_document.selection().strokes;
+        switch (m_random.below(5)) {
+        case 0:
+        case 1:
+            return addFills(m_document, strokes);
+        case 2:
+            return removeFills(m_document, strokes);
+        case 3:
+            return m_random.below(2) ? addGradients(m_document, strokes) : swapGradients(m_document, strokes);
+        default:
+            return changeStrokes(m_document, strokes, [](Stroke &stroke) { // a fill alone
+                for (Segment &segment : stroke.segments)
+                    segment.density = stroke.fill && !segment.lift ? 0 : segment.density;
+            });
+        }
+    }
     StrokePtr any()
     {
         const auto &strokes = m_document.painting()->strokes;
