@@ -6780,6 +6780,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Segment %1</source>
         <translation>Segment %1</translation>
     </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>

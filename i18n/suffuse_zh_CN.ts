@@ -6738,6 +6738,10 @@ Arrow keys work too.</source>
         <source>Segment %1</source>
         <translation>线段 %1</translation>
     </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>

@@ -133,6 +133,19 @@ bool meansFill(const ColourPart &part)
 
 } // namespace
 
+Colour shownColourOf(const Stroke &stroke)
+{
+    if (!isFillAlone(stroke)) {
+        std::vector<const Segment *> paint;
+        for (const Segment &segment : stroke.segments)
+            if (!segment.lift)
+                paint.push_back(&segment);
+        return paint.empty() ? stroke.segments.front().colour : paint[paint.size() / 2]->colour;
+    }
+    const Fill &fill = *stroke.fill;
+    return fill.gradient && fill.gradient->colour.opacity > fill.colour.opacity ? fill.gradient->colour : fill.colour;
+}
+
 std::size_t ColourPart::count() const
 {
     return chosen.empty() ? stroke->segments.size() : std::size_t(std::ranges::count(chosen, true));

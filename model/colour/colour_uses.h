@@ -8,6 +8,10 @@
 
 namespace suffuse {
 
+/// The one colour by which a stroke is shown in lists: that of the segment in its middle or, where it is its fill alone,
+/// that of the fill.
+Colour shownColourOf(const Stroke &stroke);
+
 /// A stroke as it was at some moment, and which of its colours are meant.
 struct ColourPart {
     StrokePtr stroke;

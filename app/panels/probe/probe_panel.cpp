@@ -247,6 +247,8 @@ QTreeWidgetItem *ProbePanel::addStroke(const ProbeStroke &stroke, double share)
     const Colour colour{float(stroke.colour[0]), float(stroke.colour[1]), float(stroke.colour[2]), 1};
     item->setIcon(NameColumn, chip(toOpaqueScreen(colour)));
     m_view->addTopLevelItem(item);
+    if (stroke.fillShare >= leastShare)
+        item->addChild(row(tr("Fill"), stroke.fillShare, stroke.fillDensity, -1));
     std::vector<ProbeShare> shares = stroke.shares;
     std::sort(shares.begin(), shares.end(), [](const auto &a, const auto &b) { return a.share > b.share; });
     for (const ProbeShare &s : shares)

@@ -3,6 +3,7 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/colour_convert.h"
 #include "app/widgets/look/icons.h"
+#include "model/colour/colour_uses.h"
 #include "model/shaping/chains.h"
 
 #include <algorithm>
@@ -120,8 +121,7 @@ QVariant strokeRowData(const Stroke &stroke, int column, int role)
     case StrokesModel::MakeUpRole:
         return makeUpOf(stroke);
     case StrokesModel::ColourRole:
-        return stroke.segments.empty() ? QVariant()
-                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
+        return stroke.segments.empty() ? QVariant() : toOpaqueScreen(shownColourOf(stroke));
     case StrokesModel::UnnamedRole:
         return stroke.name.isEmpty();
     default:

@@ -1,5 +1,7 @@
 #include "app/panels/timeline/timeline_bars.h"
 
+#include "model/area/outline.h"
+#include "model/colour/colour_uses.h"
 #include "model/document/document.h"
 
 #include <algorithm>
@@ -25,9 +27,16 @@ TimelineBar barOf(const Stroke &stroke)
         bar.dry = std::max(bar.dry, s->born + toMicroseconds(double(s->maxAge)));
         bar.end = std::max(bar.end, s->driesAt());
     }
+    if (stroke.fill) {
+        const bool alone = isFillAlone(stroke); // What only bounds it dries unseen.
+        bar.begin = std::min(bar.begin, stroke.fill->born);
+        bar.drawn = std::max(bar.drawn, stroke.fill->born);
+        bar.dry = alone ? stroke.fill->driesAt() : std::max(bar.dry, stroke.fill->driesAt());
+        bar.end = alone ? bar.dry : bar.end;
+    }
     bar.end = std::max(bar.end, bar.dry);
     bar.done = std::max(bar.end, stroke.driesAt());
-    bar.colour = paint[paint.size() / 2]->colour;
+    bar.colour = shownColourOf(stroke);
     return bar;
 }
 

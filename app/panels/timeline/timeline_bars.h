@@ -14,11 +14,11 @@ struct TimelineBar {
     StrokeId stroke = 0;
     int lane = 0;
     Microseconds begin = 0; ///< when its first segment is born
-    Microseconds drawn = 0; ///< when its last segment is born
+    Microseconds drawn = 0; ///< when its last segment, or its fill, is born
     Microseconds dry = 0;   ///< when it stops spreading for the first time
     Microseconds end = 0;   ///< when it stops for the last time, if it is wetted again
     Microseconds done = 0;  ///< when nothing of the stroke changes any more, its erasures included
-    Colour colour;          ///< the colour of the segment in its middle
+    Colour colour;          ///< shownColourOf
     friend bool operator==(const TimelineBar &, const TimelineBar &) = default;
 };
 

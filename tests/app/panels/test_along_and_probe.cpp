@@ -434,6 +434,19 @@ private slots:
                                    [](Segment &s) { s.colour.opacity = 1; }),
                     "opacity");
         QTRY_VERIFY(shareOf(0) > 95);
+        // A fill has a row of its own.
+        editor.push(changeStrokes(editor.document(), {2},
+                                  [](Stroke &s) {
+                                      for (Segment &segment : s.segments)
+                                          segment.density = 0;
+                                      s.segments.back().bezier[3].y += 300;
+                                      Fill fill;
+                                      fill.density = 9;
+                                      s.fill = fill;
+                                  }),
+                    "fill");
+        QTRY_VERIFY(panel->view()->topLevelItem(0)->childCount() == 1 &&
+                    panel->view()->topLevelItem(0)->child(0)->text(0) == "Fill");
         session.advance(1);
         QTRY_VERIFY(panel->isUpToDate());
     }

@@ -469,6 +469,20 @@ private slots:
         QCOMPARE(after.done, erased.driesAt());
         after.done = before.done;
         QVERIFY(after == before);
+        // Where a fill is all that paints the bar is the fill's.
+        Stroke filled = painted;
+        for (Segment &segment : filled.segments)
+            segment.density = 0;
+        Fill fill;
+        fill.born = 4 * second;
+        fill.maxAge = 0.5f;
+        fill.colour = {0.1f, 0.2f, 0.3f, 1};
+        filled.fill = fill;
+        const TimelineBar ofFill = barOf(filled);
+        QCOMPARE(ofFill.colour, fill.colour);
+        QCOMPARE(ofFill.drawn, std::max(before.drawn, 4 * second));
+        QCOMPARE(ofFill.dry, fill.driesAt());
+
         TimelineBars bars;
         auto painting = std::make_shared<Painting>();
         painting->strokes = {std::make_shared<const Stroke>(painted)};
