@@ -295,7 +295,7 @@ RoundGates gatesOfRound(const std::vector<Ring> &rings, const RoundCut &cut)
     first %= count;
     for (std::ptrdiff_t i = 0; i < first; ++i)
         gates[std::size_t(order[std::size_t(i)])].place += 4;
-    std::ranges::rotate(order, order.begin() + first);
+    std::rotate(order.begin(), order.begin() + first, order.end());
     for (const auto &[g, h] : pairsOf(gates, order)) {
         gates[std::size_t(g)].partner = h;
         gates[std::size_t(h)].partner = g;
