@@ -36,7 +36,7 @@ std::vector<Cubic> circle(Point centre, double radius)
 }
 
 /// ∫ x dy around the loops.
-double sizeOf(const Area &area)
+double extentOf(const Area &area)
 {
     double size = 0;
     for (const std::vector<Cubic> &loop : area.loops)
@@ -103,29 +103,29 @@ private slots:
     {
         const Area a = areaOf({rectangle(0, 0, 10, 10)}, FillRule::NonZero);
         const Area b = areaOf({rectangle(6, 5, 10, 10)}, FillRule::NonZero);
-        QVERIFY(std::abs(sizeOf(a) - 100) < 1e-6);
-        QVERIFY(std::abs(sizeOf(intersection(a, b)) - 20) < 1e-6);
-        QVERIFY(std::abs(sizeOf(difference(a, b)) - 80) < 1e-6);
-        QVERIFY(std::abs(sizeOf(united(a, b)) - 180) < 1e-6);
+        QVERIFY(std::abs(extentOf(a) - 100) < 1e-6);
+        QVERIFY(std::abs(extentOf(intersection(a, b)) - 20) < 1e-6);
+        QVERIFY(std::abs(extentOf(difference(a, b)) - 80) < 1e-6);
+        QVERIFY(std::abs(extentOf(united(a, b)) - 180) < 1e-6);
         QCOMPARE(intersection(a, b).loops.size(), std::size_t(1));
         QCOMPARE(intersection(a, b).curves(), std::size_t(4));
         QCOMPARE(intersection(a, b).box(), (Rect{6, 5, 10, 10}));
         QVERIFY(difference(a, a).isEmpty() && difference(Area(), a).isEmpty() && intersection(a, Area()).isEmpty());
-        QVERIFY(std::abs(sizeOf(intersection(a, a)) - 100) < 1e-6);
+        QVERIFY(std::abs(extentOf(intersection(a, a)) - 100) < 1e-6);
         // Neighbours that share an edge have nothing in common.
         const Area beside = areaOf({rectangle(10, 0, 10, 10)}, FillRule::NonZero);
-        QVERIFY(std::abs(sizeOf(intersection(a, beside))) < 1e-9);
-        QVERIFY(std::abs(sizeOf(difference(a, beside)) - 100) < 1e-6);
+        QVERIFY(std::abs(extentOf(intersection(a, beside))) < 1e-9);
+        QVERIFY(std::abs(extentOf(difference(a, beside)) - 100) < 1e-6);
     }
 
     void curvesStayCurves()
     {
         const Area disc = areaOf({circle({0, 0}, 10)}, FillRule::NonZero);
         const Area half = intersection(disc, areaOf({rectangle(-20, 0, 40, 20)}, FillRule::NonZero));
-        QVERIFY(std::abs(sizeOf(half) - 50 * std::numbers::pi) < 0.1);
+        QVERIFY(std::abs(extentOf(half) - 50 * std::numbers::pi) < 0.1);
         QVERIFY2(half.curves() <= 6, qPrintable(QString::number(half.curves())));
         const Area ring = difference(disc, areaOf({circle({0, 0}, 5)}, FillRule::NonZero));
-        QVERIFY(std::abs(sizeOf(ring) - 75 * std::numbers::pi) < 0.1);
+        QVERIFY(std::abs(extentOf(ring) - 75 * std::numbers::pi) < 0.1);
         QCOMPARE(windingAt(ring.loops, {0.1, 0.2}), 0);
         QCOMPARE(windingAt(ring.loops, {7.1, 0.2}), 1);
     }
