@@ -140,7 +140,7 @@ private slots:
             QCOMPARE(chainsOf(cut).size(), std::size_t(2));
             for (const Chain &chain : chainsOf(cut))
                 QCOMPARE(chain.last - chain.first, 2);
-            std::ranges::rotate(turned.segments, turned.segments.begin() + 1);
+            std::rotate(turned.segments.begin(), turned.segments.begin() + 1, turned.segments.end());
         }
         const Stroke diagonal = filledCut(rectangle(), {-50, -30}, {150, 90}); // through two corners
         QCOMPARE(chainsOf(diagonal).size(), std::size_t(2));
