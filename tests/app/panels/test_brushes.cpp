@@ -4,7 +4,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/brush/brush_grid.h"
-#include "app/widgets/curves/response_editor.h"
+#include "app/widgets/brush/brush_preview.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QScopeGuard>
 #include <QSignalSpy>
 #include <QStandardPaths>

@@ -160,7 +160,7 @@ private slots:
             settings::setLanguage(QString(name) == "a" ? "en" : "de");
             rebuildWindowsSoon(*front);
             QTRY_VERIFY([&] {
-                const auto *active = qobject_cast<MainWindow *>(QApplication::activeWindow());
+                auto *active = qobject_cast<MainWindow *>(QApplication::activeWindow());
                 return active && active != front &&
                        active->editor().document().painting()->strokes.front()->name == name;
             }());
