@@ -166,9 +166,14 @@ private slots:
             }());
             QCOMPARE(names().size(), 3);
         }
+        QList<QPointer<MainWindow>> windows;
         for (QWidget *widget : QApplication::topLevelWidgets())
-            if (auto *window = qobject_cast<MainWindow *>(widget))
-                delete window;
+            if (auto *window = qobject_cast<MainWindow *>(widget); window && window->isVisible())
+                windows << window;
+        for (const QPointer<MainWindow> &window : windows) {
+            window->journal().remove();
+            delete window;
+        }
     }
 
     void threadsChangeAtOnce()
