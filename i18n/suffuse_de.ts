@@ -6039,10 +6039,10 @@ Auch die Pfeiltasten wirken.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n dash(es)</source>
+        <source>%n intricate outline(s)</source>
         <translation>
-            <numerusform>%n Strichelung</numerusform>
-            <numerusform>%n Strichelungen</numerusform>
+            <numerusform>%n zu verwickelter Umriss</numerusform>
+            <numerusform>%n zu verwickelte Umrisse</numerusform>
         </translation>
     </message>
     <message numerus="yes">

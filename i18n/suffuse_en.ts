@@ -218,10 +218,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n dash(es)</source>
+        <source>%n intricate outline(s)</source>
         <translation>
-            <numerusform>%n dash</numerusform>
-            <numerusform>%n dashes</numerusform>
+            <numerusform>%n intricate outline</numerusform>
+            <numerusform>%n intricate outlines</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -6011,9 +6011,9 @@ Arrow keys work too.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n dash(es)</source>
+        <source>%n intricate outline(s)</source>
         <translation>
-            <numerusform>%n 处虚线</numerusform>
+            <numerusform>%n 个过于复杂的轮廓</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -96,9 +96,9 @@ private:
     std::map<Key, std::vector<std::size_t>> m_from;
 };
 
-Area areaWhere(const Loops &loops, int least)
+Area areaWhere(const Loops &loops, int least, AreaEffort *effort)
 {
-    return {BoundaryWalk(boundaryWhere(loops, least)).loops()};
+    return {BoundaryWalk(boundaryWhere(loops, least, effort)).loops()};
 }
 
 Loops together(Loops loops, const Loops &others)
@@ -143,19 +143,19 @@ double sizeOf(const Area &area)
     return 0.5 * std::abs(twice);
 }
 
-Area areaOf(const Loops &loops, FillRule rule)
+Area areaOf(const Loops &loops, FillRule rule, AreaEffort *effort)
 {
-    return {BoundaryWalk(boundaryOf(loops, rule)).loops()};
+    return {BoundaryWalk(boundaryOf(loops, rule, effort)).loops()};
 }
 
 // The winding numbers of two areas add up, and that of an area whose loops run the other way is subtracted.
 
-Area intersection(const Area &a, const Area &b)
+Area intersection(const Area &a, const Area &b, AreaEffort *effort)
 {
-    return areApart(a, b) ? Area() : areaWhere(together(a.loops, b.loops), 2);
+    return areApart(a, b) ? Area() : areaWhere(together(a.loops, b.loops), 2, effort);
 }
 
-Area difference(const Area &a, const Area &b)
+Area difference(const Area &a, const Area &b, AreaEffort *effort)
 {
     if (areApart(a, b))
         return a;
@@ -165,12 +165,12 @@ Area difference(const Area &a, const Area &b)
         for (auto it = loop.rbegin(); it != loop.rend(); ++it)
             hole.back().push_back(turnedAround(*it));
     }
-    return areaWhere(together(a.loops, hole), 1);
+    return areaWhere(together(a.loops, hole), 1, effort);
 }
 
-Area united(const Area &a, const Area &b)
+Area united(const Area &a, const Area &b, AreaEffort *effort)
 {
-    return areaWhere(together(a.loops, b.loops), 1);
+    return areaWhere(together(a.loops, b.loops), 1, effort);
 }
 
 } // namespace suffuse

@@ -1,6 +1,7 @@
 // Areas with and without each other.
 #pragma once
 
+#include "model/area/area_effort.h"
 #include "model/painting/fill.h"
 #include "model/painting/geometry.h"
 
@@ -22,11 +23,11 @@ struct Area {
 double sizeOf(const Area &area);
 
 /// What lies inside closed loops of any kind.
-Area areaOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule);
+Area areaOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule, AreaEffort *effort = nullptr);
 
-Area intersection(const Area &a, const Area &b);
+Area intersection(const Area &a, const Area &b, AreaEffort *effort = nullptr);
 /// What lies in a and not in b.
-Area difference(const Area &a, const Area &b);
-Area united(const Area &a, const Area &b);
+Area difference(const Area &a, const Area &b, AreaEffort *effort = nullptr);
+Area united(const Area &a, const Area &b, AreaEffort *effort = nullptr);
 
 } // namespace suffuse

@@ -34,10 +34,12 @@ struct Section {
 
 class BoundaryFinder {
 public:
-    BoundaryFinder(const std::vector<std::vector<Cubic>> &loops, InsideRule rule) : m_rule(rule)
+    BoundaryFinder(const std::vector<std::vector<Cubic>> &loops, InsideRule rule, AreaEffort *effort)
+        : m_rule(rule), m_effort(effort)
     {
         for (const std::vector<Cubic> &loop : loops)
-            addLoop(loop);
+            if (spend(m_effort, 500 * loop.size()))
+                addLoop(loop);
     }
 
     AreaBoundary find()
@@ -45,16 +47,22 @@ public:
         AreaBoundary out;
         if (m_parts.empty())
             return out;
-        m_meetings = meetingsOf(m_parts, m_loops, levelWays());
+        m_meetings = meetingsOf(m_parts, m_loops, levelWays(), m_effort);
+        if (isSpent())
+            return out;
         cut();
         indexByHeight();
         classify();
+        if (isSpent())
+            return out;
         join(out);
         addFlats(out);
         return out;
     }
 
 private:
+    bool isSpent() const { return m_effort && m_effort->isSpent(); }
+
     void addLoop(const std::vector<Cubic> &loop)
     {
         const std::size_t first = m_parts.size();
@@ -156,6 +164,7 @@ private:
     {
         const double y = 0.5 * (section.top + section.bottom), x = m_parts[section.arc].arc.xAt(y);
         int winding = 0;
+        spend(m_effort, 4 * m_bands[bandOf(y)].size());
         for (const std::uint32_t k : m_bands[bandOf(y)]) {
             const RisingArc &arc = m_parts[k].arc;
             if (k == section.arc || !(arc.top() <= y && y < arc.bottom()) || arc.left() > x)
@@ -193,7 +202,7 @@ private:
     }
     void classifyRun(std::vector<std::uint32_t> &run)
     {
-        if (run.empty())
+        if (run.empty() || isSpent())
             return;
         const auto height = [this](std::uint32_t i) { return m_sections[i].bottom - m_sections[i].top; };
         const auto longest = *std::max_element(run.begin(), run.end(),
@@ -255,6 +264,7 @@ private:
     }
 
     InsideRule m_rule;
+    AreaEffort *m_effort;
     std::vector<RisingPart> m_parts;
     std::vector<char> m_interrupted; ///< whether something level lies between a part and the one before it
     bool m_level = false;
@@ -268,14 +278,14 @@ private:
 
 } // namespace
 
-AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule)
+AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule, AreaEffort *effort)
 {
-    return BoundaryFinder(loops, {rule, 1}).find();
+    return BoundaryFinder(loops, {rule, 1}, effort).find();
 }
 
-AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least)
+AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least, AreaEffort *effort)
 {
-    return BoundaryFinder(loops, {std::nullopt, least}).find();
+    return BoundaryFinder(loops, {std::nullopt, least}, effort).find();
 }
 
 } // namespace suffuse

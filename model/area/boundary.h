@@ -1,6 +1,7 @@
 // The boundary of what lies inside an outline that may cross and overlap itself.
 #pragma once
 
+#include "model/area/area_effort.h"
 #include "model/area/rising_arc.h"
 #include "model/painting/fill.h"
 
@@ -32,8 +33,8 @@ struct AreaBoundary {
 
 /// Finds it for closed loops of curves (see closedOutline). Where the outline crosses itself arcs are cut; all others
 /// stay whole, and none depends on what lies elsewhere, but for being inside or not.
-AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule);
+AreaBoundary boundaryOf(const std::vector<std::vector<Cubic>> &loops, FillRule rule, AreaEffort *effort = nullptr);
 /// The same for what the loops run around at least so often (≥ 1).
-AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least);
+AreaBoundary boundaryWhere(const std::vector<std::vector<Cubic>> &loops, int least, AreaEffort *effort = nullptr);
 
 } // namespace suffuse

@@ -7,7 +7,9 @@ namespace {
 /// Finds the heights at which two arcs cross, as those where the difference of their x changes its sign.
 class PairFinder {
 public:
-    PairFinder(const RisingArc &a, const RisingArc &b, double tolerance) : m_a(a), m_b(b), m_tolerance(tolerance) {}
+    PairFinder(const RisingArc &a, const RisingArc &b, double tolerance, AreaEffort *effort)
+        : m_a(a), m_b(b), m_tolerance(tolerance), m_effort(effort)
+    {}
 
     template <class Use>
     void find(double top, double bottom, Use use) const
@@ -30,7 +32,7 @@ private:
         const auto apart = [](double a0, double a1, double b0, double b1) {
             return std::max(a0, a1) < std::min(b0, b1) || std::max(b0, b1) < std::min(a0, a1);
         };
-        if (apart(top.a, bottom.a, top.b, bottom.b))
+        if (apart(top.a, bottom.a, top.b, bottom.b) || !spend(m_effort, 50))
             return;
         const double y = 0.5 * (top.y + bottom.y);
         const bool atEnd = depth > enough && (top.difference() == 0 || bottom.difference() == 0);
@@ -70,6 +72,7 @@ private:
     const RisingArc &m_a;
     const RisingArc &m_b;
     double m_tolerance;
+    AreaEffort *m_effort;
 };
 
 /// An outline of which every line crosses every other one is drawn in part only, so that none takes minutes.
@@ -77,7 +80,8 @@ constexpr std::size_t mostCuts = 4'000'000, mostLooks = 2'000'000'000;
 
 class MeetingFinder {
 public:
-    MeetingFinder(const std::vector<RisingPart> &parts, const std::vector<LoopRange> &loops) : m_parts(parts)
+    MeetingFinder(const std::vector<RisingPart> &parts, const std::vector<LoopRange> &loops, AreaEffort *effort)
+        : m_parts(parts), m_effort(effort)
     {
         m_next.resize(parts.size());
         for (const auto &[first, end] : loops)
@@ -97,7 +101,8 @@ public:
         for (const LevelWay &level : levels)
             cutBy(level);
         for (std::size_t cell = 0; cell < m_cells.size(); ++cell)
-            for (std::size_t i = 0; i < m_cells[cell].size() && m_out.cuts.size() < mostCuts && m_looks < mostLooks;
+            for (std::size_t i = 0; i < m_cells[cell].size() && m_out.cuts.size() < mostCuts && m_looks < mostLooks &&
+                                    spend(m_effort, 2 * i);
                  ++i, m_looks += i)
                 for (std::size_t j = 0; j < i; ++j)
                     visit(m_cells[cell][j], m_cells[cell][i], cell);
@@ -140,6 +145,8 @@ private:
         const double tolerance = m_out.tolerance;
         for (std::size_t x = column(level.left - tolerance); x <= column(level.right + tolerance); ++x)
             for (const std::uint32_t k : m_cells[row(level.y) * m_side + x]) {
+                if (!spend(m_effort, 2))
+                    return;
                 const RisingArc &arc = m_parts[k].arc;
                 if (level.y < arc.top() - tolerance || level.y > arc.bottom() + tolerance)
                     continue;
@@ -166,12 +173,15 @@ private:
     void meet(std::uint32_t a, std::uint32_t b)
     {
         const RisingArc &A = m_parts[a].arc, &B = m_parts[b].arc;
+        if (!spend(m_effort, 100))
+            return;
         for (const bool ofA : {true, false})
             for (const bool top : {true, false})
                 touch(ofA ? a : b, ofA ? b : a, top);
         const double top = std::max(A.top(), B.top()), bottom = std::min(A.bottom(), B.bottom());
         if (bottom - top > m_out.tolerance)
-            PairFinder(A, B, m_out.tolerance).find(top, bottom, [&](double y) {
+            PairFinder(A, B, m_out.tolerance, m_effort).find(top, bottom, [&](double y) {
+                spend(m_effort, 200);
                 m_out.cuts.emplace_back(a, y);
                 m_out.cuts.emplace_back(b, y);
             });
@@ -204,6 +214,7 @@ private:
     std::vector<std::uint32_t> m_next; ///< of each arc the one behind it in its loop
     Rect m_box;
     std::size_t m_looks = 0;
+    AreaEffort *m_effort;
     std::size_t m_side = 1;
     std::vector<std::vector<std::uint32_t>> m_cells;
     Meetings m_out;
@@ -212,9 +223,9 @@ private:
 } // namespace
 
 Meetings meetingsOf(const std::vector<RisingPart> &parts, const std::vector<LoopRange> &loops,
-                    const std::vector<LevelWay> &levels)
+                    const std::vector<LevelWay> &levels, AreaEffort *effort)
 {
-    return MeetingFinder(parts, loops).find(levels);
+    return MeetingFinder(parts, loops, effort).find(levels);
 }
 
 } // namespace suffuse

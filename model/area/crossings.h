@@ -1,6 +1,7 @@
 // Where the arcs of an outline meet each other.
 #pragma once
 
+#include "model/area/area_effort.h"
 #include "model/area/rising_arc.h"
 
 #include <cstdint>
@@ -30,6 +31,6 @@ struct Meetings {
 };
 
 Meetings meetingsOf(const std::vector<RisingPart> &parts, const std::vector<LoopRange> &loops,
-                    const std::vector<LevelWay> &levels);
+                    const std::vector<LevelWay> &levels, AreaEffort *effort = nullptr);
 
 } // namespace suffuse

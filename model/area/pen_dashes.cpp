@@ -172,7 +172,8 @@ private:
 
 } // namespace
 
-std::vector<PenLine> dashesOf(const PenLine &line, const std::vector<double> &pattern, double offset, std::size_t most)
+std::vector<PenLine> dashesOf(const PenLine &line, const std::vector<double> &pattern, double offset, std::size_t most,
+                              AreaEffort *effort)
 {
     const double sum = std::accumulate(pattern.begin(), pattern.end(), 0.0);
     if (line.curves.empty() || !(sum > 0) || !std::isfinite(sum) || !std::isfinite(offset))
@@ -180,7 +181,8 @@ std::vector<PenLine> dashesOf(const PenLine &line, const std::vector<double> &pa
     double whole = 0;
     for (const Cubic &curve : line.curves)
         whole += polygonLength(curve);
-    if (!(whole / sum * double(pattern.size()) < double(most)))
+    const double count = whole / sum * double(pattern.size());
+    if (!(count < double(most)) || !spend(effort, 1000 * std::uint64_t(count)))
         return {line};
     return DashMaker(line, pattern, offset).make();
 }

@@ -24,7 +24,9 @@ Cubic reversed(const Cubic &c)
 /// short straight lines with round joins.
 class SidesOfLine {
 public:
-    SidesOfLine(const Pen &pen, double tolerance) : m_pen(pen), m_half(0.5 * pen.width), m_tolerance(tolerance) {}
+    SidesOfLine(const Pen &pen, double tolerance, AreaEffort *effort)
+        : m_pen(pen), m_half(0.5 * pen.width), m_tolerance(tolerance), m_effort(effort)
+    {}
 
     std::vector<std::vector<Cubic>> outline(const PenLine &line)
     {
@@ -54,6 +56,8 @@ private:
 
     void draw(const Cubic &curve, int depth)
     {
+        if (!spend(m_effort, 300))
+            return;
         if (isGentle(curve, m_half)) {
             begin(curve.p[0], startDirection(curve));
             for (const int side : {0, 1})
@@ -183,6 +187,7 @@ private:
 
     const Pen &m_pen;
     const double m_half, m_tolerance;
+    AreaEffort *m_effort;
     std::vector<Cubic> m_sides[2];
     bool m_begun = false;
     bool m_isCorner = false; ///< whether the pen's join is due, or we are within a curve
@@ -191,15 +196,23 @@ private:
 
 } // namespace
 
-std::vector<std::vector<Cubic>> penOutline(const std::vector<PenLine> &lines, const Pen &pen, double tolerance)
+std::vector<std::vector<Cubic>> penOutline(const std::vector<PenLine> &lines, const Pen &pen, double tolerance,
+                                           AreaEffort *effort)
 {
     std::vector<std::vector<Cubic>> loops;
     if (!(pen.width > 0))
         return loops;
-    for (const PenLine &line : lines)
-        for (const PenLine &dash : dashesOf(line, pen.dashes, pen.dashOffset))
-            for (std::vector<Cubic> &loop : SidesOfLine(pen, tolerance).outline(dash))
+    for (const PenLine &line : lines) {
+        const std::vector<PenLine> dashes = dashesOf(line, pen.dashes, pen.dashOffset, 100'000, effort);
+        if (effort && effort->isSpent())
+            return loops;
+        for (const PenLine &dash : dashes)
+            for (std::vector<Cubic> &loop : SidesOfLine(pen, tolerance, effort).outline(dash)) {
+                if (!spend(effort, 200 * loop.size()))
+                    return loops;
                 loops.push_back(std::move(loop));
+            }
+    }
     return loops;
 }
 

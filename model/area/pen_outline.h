@@ -1,6 +1,7 @@
 // The area that a pen of constant width covers along lines, as a stroke of SVG or PostScript does.
 #pragma once
 
+#include "model/area/area_effort.h"
 #include "model/painting/geometry.h"
 
 #include <cstdint>
@@ -31,11 +32,13 @@ struct PenLine {
 
 /// The outline as closed loops: what they wind around (FillRule::NonZero) is the area within `tolerance`. Loops overlap
 /// and cross each other, but nowhere do they run around a part of the area in opposite directions.
-std::vector<std::vector<Cubic>> penOutline(const std::vector<PenLine> &lines, const Pen &pen, double tolerance);
+std::vector<std::vector<Cubic>> penOutline(const std::vector<PenLine> &lines, const Pen &pen, double tolerance,
+                                           AreaEffort *effort = nullptr);
 
 /// Divides a line into its dashes, each as long as the pattern says, by arc length. Where the last dash of a closed
-/// line meets its first one they are one. A line of more than `most` dashes stays whole.
+/// line meets its first one they are one. A line of more than `most` dashes, or
+/// of more than the effort allows, stays whole.
 std::vector<PenLine> dashesOf(const PenLine &line, const std::vector<double> &pattern, double offset,
-                              std::size_t most = 100'000);
+                              std::size_t most = 100'000, AreaEffort *effort = nullptr);
 
 } // namespace suffuse

@@ -130,6 +130,27 @@ private slots:
         QCOMPARE(windingAt(ring.loops, {7.1, 0.2}), 1);
     }
 
+    /// However much there is to do: it ends when the effort is spent, soon after.
+    void effortIsBounded()
+    {
+        std::mt19937 random(9);
+        std::vector<Point> corners;
+        for (int i = 0; i < 3000; ++i) {
+            const double x = double(random() % 1000), y = double(random() % 1000);
+            corners.push_back({x, y});
+        }
+        AreaEffort little(1'000'000);
+        areaOf({polygon(corners)}, FillRule::EvenOdd, &little);
+        QVERIFY(little.isSpent());
+        AreaEffort enough(1'000'000);
+        const Area a = areaOf({rectangle(0, 0, 10, 10)}, FillRule::NonZero, &enough);
+        const Area b = areaOf({rectangle(6, 5, 10, 10)}, FillRule::NonZero, &enough);
+        QVERIFY(std::abs(sizeOf(intersection(a, b, &enough)) - 20) < 1e-6);
+        QVERIFY(std::abs(sizeOf(united(a, b, &enough)) - 180) < 1e-6);
+        QVERIFY(std::abs(sizeOf(difference(a, b, &enough)) - 80) < 1e-6);
+        QVERIFY(!enough.isSpent() && enough.left() < 1'000'000);
+    }
+
     /// Corners on a coarse grid: nearly every one lies on something.
     void randomOnAGrid()
     {

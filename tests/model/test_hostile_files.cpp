@@ -58,6 +58,21 @@ QByteArray repeated(const QByteArray &part, int times)
     return all;
 }
 
+/// Path data of lines (L) or curves (C) through a square, each of which crosses most others.
+QByteArray scribble(const char *command, int count)
+{
+    QByteArray data;
+    unsigned number = 1;
+    for (int i = 0; i < (*command == 'C' ? 3 : 1) * count; ++i) {
+        data += i == 0 ? command : " ";
+        for (int k = 0; k < 2; ++k) {
+            number = number * 1664525u + 1013904223u;
+            data += QByteArray::number(number >> 22) + ' ';
+        }
+    }
+    return data;
+}
+
 } // namespace
 
 class TestHostileFiles : public QObject {
@@ -117,6 +132,33 @@ private slots:
         QTest::newRow("many long paths") << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\">") +
                                                 repeated("<path d=\"M0 0" + repeated("h1", 2 * many) + "\"/>", 4) +
                                                 "</svg>";
+        // Outlines of pens: lines that cross themselves, more dashes than can be seen, and pens as wide as the world.
+        const QByteArray pens = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000' fill='none' "
+                                "stroke='red' stroke-width='20'>";
+        QTest::newRow("a line that crosses itself everywhere")
+            << pens + "<path d='M0 0" + scribble("L", 100'000) + "z'/></svg>";
+        QTest::newRow("curves that cross themselves everywhere")
+            << pens + "<path stroke-width='1' d='M0 0" + scribble("C", 30'000) + "'/></svg>";
+        QTest::newRow("thousands of scribbles") << [&] {
+            QByteArray text = pens;
+            for (int i = 0; i < 3000; ++i)
+                text += "<path d='M0 0" + scribble("L", 50) + "'/>";
+            return text + "</svg>";
+        }();
+        QTest::newRow("countless dashes") << pens +
+                                                 repeated("<path stroke-dasharray='0 .02' stroke-linecap='round' "
+                                                          "d='M0 0h1000'/><path stroke-dasharray='.011' "
+                                                          "d='M0 0h1000'/>",
+                                                          1000) +
+                                                 "</svg>";
+        QTest::newRow("pens as wide as the world")
+            << pens + "<g stroke-width='1e7'><path d='M0 0" + scribble("C", 20'000) + "'/></g></svg>";
+        QTest::newRow("a grid of lines") << [&] {
+            QByteArray text = pens + "<path stroke-width='.3' d='";
+            for (int i = 0; i < 1000; ++i)
+                text += "M" + QByteArray::number(i) + " 0v1000M0 " + QByteArray::number(i) + "h1000";
+            return text + "'/></svg>";
+        }();
         QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
         QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
         QTest::newRow("zeros") << QByteArray(4 * many, '\0');

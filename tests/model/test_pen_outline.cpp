@@ -123,6 +123,39 @@ private slots:
         }
     }
 
+    /// A line that takes too much work ends with the effort: one that turns everywhere, and one of too many dashes.
+    void effortIsBounded()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> place(0, 100);
+        std::vector<PenLine> lines(1);
+        for (int i = 0; i < 10'000; ++i) {
+            Cubic curve;
+            for (Point &p : curve.p) {
+                p.x = place(random);
+                p.y = place(random);
+            }
+            lines[0].curves.push_back(curve);
+        }
+        AreaEffort effort(1'000'000);
+        const Loops part = penOutline(lines, {1e5, LineCap::Butt, LineJoin::Miter, 4, {}, 0}, tight, &effort);
+        QVERIFY(effort.isSpent());
+        std::size_t curves = 0;
+        for (const std::vector<Cubic> &loop : part)
+            curves += loop.size();
+        QVERIFY2(curves < 100'000, qPrintable(QString::number(curves)));
+        AreaEffort forDashes(1'000'000);
+        penOutline({polyline({{0, 0}, {90, 0}})}, {1, LineCap::Butt, LineJoin::Miter, 4, {0.001}, 0}, tight,
+                   &forDashes);
+        QVERIFY(forDashes.isSpent());
+        AreaEffort enough(1'000'000);
+        QCOMPARE(
+            penOutline({polyline({{0, 0}, {90, 0}})}, {1, LineCap::Butt, LineJoin::Miter, 4, {}, 0}, tight, &enough)
+                .size(),
+            std::size_t(1));
+        QVERIFY(!enough.isSpent());
+    }
+
     void joins()
     {
         const std::vector<PenLine> corner{polyline({{0, 0}, {100, 0}, {100, 100}})};

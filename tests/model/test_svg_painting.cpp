@@ -1,4 +1,6 @@
 // SVG drawings come in as strokes: where they lie, how large, how wide, in which colour.
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
 #include "model/formats/files.h"
 #include "model/formats/svg/svg_painting.h"
 #include "model/paint/half_width.h"
@@ -6,6 +8,8 @@
 #include "model/painting/validate.h"
 
 #include <QTest>
+
+#include <numbers>
 
 using namespace suffuse;
 
@@ -33,7 +37,8 @@ double widthOf(const Stroke &stroke)
     return 2 * halfWidth(double(s.diffusion), double(s.density), double(s.maxAge), visibleCut(stroke.style));
 }
 
-const QByteArray line = "<path d=\"M20 30h40\" fill=\"none\" stroke=\"#ff0000\" stroke-width=\"8\"/>";
+const QByteArray line = "<path d=\"M20 30h40\" fill=\"none\" stroke=\"#ff0000\" stroke-width=\"8\" "
+                        "stroke-linecap=\"round\"/>";
 
 } // namespace
 
@@ -169,11 +174,11 @@ private slots:
                                        "<g clip-path=\"url(#c)\"><rect width=\"9\" height=\"9\" fill=\"url(#g)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url('#g') red\" clip-path=\"url(#c)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url(#h)\"/></g>"),
-                 QString("1 gradient(s), 1 clip path(s), 2 dash(es) were left out.")); // the radial one
+                 QString("1 gradient(s), 1 clip path(s) were left out.")); // the radial one
         QCOMPARE(leftOut(definitions + "<g marker=\"url(#m)\" mask=\"url(#k)\" style=\"filter:url(#f)\">" + line +
                          "<text>words</text></g><path d=\"M0 0h9\" stroke=\"url(#p)\"/>"),
                  QString("1 pattern(s), 1 mask(s), 1 filter(s), 1 marker(s), 1 text(s) were left out."));
-        // What does not show is not lost, nor are gradients of one colour and dashes without gaps to speak of.
+        // What does not show is not lost, nor are gradients of one colour.
         QCOMPARE(leftOut(definitions + line +
                          "<g display=\"none\" clip-path=\"url(#c)\"><path class=\"d\" d=\"M0 0h9\"/></g>"
                          "<path d=\"M0 0h9\" stroke=\"url(#one)\" stroke-dasharray=\"0,0\"/>"
@@ -190,7 +195,8 @@ private slots:
             const Result<Painting> painting = readPainting(svg("viewBox=\"0 0 100 100\"", content), "a.svg");
             return painting ? painting->strokes : StrokeList();
         };
-        const StrokeList both = read("<path d='M10 10h30v30zM50 10h30v30' fill='#0f0' fill-opacity='.5' stroke='red'/>");
+        const StrokeList both = read("<path d='M10 10h30v30zM50 10h30v30' fill='#0f0' fill-opacity='.5' stroke='red' "
+                                     "stroke-linecap='round' stroke-linejoin='round'/>");
         QCOMPARE(both.size(), std::size_t(3)); // the area below, then a line along each subpath
         const Stroke &area = *both[0];
         QCOMPARE(area.fill->colour, rybFromSrgb(0, 1, 0, 0.5));
@@ -249,21 +255,99 @@ private slots:
         QVERIFY(!one.strokes[0]->fill->gradient);
     }
 
-    void gradientsOfStrokesBecomeTheirMean()
+    /// What a pen with corners, flat ends or dashes covers is an area, whose outline is exact.
+    void strokesThatAreNotRoundAreAreas_data()
+    {
+        QTest::addColumn<QByteArray>("element");
+        QTest::addColumn<double>("size"); ///< of the area, square units; 0: it is a stroke
+        QTest::addColumn<QRectF>("box");
+        const auto row = [](const char *name, const QByteArray &element, double size, const QRectF &box) {
+            QTest::newRow(name) << element << size << box;
+        };
+        const double pi = std::numbers::pi;
+        row("flat ends", "<path d='M20 50h40' stroke='red' stroke-width='8'/>", 320, {20, 46, 40, 8});
+        row("square ends", "<path d='M20 50h40' stroke='red' stroke-width='8' stroke-linecap='square'/>", 384,
+            {16, 46, 48, 8});
+        row("round ends", "<path d='M20 50h40' stroke='red' stroke-width='8' stroke-linecap='round'/>", 0, {});
+        row("a rectangle", "<rect x='20' y='20' width='40' height='30' fill='none' stroke='red' stroke-width='8'/>",
+            48 * 38 - 32 * 22, {16, 16, 48, 38});
+        row("bevels",
+            "<rect x='20' y='20' width='40' height='30' fill='none' stroke='red' stroke-width='8' "
+            "stroke-linejoin='bevel'/>",
+            48 * 38 - 32 * 22 - 4 * 8, {16, 16, 48, 38});
+        row("a circle", "<circle cx='50' cy='50' r='20' fill='none' stroke='red' stroke-width='8'/>", 0, {});
+        row("an open corner", "<path d='M20 20h30v30' fill='none' stroke='red' stroke-width='4'/>", 240,
+            {20, 18, 32, 32});
+        row("a corner that is open though it returns",
+            "<path d='M20 20h30v30h-30v-30' fill='none' stroke='red' stroke-width='4'/>", 34 * 34 - 26 * 26 - 4,
+            {18, 18, 34, 34});
+        row("dashes", "<path d='M20 50h40' stroke='red' stroke-width='8' stroke-dasharray='5 10'/>", 3 * 5 * 8,
+            {20, 46, 35, 8});
+        row("shifted dashes",
+            "<path d='M20 50h40' stroke='red' stroke-width='8' stroke-dasharray='5 10' stroke-dashoffset='10'/>",
+            2 * 5 * 8 + 5 * 8, {25, 46, 35, 8});
+        row("dashes in em and per cent",
+            "<path font-size='5' d='M20 50h40' stroke='red' stroke-width='8' stroke-dasharray='1em 10%'/>", 3 * 5 * 8,
+            {20, 46, 35, 8});
+        row("dashes that sum up to nothing",
+            "<path d='M20 50h40' stroke='red' stroke-width='8' stroke-dasharray='0 0' stroke-linecap='round'/>", 0, {});
+        row("round dashes that are negative",
+            "<path d='M20 50h40' stroke='red' stroke-linecap='round' stroke-dasharray='-1 4'/>", 0, {});
+        row("a dot", "<path d='M50 50z' stroke='red' stroke-width='8' stroke-linecap='square'/>", 64, {46, 46, 8, 8});
+        row("a round dot", "<path d='M50 50h0' stroke='red' stroke-width='8' stroke-linecap='round'/>", 16 * pi,
+            {46, 46, 8, 8});
+        row("a stretched pen",
+            "<path transform='scale(2 1)' d='M10 50h20' stroke='red' stroke-width='8' stroke-linecap='round'/>",
+            320 + 2 * 16 * pi, {12, 46, 56, 8});
+        row("a pen that does not stretch",
+            "<path transform='scale(2 1)' d='M10 50h20' stroke='red' stroke-width='8' "
+            "vector-effect='non-scaling-stroke'/>",
+            320, {20, 46, 40, 8});
+        row("a mirror", "<path transform='translate(80) scale(-1 1)' d='M20 50h40' stroke='red' stroke-width='8'/>",
+            320, {20, 46, 40, 8});
+    }
+    void strokesThatAreNotRoundAreAreas()
+    {
+        QFETCH(const QByteArray, element);
+        QFETCH(const double, size);
+        QFETCH(const QRectF, box);
+        const Result<Painting> painting = readPainting(svg("viewBox='0 0 100 100'", element), "a.svg");
+        QVERIFY2(painting, qPrintable(painting.error()));
+        QCOMPARE(painting->strokes.size(), std::size_t(1));
+        const Stroke &stroke = *painting->strokes[0];
+        QCOMPARE(bool(stroke.fill), size > 0);
+        if (!stroke.fill)
+            return;
+        QCOMPARE(stroke.fill->colour, rybFromSrgb(1, 0, 0));
+        const Area area = areaOf(closedOutline(stroke), stroke.fill->rule);
+        QVERIFY2(std::abs(sizeOf(area) - size) < 0.1, qPrintable(QString::number(sizeOf(area))));
+        const Rect is = area.box();
+        QVERIFY2(std::abs(stroke.origin.x + is.left - box.left()) < 0.01 &&
+                     std::abs(stroke.origin.y + is.top - box.top()) < 0.01 &&
+                     std::abs(is.width() - box.width()) < 0.01 && std::abs(is.height() - box.height()) < 0.01,
+                 qPrintable(QStringLiteral("%1 %2, %3 x %4")
+                                .arg(stroke.origin.x + is.left)
+                                .arg(stroke.origin.y + is.top)
+                                .arg(is.width())
+                                .arg(is.height())));
+    }
+
+    void gradientsOfStrokesAreGradients()
     {
         const Result<Painting> painting = readPainting(
-            svg("",
-                "<linearGradient id=\"g\"><stop stop-color=\"#f00\"/><stop stop-color=\"#00f\" stop-opacity=\".5\"/>"
-                "</linearGradient><path d=\"M0 0h9\" stroke=\"url(#g)\"/>"),
+            svg("", "<linearGradient id='g' gradientUnits='userSpaceOnUse' x2='9'><stop stop-color='#888'/>"
+                    "<stop offset='1' stop-color='#999'/></linearGradient>"
+                    "<path d='M0 0h9' stroke='url(#g)' stroke-linecap='round'/>"),
             "a.svg");
         QVERIFY2(painting, qPrintable(painting.error()));
-        QCOMPARE(painting->strokes[0]->segments[0].colour, rybFromSrgb(0.5, 0, 0.5, 0.75));
+        QCOMPARE(painting->strokes.size(), std::size_t(1));
+        QVERIFY(painting->strokes[0]->fill && painting->strokes[0]->fill->gradient);
     }
 
     void groupsAndNamesComeAlong()
     {
         const Result<Painting> painting =
-            readPainting(svg("xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"",
+            readPainting(svg("stroke-linecap=\"round\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"",
                              "<g id=\"layer1\" inkscape:label=\"Trees\"><path id=\"oak\" d=\"M0 0h9\" stroke=\"red\"/>"
                              "<g id=\"Two_x20_birches\"><g><path id=\"path7\" d=\"M0 0h9\" "
                              "stroke=\"red\"><title>left\n one</title></path>"

@@ -11,7 +11,9 @@ namespace {
 std::vector<SvgPath> read(const QByteArray &elements)
 {
     const auto paths = readSvgPaths(
-        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink'>" + elements + "</svg>");
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' stroke-linecap='round' "
+        "stroke-linejoin='round'>" +
+        elements + "</svg>");
     return paths ? *paths : std::vector<SvgPath>();
 }
 

@@ -8,9 +8,11 @@ using namespace suffuse;
 
 namespace {
 
+/// With round pens, so that strokes stay lines.
 QByteArray svg(const QByteArray &content)
 {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\">" + content + "</svg>";
+    return "<svg xmlns='http://www.w3.org/2000/svg' stroke-linecap='round' stroke-linejoin='round'>" + content +
+           "</svg>";
 }
 
 /// "#e30613 3" of the only path's stroke, or "none".

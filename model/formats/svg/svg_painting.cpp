@@ -160,7 +160,7 @@ QString leftOutOf(const SvgDrawing &drawing)
         {l.masks, FileMessages::tr("%n mask(s)", nullptr, l.masks)},
         {l.filters, FileMessages::tr("%n filter(s)", nullptr, l.filters)},
         {l.markers, FileMessages::tr("%n marker(s)", nullptr, l.markers)},
-        {l.dashes, FileMessages::tr("%n dash(es)", nullptr, l.dashes)},
+        {l.outlines, FileMessages::tr("%n intricate outline(s)", nullptr, l.outlines)},
         {l.texts, FileMessages::tr("%n text(s)", nullptr, l.texts)},
         {l.images, FileMessages::tr("%n image(s)", nullptr, l.images)},
         {l.rules, FileMessages::tr("%n style rule(s)", nullptr, l.rules)},

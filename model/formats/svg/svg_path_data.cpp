@@ -1,4 +1,5 @@
 // Reads path data: the grammar of the attribute d.
+#include "model/formats/svg/svg_outlines.h"
 #include "model/formats/svg/svg_paths.h"
 
 #include <QString>
@@ -16,7 +17,7 @@ class PathData {
 public:
     explicit PathData(const QString &text) : m_text(text) {}
 
-    std::vector<std::vector<Cubic>> parse()
+    std::vector<PenLine> parse()
     {
         QChar command;
         while (m_count < mostCurves) {
@@ -34,8 +35,8 @@ public:
             else if (command == 'm')
                 command = 'l';
         }
-        finish();
-        return std::move(m_paths);
+        finish(false);
+        return std::move(m_lines);
     }
 
 private:
@@ -76,7 +77,8 @@ private:
         case 'z':
             if (!(m_pen == m_start))
                 line(m_start);
-            finish();
+            m_isDrawn = true;
+            finish(true);
             m_last = 0;
             return true;
         default:
@@ -89,7 +91,7 @@ private:
         const auto to = point(relative);
         if (!to)
             return false;
-        finish();
+        finish(false);
         m_pen = m_start = *to;
         m_started = true;
         m_last = 0;
@@ -127,6 +129,7 @@ private:
         }
         if (!finite)
             return false;
+        m_isDrawn = true;
         if (!isPoint) {
             m_curves.push_back(cubic);
             ++m_count;
@@ -189,11 +192,13 @@ private:
         return true;
     }
 
-    void finish()
+    /// Ends a subpath. One to which something leads that has no extent is a point.
+    void finish(bool isClosed)
     {
-        if (!m_curves.empty())
-            m_paths.push_back(std::move(m_curves));
+        if (m_isDrawn && m_count < mostCurves)
+            m_lines.push_back({std::move(m_curves), isClosed, m_start, {1, 0}}), ++m_count;
         m_curves.clear();
+        m_isDrawn = false;
         m_pen = m_start;
     }
 
@@ -256,15 +261,25 @@ private:
     bool m_started = false;
     Point m_pen, m_start, m_control;
     char m_last = 0; ///< 'c' or 'q' after a curve whose handle may be mirrored
+    bool m_isDrawn = false; ///< whether a command has led on from where the subpath begins
     std::vector<Cubic> m_curves;
-    std::vector<std::vector<Cubic>> m_paths;
+    std::vector<PenLine> m_lines;
 };
 
 } // namespace
 
-std::vector<std::vector<Cubic>> parsePathData(const QString &data)
+std::vector<PenLine> svgLines(const QString &data)
 {
     return PathData(data).parse();
+}
+
+std::vector<std::vector<Cubic>> parsePathData(const QString &data)
+{
+    std::vector<std::vector<Cubic>> subpaths;
+    for (PenLine &line : svgLines(data))
+        if (!line.curves.empty())
+            subpaths.push_back(std::move(line.curves));
+    return subpaths;
 }
 
 } // namespace suffuse

@@ -1,6 +1,8 @@
 #include "model/formats/svg/svg_paths.h"
 
+#include "model/formats/svg/svg_frame.h"
 #include "model/formats/svg/svg_gradient.h"
+#include "model/formats/svg/svg_outlines.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/formats/svg/svg_style.h"
 #include "model/shaping/transform.h"
@@ -20,6 +22,8 @@ constexpr int deepestGroups = 32;
 constexpr int mostDrawn = 200'000; ///< the greatest number of elements, including those of every <use>
 constexpr int mostCopied = 50'000; ///< the greatest number of elements among these that a <use> repeats
 constexpr std::size_t mostCurvesInAll = 2'000'000;
+constexpr double tolerance = 0.005;              ///< of outlines, canvas units
+constexpr std::uint64_t mostSteps = 300'000'000; ///< for the areas of all strokes, about a second
 
 /// Whether curves do not all lie on one straight line.
 bool enclosesArea(const std::vector<Cubic> &curves)
@@ -50,28 +54,11 @@ bool mayHaveMarkers(const QString &element)
            element == QLatin1String("polyline") || element == QLatin1String("polygon");
 }
 
-/// The subpaths of path data under a matrix, without those that are not finite.
-std::vector<std::vector<Cubic>> placed(const QString &data, const SvgMatrix &matrix)
-{
-    std::vector<std::vector<Cubic>> subpaths = parsePathData(data);
-    std::erase_if(subpaths, [&matrix](std::vector<Cubic> &curves) {
-        bool isFinite = true;
-        for (Cubic &cubic : curves)
-            for (Point &p : cubic.p) {
-                p = matrix.map(p);
-                isFinite = isFinite && std::isfinite(p.x) && std::isfinite(p.y);
-            }
-        return !isFinite;
-    });
-    return subpaths;
-}
-
-/// The box of path data.
-Rect boxOf(const QString &data)
+Rect boxOf(const std::vector<PenLine> &lines)
 {
     Rect box;
-    for (const std::vector<Cubic> &subpath : parsePathData(data))
-        for (const Cubic &curve : subpath)
+    for (const PenLine &line : lines)
+        for (const Cubic &curve : line.curves)
             box = box.united(curveBox(curve));
     return box;
 }
@@ -95,12 +82,16 @@ public:
 
     SvgDrawing draw()
     {
+        if (!m_tree.root().children.empty())
+            takeSize(m_out, m_tree.root().children.front()->attributes);
         for (const auto &root : m_tree.root().children) {
-            const SvgStyle style = SvgStyle::of(*root, SvgStyle(), m_tree.sheet());
+            SvgStyle around;
+            around.units.width = m_viewport.width(), around.units.height = m_viewport.height();
+            const SvgStyle style = SvgStyle::of(*root, around, m_tree.sheet());
             if (root->name == QLatin1String("svg") && style.isDisplayed)
                 drawChildren(*root, style, {});
             else
-                draw(*root, SvgStyle(), {});
+                draw(*root, around, {});
         }
         SvgLosses &losses = m_out.losses;
         for (const SvgElement *definition : m_lost)
@@ -171,8 +162,8 @@ private:
             m_out.losses.texts += style.isVisible ? 1 : 0;
         else if (is("image") || is("foreignObject"))
             m_out.losses.images += style.isVisible ? 1 : 0;
-        else if (const QString data = svgPathData(element.name, element.attributes); !data.isEmpty())
-            addPaths(element, style, data, place);
+        else if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
+            addShape(element, style, data, place);
         else if (is("g") || is("a") || is("svg") || is("switch"))
             drawGroup(element, is("svg") ? inViewport(element, style, element) : style, place);
         if (m_out.paths.size() > before)
@@ -232,65 +223,84 @@ private:
                       {place.depth + 1, place.groupDepth, place.group, true, place.name});
     }
 
-    void addPaths(const SvgElement &element, const SvgStyle &style, const QString &data, const Place &place)
+    void addShape(const SvgElement &element, const SvgStyle &style, const QString &data, const Place &place)
     {
         const SvgPaint stroke = svgPaint(style.stroke, style.strokeOpacity * style.opacity, style.current, m_tree);
         const SvgPaint fill = svgPaint(style.fill, style.fillOpacity * style.opacity, style.current, m_tree);
-        SvgPath line;
-        line.strokeWidth = style.strokeWidth * (style.keepsWidth ? 1 : style.matrix.scale());
-        if (line.strokeWidth > 0)
-            line.stroke = stroke.colour;
-        if (!style.isVisible || (!line.stroke && !fill.colour))
+        const bool hasStroke = stroke.colour && style.pen.width > 0;
+        if (!style.isVisible || (!hasStroke && !fill.colour))
             return;
-        line.name = place.name.isEmpty() ? element.givenName() : place.name;
-        line.group = place.group;
-        std::vector<std::vector<Cubic>> subpaths = placed(data, style.matrix);
-        std::size_t curves = 0;
-        for (const std::vector<Cubic> &subpath : subpaths)
-            curves += subpath.size();
-        if ((m_curves += curves) > mostCurvesInAll || curves == 0) {
-            m_out.losses.isCut = m_out.losses.isCut || curves > 0;
-            return;
-        }
-        SvgLosses &losses = m_out.losses;
-        const bool hasFill = fill.colour && std::ranges::any_of(subpaths, enclosesArea);
-        losses.dashes += line.stroke && style.isDashed ? 1 : 0;
-        std::vector<SvgShade> shades;
-        if (hasFill && fill.replaced && fill.gradient)
-            shades = svgShades(*fill.gradient, boxOf(data), style.matrix, m_viewport, style.fillOpacity * style.opacity,
-                               style.current, m_tree);
-        const SvgElement *lost = hasFill && shades.empty() ? fill.replaced : nullptr;
-        for (const SvgElement *replaced : {line.stroke ? stroke.replaced : nullptr, lost})
-            if (replaced)
-                m_lost.insert(replaced);
+        const std::vector<PenLine> lines = svgLines(data);
+        for (const PenLine &line : lines)
+            if (m_curves += 1 + line.curves.size(); m_curves > mostCurvesInAll) {
+                m_out.losses.isCut = true;
+                return;
+            }
+        Look look{boxOf(lines), style, {}};
+        look.path.name = place.name.isEmpty() ? element.givenName() : place.name;
+        look.path.group = place.group;
         if (mayHaveMarkers(element.name))
             for (const QString &marker : style.markers)
                 lose(marker, "marker");
-        if (hasFill)
-            addAreas(subpaths, line, *fill.colour, shades, style.isEvenOdd);
-        if (!line.stroke)
-            return;
-        for (std::vector<Cubic> &subpath : subpaths) {
-            m_out.paths.push_back(line);
-            m_out.paths.back().curves = std::move(subpath);
+        if (const SvgLoops loops = svgLoops(lines, style.matrix);
+            fill.colour && std::ranges::any_of(loops, enclosesArea))
+            addArea(loops, style.isEvenOdd, fill, style.fillOpacity, look);
+        if (hasStroke)
+            addStroke(lines, stroke, look);
+    }
+
+    /// What a shape's fill and stroke have in common.
+    struct Look {
+        Rect box; ///< in user units
+        const SvgStyle &style;
+        SvgPath path; ///< with its name and group
+    };
+
+    /// A stroke that cannot be a stroke of a painting is the area that its pen covers.
+    void addStroke(const std::vector<PenLine> &lines, const SvgPaint &paint, const Look &look)
+    {
+        const SvgStyle &style = look.style;
+        if (paint.replaced || !isRoundStroke(lines, style)) {
+            AreaEffort effort(m_effort.left() / 4);
+            const std::optional<Area> area = svgPenArea(lines, style, tolerance / m_out.scale, effort);
+            m_effort.spend(m_effort.left() / 4 - effort.left());
+            if (area && (m_curves += area->curves()) <= mostCurvesInAll) {
+                if (!area->isEmpty())
+                    addArea(area->loops, false, paint, style.strokeOpacity, look);
+                return;
+            }
+            ++m_out.losses.outlines;
+            if (paint.replaced)
+                m_lost.insert(paint.replaced);
+        }
+        for (PenLine &line : svgMapped(lines, style.matrix)) {
+            if (line.curves.empty())
+                continue;
+            m_out.paths.push_back(look.path);
+            m_out.paths.back().stroke = paint.colour;
+            m_out.paths.back().strokeWidth = style.pen.width * (style.keepsWidth ? 1 : style.matrix.scale());
+            m_out.paths.back().curves = std::move(line.curves);
         }
     }
 
-    /// The area lies below the lines of the same element, whose name and group it has. Shades of it that lie over each
-    /// other are a group.
-    void addAreas(const std::vector<std::vector<Cubic>> &subpaths, const SvgPath &line, const SvgColour &colour,
-                  const std::vector<SvgShade> &shades, bool isEvenOdd)
+    /// Shades of an area that lie over each other are a group.
+    void addArea(const SvgLoops &loops, bool isEvenOdd, const SvgPaint &paint, double opacity, const Look &look)
     {
-        SvgPath area = line;
-        area.stroke.reset();
-        area.fill = colour;
+        SvgPath area = look.path;
+        area.fill = paint.colour;
         area.isEvenOdd = isEvenOdd;
-        for (const std::vector<Cubic> &subpath : subpaths) {
+        for (const std::vector<Cubic> &loop : loops) {
             if (!area.curves.empty())
                 area.chains.push_back(area.curves.size());
-            area.curves.insert(area.curves.end(), subpath.begin(), subpath.end());
+            area.curves.insert(area.curves.end(), loop.begin(), loop.end());
         }
+        std::vector<SvgShade> shades;
+        if (paint.replaced && paint.gradient)
+            shades = svgShades(*paint.gradient, look.box, look.style.matrix, m_viewport, opacity * look.style.opacity,
+                               look.style.current, m_tree);
         if (shades.empty()) {
+            if (paint.replaced)
+                m_lost.insert(paint.replaced);
             m_out.paths.push_back(std::move(area));
             return;
         }
@@ -308,81 +318,14 @@ private:
         }
     }
 
-    /// Removes groups that have nothing in them, and those with only one thing, which gets the group's name if it has
-    /// none.
-    static void dissolveGroups(SvgDrawing &drawing)
-    {
-        std::vector<SvgGroup> &groups = drawing.groups;
-        std::vector<int> held(groups.size(), 0), into(groups.size(), -1);
-        for (const SvgPath &path : drawing.paths)
-            if (path.group >= 0)
-                ++held[std::size_t(path.group)];
-        std::vector<QString> handed(groups.size());
-        for (std::size_t i = groups.size(); i-- > 0;) // Groups come before those within them.
-            if (held[i] > 0 && groups[i].parent >= 0)
-                ++held[std::size_t(groups[i].parent)];
-        const auto isKept = [&](std::size_t i) { return held[i] > 1; };
-        std::vector<SvgGroup> kept;
-        for (std::size_t i = 0; i < groups.size(); ++i) {
-            const int parent = groups[i].parent;
-            const int outer = parent >= 0 ? into[std::size_t(parent)] : -1;
-            const QString fromAbove = parent >= 0 ? handed[std::size_t(parent)] : QString();
-            const QString name = groups[i].name.isEmpty() ? fromAbove : groups[i].name;
-            into[i] = outer;
-            handed[i] = isKept(i) ? QString() : name;
-            if (!isKept(i))
-                continue;
-            into[i] = int(kept.size());
-            kept.push_back({name, outer});
-        }
-        for (SvgPath &path : drawing.paths) {
-            if (path.group < 0)
-                continue;
-            if (path.name.isEmpty())
-                path.name = handed[std::size_t(path.group)];
-            path.group = into[std::size_t(path.group)];
-        }
-        groups = std::move(kept);
-    }
-
     SvgTree &m_tree;
     const Rect m_viewport; ///< what per cents count by
     SvgDrawing m_out;
     std::set<const SvgElement *> m_lost, m_cycles;
     int m_drawn = 0, m_copied = 0;
     std::size_t m_curves = 0;
+    AreaEffort m_effort{mostSteps};
 };
-
-/// A size of the document; no value for per cents and what is no size.
-std::optional<double> sizeOf(const QXmlStreamAttributes &root, const char *name)
-{
-    const std::optional<double> size = svgLength(root.value(QLatin1String(name)).toString());
-    return size && *size > 0 ? size : std::nullopt;
-}
-
-/// Finds area and scale. Where the document gives itself width and height, what they show of the view box is seen.
-void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
-{
-    const std::optional<double> width = sizeOf(root, "width"), height = sizeOf(root, "height");
-    drawing.area = svgViewBox(root);
-    if (drawing.area.isEmpty()) {
-        if (width && height)
-            drawing.area = Rect::of(0, 0, *width, *height);
-        return;
-    }
-    const Rect box = drawing.area;
-    const double byWidth = width.value_or(HUGE_VAL) / box.width(), byHeight = height.value_or(HUGE_VAL) / box.height();
-    const double scale = std::min(byWidth, byHeight);
-    drawing.scale = std::isfinite(scale) ? scale : 1;
-    if (!width || !height)
-        return;
-    const SvgMatrix placing = svgViewport(box, Rect::of(0, 0, *width, *height),
-                                          root.value(QLatin1String("preserveAspectRatio")).toString());
-    if (placing.a != placing.d || !(placing.a > 0)) // "none" stretches, which a canvas cannot
-        return;
-    drawing.scale = placing.a;
-    drawing.area = Rect::of(-placing.e / placing.a, -placing.f / placing.a, *width / placing.a, *height / placing.a);
-}
 
 } // namespace
 
@@ -392,10 +335,7 @@ Result<SvgDrawing> readSvgDrawing(const QByteArray &bytes)
     SvgTree tree;
     if (const QString problem = tree.read(xml); !problem.isEmpty())
         return Error{QCoreApplication::translate("SvgPaths", "SVG, line %1: %2").arg(xml.lineNumber()).arg(problem)};
-    SvgDrawing drawing = Drawing(tree).draw();
-    if (!tree.root().children.empty())
-        takeSize(drawing, tree.root().children.front()->attributes);
-    return drawing;
+    return Drawing(tree).draw();
 }
 
 Result<std::vector<SvgPath>> readSvgPaths(const QByteArray &bytes)

@@ -40,7 +40,7 @@ struct SvgGroup {
 
 /// How much of a drawing strokes cannot show.
 struct SvgLosses {
-    int dashes = 0;   ///< shapes whose strokes are dashed
+    int outlines = 0; ///< outlines of pens that take too much work to find
     int texts = 0, images = 0;
     /// definitions that are used by what is drawn
     int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;

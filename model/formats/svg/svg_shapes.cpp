@@ -1,11 +1,8 @@
 #include "model/formats/svg/svg_shapes.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <map>
 
 namespace suffuse {
 
@@ -14,16 +11,23 @@ namespace {
 /// Reads attributes as numbers.
 class Numbers {
 public:
-    explicit Numbers(const QXmlStreamAttributes &attributes) : m_attributes(attributes) {}
+    Numbers(const QXmlStreamAttributes &attributes, const SvgUnits &units) : m_attributes(attributes), m_units(units) {}
 
     std::optional<double> find(const char *name) const
     {
-        return svgLength(m_attributes.value(QLatin1String(name)).toString());
+        const QLatin1String attribute(name);
+        const bool isAcross = attribute.contains(u'x') || attribute == QLatin1String("width");
+        const bool isDown = attribute.contains(u'y') || attribute == QLatin1String("height");
+        return svgLength(m_attributes.value(attribute).toString(), m_units,
+                         isAcross ? SvgAxis::Across
+                         : isDown ? SvgAxis::Down
+                                  : SvgAxis::Any);
     }
     double operator[](const char *name) const { return find(name).value_or(0); }
 
 private:
     const QXmlStreamAttributes &m_attributes;
+    const SvgUnits &m_units;
 };
 
 /// A command such as "M" with its numbers.
@@ -66,20 +70,9 @@ QString ellipse(double x, double y, double rx, double ry)
 
 } // namespace
 
-std::optional<double> svgLength(const QString &text)
+QString svgPathData(QStringView element, const QXmlStreamAttributes &attributes, const SvgUnits &units)
 {
-    static const QRegularExpression form(QStringLiteral("^\\s*([-+0-9.eE]+?)\\s*(px|pt|pc|mm|cm|in)?\\s*$"));
-    static const std::map<QString, double> units{{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
-                                                 {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96}};
-    const QRegularExpressionMatch match = form.match(text);
-    bool ok = false;
-    const double value = match.captured(1).toDouble(&ok) * units.at(match.captured(2));
-    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-QString svgPathData(QStringView element, const QXmlStreamAttributes &attributes)
-{
-    const Numbers n(attributes);
+    const Numbers n(attributes, units);
     const auto is = [element](const char *name) { return element == QLatin1String(name); };
     if (is("path"))
         return attributes.value(QLatin1String("d")).toString();

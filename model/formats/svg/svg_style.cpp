@@ -31,27 +31,56 @@ bool isPaint(const QString &text)
            cssColour(text);
 }
 
-/// Whether a text gives lengths of dashes, one of which is longer than 0. Negative ones make the list invalid.
-bool areDashes(const QString &text)
+/// Lengths of dashes and gaps; none if one of them is negative, or if the text is none.
+std::vector<double> dashesFrom(const QString &text, const SvgUnits &units)
 {
     static const QRegularExpression separator(QStringLiteral("[\\s,]+"));
-    double sum = 0;
-    for (QString length : text.split(separator, Qt::SkipEmptyParts)) {
-        static const QRegularExpression unit(QStringLiteral("(%|[a-z]+)$"));
-        const double value = length.remove(unit).toDouble();
-        if (!(value >= 0))
-            return false;
-        sum += value;
+    std::vector<double> dashes;
+    for (const QString &length : text.split(separator, Qt::SkipEmptyParts)) {
+        dashes.push_back(svgLength(length, units, SvgAxis::Any).value_or(-1));
+        if (!(dashes.back() >= 0) || dashes.size() > 1000)
+            return {};
     }
-    return sum > 0;
+    return dashes;
+}
+
+/// The size of a font, of which per cents and em are shares of the one around it.
+double fontSizeFrom(const QString &text, const SvgUnits &around)
+{
+    const SvgUnits units{around.fontSize, around.fontSize, around.fontSize};
+    const double size = svgLength(text, units, SvgAxis::Across).value_or(around.fontSize);
+    return size > 0 ? size : around.fontSize;
 }
 
 const QSet<QString> &knownProperties()
 {
-    static const QSet<QString> names{
-        "fill",    "stroke", "fill-opacity", "stroke-opacity", "opacity",          "stroke-width", "visibility",
-        "display", "color",  "stop-color",   "stop-opacity",   "stroke-dasharray", "fill-rule", "marker",       "clip-path",
-        "mask",    "filter", "marker-start", "marker-mid",     "marker-end",       "transform",    "vector-effect"};
+    static const QSet<QString> names{"fill",
+                                     "stroke",
+                                     "fill-opacity",
+                                     "stroke-opacity",
+                                     "opacity",
+                                     "stroke-width",
+                                     "stroke-linecap",
+                                     "stroke-linejoin",
+                                     "stroke-miterlimit",
+                                     "stroke-dasharray",
+                                     "stroke-dashoffset",
+                                     "visibility",
+                                     "display",
+                                     "color",
+                                     "stop-color",
+                                     "stop-opacity",
+                                     "fill-rule",
+                                     "marker",
+                                     "marker-start",
+                                     "marker-mid",
+                                     "marker-end",
+                                     "clip-path",
+                                     "mask",
+                                     "filter",
+                                     "transform",
+                                     "vector-effect",
+                                     "font-size"};
     return names;
 }
 
@@ -67,7 +96,9 @@ bool isValid(const QString &property, const QString &value)
     if (property.endsWith(QLatin1String("opacity")))
         return shareOf(value).has_value();
     if (property == QLatin1String("stroke-width"))
-        return svgLength(value).value_or(-1) >= 0;
+        return svgLength(value, {}, SvgAxis::Any).value_or(-1) >= 0;
+    if (property == QLatin1String("stroke-miterlimit"))
+        return value.toDouble() >= 1;
     return true;
 }
 
@@ -97,6 +128,35 @@ Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
     return properties;
 }
 
+/// Calls `use` with the value of a property that is given.
+template <class Use>
+void takeFrom(const Properties &all, const char *name, Use use)
+{
+    const auto it = all.constFind(QLatin1String(name));
+    if (it != all.constEnd() && *it != QLatin1String("inherit"))
+        use(*it);
+}
+
+void takePen(const Properties &all, const SvgUnits &units, Pen &pen)
+{
+    const auto take = [&all](const char *name, auto use) { takeFrom(all, name, use); };
+    const auto length = [&units](const QString &v) { return svgLength(v, units, SvgAxis::Any); };
+    take("stroke-width", [&](const QString &v) { pen.width = *length(v); });
+    take("stroke-linecap", [&](const QString &v) {
+        pen.cap = v == QLatin1String("round")    ? LineCap::Round
+                  : v == QLatin1String("square") ? LineCap::Square
+                                                 : LineCap::Butt;
+    });
+    take("stroke-linejoin", [&](const QString &v) {
+        pen.join = v == QLatin1String("round")   ? LineJoin::Round
+                   : v == QLatin1String("bevel") ? LineJoin::Bevel
+                                                 : LineJoin::Miter;
+    });
+    take("stroke-miterlimit", [&](const QString &v) { pen.miterLimit = v.toDouble(); });
+    take("stroke-dasharray", [&](const QString &v) { pen.dashes = dashesFrom(v, units); });
+    take("stroke-dashoffset", [&](const QString &v) { pen.dashOffset = length(v).value_or(0); });
+}
+
 SvgColour colourFrom(const QString &text, const SvgColour &current)
 {
     return cssColour(text).value_or(current); // It is currentColor.
@@ -110,11 +170,7 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     style.isDisplayed = true, style.keepsWidth = false;
     style.clipPath.clear(), style.mask.clear(), style.filter.clear();
     const Properties all = propertiesOf(element, sheet);
-    const auto take = [&all](const char *name, auto use) {
-        const auto it = all.constFind(QLatin1String(name));
-        if (it != all.constEnd() && *it != QLatin1String("inherit"))
-            use(*it);
-    };
+    const auto take = [&all](const char *name, auto use) { takeFrom(all, name, use); };
     const auto share = [&take](const char *name, double &value) {
         take(name, [&value](const QString &text) { value = *shareOf(text); });
     };
@@ -127,8 +183,8 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     double own = 1;
     share("opacity", own);
     style.opacity *= own;
-    take("stroke-width", [&](const QString &v) { style.strokeWidth = *svgLength(v); });
-    take("stroke-dasharray", [&](const QString &v) { style.isDashed = areDashes(v); });
+    take("font-size", [&](const QString &v) { style.units.fontSize = fontSizeFrom(v, parent.units); });
+    takePen(all, style.units, style.pen);
     take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
     take("visibility", [&](const QString &v) { style.isVisible = v == QLatin1String("visible"); });
     take("display", [&](const QString &v) { style.isDisplayed = v != QLatin1String("none"); });

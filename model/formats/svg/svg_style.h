@@ -1,6 +1,8 @@
 // How an SVG element is painted, by attributes, style sheets and inheritance.
 #pragma once
 
+#include "model/area/pen_outline.h"
+#include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 #include "model/formats/svg/svg_tree.h"
 
@@ -15,12 +17,13 @@ using SvgColour = std::array<double, 4>; ///< sRGB-encoded red, green, blue and 
 /// The properties that children inherit, and those that count for one element alone.
 struct SvgStyle {
     SvgMatrix matrix;
+    SvgUnits units;
     QString fill = "black", stroke = "none"; ///< as written in CSS
     QString markers[3] = {"none", "none", "none"};
     SvgColour current{0, 0, 0, 1};
-    double fillOpacity = 1, strokeOpacity = 1, opacity = 1, strokeWidth = 1;
+    double fillOpacity = 1, strokeOpacity = 1, opacity = 1;
+    Pen pen; ///< of strokes, in user units
     bool isVisible = true;
-    bool isDashed = false;
     bool isEvenOdd = false; ///< fill-rule
     // What follows counts for this element alone.
     bool isDisplayed = true;

@@ -335,7 +335,7 @@ private slots:
             "<stop offset='1' stop-color='#c0c0c0' stop-opacity='0.5'/></linearGradient></defs><g><title>pair</title>"
             "<path d='M0 0H100V80H0Z M20 20H60V60H20Z' fill='#e0a030' fill-opacity='0.5' fill-rule='evenodd'>"
             "<title>frame</title></path><path d='M5 5C50 0 90 50 10 90Z' fill='url(#g)'/></g>"
-            "<path d='M5 5H50V50Z' fill='#00ff00' stroke='#ff0000' stroke-width='4'/></svg>";
+            "<path d='M5 5H50V50Z' fill='#00ff00' stroke='#ff0000' stroke-width='4' stroke-linejoin='round'/></svg>";
         const auto read = [](const QByteArray &bytes) {
             return readSvg(bytes, "a.svg", builtinBrushes().front());
         };
@@ -424,7 +424,8 @@ private slots:
     {
         const QByteArray svg =
             "<svg xmlns='http://www.w3.org/2000/svg'><defs><path d='M0 0h1' stroke='red'/></defs>"
-            "<g transform='translate(10 20) scale(2)' stroke='#0000ff' stroke-width='3' opacity='.5'>"
+            "<g transform='translate(10 20) scale(2)' stroke='#0000ff' stroke-width='3' "
+            "stroke-linecap='round' opacity='.5'>"
             "<path d='M0 0L10 0' style='fill:none; stroke-opacity: 50%'/>"
             "<path d='M0 0L10 0L10 1' style='stroke:none' fill='rgb(255,0,0)' transform='rotate(90)'/>"
             "<path d='M0 0L10 0' display='none'/><path d='M0 0L10 0' fill='none' style='stroke:none'/></g></svg>";
@@ -446,7 +447,7 @@ private slots:
     {
         Session session;
         QMimeData svg;
-        svg.setText("  <svg><path d='M0 0L100 0' stroke='#00ff00' stroke-width='30'/></svg>");
+        svg.setText("  <svg><path d='M0 0L100 0' stroke='#00ff00' stroke-width='30' stroke-linecap='round'/></svg>");
         session.editor().clock().setTime(2'000'000);
         QCOMPARE(clipboard::paste(session.editor(), svg, Point{300, 200}), QString());
         QCOMPARE(session.painting().strokes.size(), std::size_t(1));
@@ -474,7 +475,7 @@ private slots:
         // As large as Open makes it, its groups with it; in place where its own coordinates say.
         QMimeData millimetres;
         millimetres.setData("image/svg+xml",
-                            "<svg viewBox='10 0 100 100' width='200' height='200'><g id='pair'>"
+                            "<svg viewBox='10 0 100 100' width='200' height='200'><g id='pair' stroke-linecap='round'>"
                             "<path d='M20 0h10' stroke='red'/><path d='M20 9h10' stroke='red'/></g></svg>");
         QCOMPARE(clipboard::paste(session.editor(), millimetres, {}), QString());
         QCOMPARE(session.painting().groups.back().name, QString("pair"));

@@ -13,7 +13,7 @@ using namespace suffuse;
 namespace {
 
 const char drawing[] = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>"
-                       "<path d='M50 100h200' fill='none' stroke='red' stroke-width='20'/>"
+                       "<path d='M50 100h200' fill='none' stroke='red' stroke-width='20' stroke-linecap='round'/>"
                        "<circle cx='150' cy='60' r='30' fill='blue'/><text>words</text></svg>";
 
 QByteArray recording()

@@ -1,0 +1,17 @@
+// What stands around the paths of a drawing: its size, and its groups.
+#pragma once
+
+#include "model/formats/svg/svg_paths.h"
+
+#include <QXmlStreamAttributes>
+
+namespace suffuse {
+
+/// Finds area and scale. Where the document gives itself width and height, what they show of the view box is seen.
+void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root);
+
+/// Removes groups that have nothing in them, and those with only one thing, which gets the group's name if it has
+/// none.
+void dissolveGroups(SvgDrawing &drawing);
+
+} // namespace suffuse

@@ -1,0 +1,95 @@
+#include "model/formats/svg/svg_outlines.h"
+
+#include "model/shaping/split.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+/// Whether a matrix stretches by the same factor in all directions.
+bool isEven(const SvgMatrix &m)
+{
+    const double size = std::max({std::abs(m.a), std::abs(m.b), std::abs(m.c), std::abs(m.d)});
+    return (std::abs(m.a - m.d) <= 1e-6 * size && std::abs(m.b + m.c) <= 1e-6 * size) ||
+           (std::abs(m.a + m.d) <= 1e-6 * size && std::abs(m.b - m.c) <= 1e-6 * size);
+}
+
+/// Whether a line goes on without a corner from one curve to the next.
+bool isSmooth(const Cubic &before, const Cubic &after)
+{
+    const Point a = endDirection(before), b = startDirection(after);
+    return dot(a, b) > 0 && std::abs(cross(a, b)) < 0.02;
+}
+
+bool hasCorners(const PenLine &line)
+{
+    for (std::size_t k = 1; k < line.curves.size(); ++k)
+        if (!isSmooth(line.curves[k - 1], line.curves[k]))
+            return true;
+    return line.isClosed && !line.curves.empty() && !isSmooth(line.curves.back(), line.curves.front());
+}
+
+} // namespace
+
+std::vector<PenLine> svgMapped(std::vector<PenLine> lines, const SvgMatrix &matrix)
+{
+    std::erase_if(lines, [&matrix](PenLine &line) {
+        line.point = matrix.map(line.point);
+        bool isFinite = std::isfinite(line.point.x) && std::isfinite(line.point.y);
+        for (Cubic &curve : line.curves)
+            for (Point &p : curve.p) {
+                p = matrix.map(p);
+                isFinite = isFinite && std::isfinite(p.x) && std::isfinite(p.y);
+            }
+        return !isFinite;
+    });
+    return lines;
+}
+
+SvgLoops svgLoops(const std::vector<PenLine> &lines, const SvgMatrix &matrix)
+{
+    SvgLoops loops;
+    for (PenLine &line : svgMapped(lines, matrix))
+        if (!line.curves.empty())
+            loops.push_back(std::move(line.curves));
+    return loops;
+}
+
+bool isRoundStroke(const std::vector<PenLine> &lines, const SvgStyle &style)
+{
+    const Pen &pen = style.pen;
+    if (std::ranges::any_of(pen.dashes, [](double length) { return length > 0; }) ||
+        !(style.keepsWidth || isEven(style.matrix)))
+        return false;
+    return std::ranges::all_of(lines, [&pen](const PenLine &line) {
+        return !line.curves.empty() && (line.isClosed || pen.cap == LineCap::Round) &&
+               (pen.join == LineJoin::Round || !hasCorners(line));
+    });
+}
+
+std::optional<Area> svgPenArea(const std::vector<PenLine> &lines, const SvgStyle &style, double tolerance,
+                               AreaEffort &effort)
+{
+    const SvgMatrix &m = style.matrix;
+    // The pen is moved in user units, and what it covers is mapped.
+    const double stretch = std::max(std::hypot(m.a, m.b), std::hypot(m.c, m.d));
+    SvgLoops loops;
+    if (style.keepsWidth)
+        loops = penOutline(svgMapped(lines, m), style.pen, tolerance, &effort);
+    else if (stretch > 0 && std::isfinite(stretch))
+        loops = penOutline(lines, style.pen, tolerance / stretch, &effort);
+    for (std::vector<Cubic> &loop : loops)
+        for (Cubic &curve : loop)
+            for (Point &p : curve.p) {
+                p = style.keepsWidth ? p : m.map(p);
+                if (!std::isfinite(p.x) || !std::isfinite(p.y))
+                    return {};
+            }
+    Area area = areaOf(loops, FillRule::NonZero, &effort);
+    return effort.isSpent() ? std::nullopt : std::optional(std::move(area));
+}
+
+} // namespace suffuse
