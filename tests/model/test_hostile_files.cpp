@@ -159,6 +159,24 @@ private slots:
                 text += "M" + QByteArray::number(i) + " 0v1000M0 " + QByteArray::number(i) + "h1000";
             return text + "'/></svg>";
         }();
+        // Clip paths: one as intricate as can be, one for each of many shapes, and clips of clips.
+        QTest::newRow("an intricate clip path")
+            << pens + "<clipPath id='c'><path clip-rule='evenodd' d='M0 0" + scribble("L", 100'000) +
+                   "z'/></clipPath><g stroke='none' fill='red' clip-path='url(#c)'>" +
+                   repeated("<rect width='999' height='999'/>", 1000) + "</g></svg>";
+        QTest::newRow("clips of clips of intricate areas") << [&] {
+            QByteArray text = pens;
+            for (int i = 0; i < 200; ++i)
+                text += "<clipPath id='c" + QByteArray::number(i) + "' clip-path='url(#c" + QByteArray::number(i + 1) +
+                        ")'><path d='M0 0" + scribble("L", 300) + "z'/></clipPath><g clip-path='url(#c" +
+                        QByteArray::number(i) + ")'>";
+            return text + "<g fill='red'>" + repeated("<path d='M0 0" + scribble("C", 100) + "'/>", 500) + "</g>" +
+                   repeated("</g>", 200) + "</svg>";
+        }();
+        QTest::newRow("thousands of nested drawings")
+            << pens + repeated("<svg viewBox='1 1 998 998'>", 200) +
+                   repeated("<path fill='red' d='M0 0" + scribble("C", 50) + "'/>", 2000) + repeated("</svg>", 200) +
+                   "</svg>";
         QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
         QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
         QTest::newRow("zeros") << QByteArray(4 * many, '\0');

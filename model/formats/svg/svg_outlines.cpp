@@ -1,6 +1,8 @@
 #include "model/formats/svg/svg_outlines.h"
 
+#include "model/area/offset_curve.h"
 #include "model/shaping/split.h"
+#include "model/shaping/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,23 @@ SvgLoops svgLoops(const std::vector<PenLine> &lines, const SvgMatrix &matrix)
         if (!line.curves.empty())
             loops.push_back(std::move(line.curves));
     return loops;
+}
+
+SvgLoops svgClosed(SvgLoops loops)
+{
+    for (std::vector<Cubic> &loop : loops)
+        if (const Point last = loop.back().p[3]; last != loop.front().p[0])
+            loop.push_back(straightCubic(last, loop.front().p[0]));
+    return loops;
+}
+
+Rect svgBox(const std::vector<PenLine> &lines)
+{
+    Rect box;
+    for (const PenLine &line : lines)
+        for (const Cubic &curve : line.curves)
+            box = box.united(curveBox(curve));
+    return box;
 }
 
 bool isRoundStroke(const std::vector<PenLine> &lines, const SvgStyle &style)

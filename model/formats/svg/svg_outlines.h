@@ -19,6 +19,11 @@ SvgLoops svgLoops(const std::vector<PenLine> &lines, const SvgMatrix &matrix);
 /// The lines under a matrix, without those that are not finite.
 std::vector<PenLine> svgMapped(std::vector<PenLine> lines, const SvgMatrix &matrix);
 
+/// The same loops, each closed by a straight line.
+SvgLoops svgClosed(SvgLoops loops);
+/// The box of lines.
+Rect svgBox(const std::vector<PenLine> &lines);
+
 /// Whether a stroke of the style along these lines, in user units, can be a stroke of a painting: that is round
 /// wherever the line begins, ends or turns, equally wide in all directions, and has no dashes.
 bool isRoundStroke(const std::vector<PenLine> &lines, const SvgStyle &style);

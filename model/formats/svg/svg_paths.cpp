@@ -1,5 +1,6 @@
 #include "model/formats/svg/svg_paths.h"
 
+#include "model/formats/svg/svg_clip.h"
 #include "model/formats/svg/svg_frame.h"
 #include "model/formats/svg/svg_gradient.h"
 #include "model/formats/svg/svg_outlines.h"
@@ -54,15 +55,6 @@ bool mayHaveMarkers(const QString &element)
            element == QLatin1String("polyline") || element == QLatin1String("polygon");
 }
 
-Rect boxOf(const std::vector<PenLine> &lines)
-{
-    Rect box;
-    for (const PenLine &line : lines)
-        for (const Cubic &curve : line.curves)
-            box = box.united(curveBox(curve));
-    return box;
-}
-
 /// The view box of the document, or its size.
 Rect viewportOf(const SvgTree &tree)
 {
@@ -108,7 +100,8 @@ private:
     struct Place {
         int depth = 0, groupDepth = 0, group = -1;
         bool isCopy = false;
-        QString name; ///< the name of the <use> that draws it
+        QString name;    ///< the name of the <use> that draws it
+        SvgClipPtr clip; ///< what of it is seen
     };
 
     int &countOf(const QString &definition)
@@ -154,6 +147,9 @@ private:
         const SvgStyle style = SvgStyle::of(element, parent, m_tree.sheet());
         if (!style.isDisplayed)
             return;
+        if (const SvgElement *clip = m_tree.find(svgReference(style.clipPath));
+            clip && clip->name == QLatin1String("clipPath"))
+            place.clip = clippedBy(*clip, element, style, place.clip);
         const auto is = [&element](const char *name) { return element.name == QLatin1String(name); };
         const std::size_t before = m_out.paths.size();
         if (is("use"))
@@ -164,11 +160,12 @@ private:
             m_out.losses.images += style.isVisible ? 1 : 0;
         else if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
             addShape(element, style, data, place);
-        else if (is("g") || is("a") || is("svg") || is("switch"))
-            drawGroup(element, is("svg") ? inViewport(element, style, element) : style, place);
+        else if (is("g") || is("a") || is("switch"))
+            drawGroup(element, style, place);
+        else if (is("svg"))
+            drawNested(element, style, element, place);
         if (m_out.paths.size() > before)
-            for (const auto &[reference, kind] :
-                 {std::pair(style.clipPath, "clipPath"), {style.mask, "mask"}, {style.filter, "filter"}})
+            for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);
     }
 
@@ -183,23 +180,83 @@ private:
         drawChildren(element, style, place);
     }
 
-    /// The style inside a nested <svg> or a <symbol>, which has a rectangle of its own. `placing` says where that is,
-    /// and `element` what of it is shown.
-    static SvgStyle inViewport(const SvgElement &element, SvgStyle style, const SvgElement &placing)
+    /// What of `outer` a clip path shows.
+    SvgClipPtr clippedBy(const SvgElement &clip, const SvgElement &element, const SvgStyle &style,
+                         const SvgClipPtr &outer)
     {
-        const auto length = [&](const char *name) {
-            const std::optional<double> given = svgLength(placing.attribute(name));
-            return given ? given : svgLength(element.attribute(name));
+        const auto box = [&] {
+            SvgStyle own = style;
+            own.matrix = {};
+            int steps = 10'000;
+            return boxOf(element, own, steps);
         };
-        if (&placing == &element)
-            style.matrix = style.matrix * SvgMatrix{1, 0, 0, 1, length("x").value_or(0), length("y").value_or(0)};
-        const Rect viewBox = svgViewBox(element.attributes);
-        if (viewBox.isEmpty())
-            return style;
-        const Rect port =
-            Rect::of(0, 0, length("width").value_or(viewBox.width()), length("height").value_or(viewBox.height()));
-        style.matrix = style.matrix * svgViewport(viewBox, port, element.attribute("preserveAspectRatio"));
+        const SvgClipPtr inner = m_clips.within(outer, clip, style, box);
+        if (inner == outer)
+            m_lost.insert(&clip);
+        return inner;
+    }
+
+    /// The box of what an element draws, in the units into which its style maps it. `steps` bounds the work.
+    Rect boxOf(const SvgElement &element, const SvgStyle &style, int &steps)
+    {
+        if (--steps < 0 || !style.isDisplayed || isOnlyDefined(element.name))
+            return {};
+        if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
+            return svgBox(svgMapped(svgLines(data), style.matrix));
+        Rect box;
+        if (element.name == QLatin1String("use")) {
+            const SvgElement *target = m_tree.target(element);
+            if (!target || element.isCycle)
+                return box;
+            const SvgStyle placed = movedBy(element, style);
+            return boxOf(*target, SvgStyle::of(*target, placed, m_tree.sheet()), steps);
+        }
+        for (const auto &child : element.children)
+            box = box.united(boxOf(*child, SvgStyle::of(*child, style, m_tree.sheet()), steps));
+        return box;
+    }
+
+    /// A style moved by the x and y of a <use>.
+    static SvgStyle movedBy(const SvgElement &use, SvgStyle style)
+    {
+        const auto at = [&](const char *name, SvgAxis axis) {
+            return svgLength(use.attribute(name), style.units, axis).value_or(0);
+        };
+        style.matrix = style.matrix * SvgMatrix{1, 0, 0, 1, at("x", SvgAxis::Across), at("y", SvgAxis::Down)};
         return style;
+    }
+
+    /// Draws a nested <svg> or a <symbol>, which has a rectangle of its own, beyond which nothing is seen of it.
+    /// `placing` says how large that is, and `element` what of it is shown.
+    void drawNested(const SvgElement &element, SvgStyle style, const SvgElement &placing, Place place)
+    {
+        const Rect viewBox = svgViewBox(element.attributes);
+        const auto given = [&style](const SvgElement &from, const char *name, SvgAxis axis) {
+            return svgLength(from.attribute(name), style.units, axis);
+        };
+        const auto size = [&](const char *name, SvgAxis axis, double whole, double own) {
+            const std::optional<double> placed = given(placing, name, axis);
+            return placed ? *placed : given(element, name, axis).value_or(whole > 0 ? whole : own);
+        };
+        const bool isSymbol = element.name == QLatin1String("symbol");
+        const auto at = [&](const char *name, SvgAxis axis) {
+            return isSymbol ? 0 : given(element, name, axis).value_or(0);
+        };
+        const double x = at("x", SvgAxis::Across), y = at("y", SvgAxis::Down);
+        const double width = size("width", SvgAxis::Across, style.units.width, viewBox.width());
+        const double height = size("height", SvgAxis::Down, style.units.height, viewBox.height());
+        const Rect port = Rect::of(x, y, width, height);
+        const bool isSized = width > 0 && height > 0;
+        if (!isSized && style.units.width > 0)
+            return;
+        if (!style.overflows && isSized)
+            place.clip = m_clips.within(place.clip, port, style.matrix);
+        const bool isScaled = isSized && !viewBox.isEmpty();
+        style.matrix = style.matrix * (isScaled ? svgViewport(viewBox, port, element.attribute("preserveAspectRatio"))
+                                                : SvgMatrix{1, 0, 0, 1, x, y});
+        style.units.width = isScaled ? viewBox.width() : width;
+        style.units.height = isScaled ? viewBox.height() : height;
+        drawGroup(element, style, place);
     }
 
     void use(const SvgElement &element, SvgStyle style, Place place)
@@ -209,18 +266,18 @@ private:
             m_cycles.insert(&element);
         if (!target || element.isCycle)
             return;
-        const auto at = [&element](const char *name) { return svgLength(element.attribute(name)).value_or(0); };
-        style.matrix = style.matrix * SvgMatrix{1, 0, 0, 1, at("x"), at("y")};
+        style = movedBy(element, style);
         place.isCopy = true;
         place.name = element.givenName();
-        if (target->name != QLatin1String("symbol")) {
+        if (target->name != QLatin1String("symbol") && target->name != QLatin1String("svg")) {
             draw(*target, style, place);
             return;
         }
         const SvgStyle own = SvgStyle::of(*target, style, m_tree.sheet());
-        if (!isTooMuch(place) && own.isDisplayed)
-            drawGroup(*target, inViewport(*target, own, element),
-                      {place.depth + 1, place.groupDepth, place.group, true, place.name});
+        if (isTooMuch(place) || !own.isDisplayed)
+            return;
+        ++place.depth;
+        drawNested(*target, own, element, place);
     }
 
     void addShape(const SvgElement &element, const SvgStyle &style, const QString &data, const Place &place)
@@ -236,7 +293,7 @@ private:
                 m_out.losses.isCut = true;
                 return;
             }
-        Look look{boxOf(lines), style, {}};
+        Look look{svgBox(lines), style, place.clip, {}};
         look.path.name = place.name.isEmpty() ? element.givenName() : place.name;
         look.path.group = place.group;
         if (mayHaveMarkers(element.name))
@@ -253,14 +310,34 @@ private:
     struct Look {
         Rect box; ///< in user units
         const SvgStyle &style;
+        const SvgClipPtr &clip;
         SvgPath path; ///< with its name and group
     };
+
+    /// What of an area a clip shows. No value if that is all of it.
+    std::optional<Area> seenOf(const SvgLoops &loops, bool isEvenOdd, const SvgClipPtr &clip)
+    {
+        Rect box;
+        for (const std::vector<Cubic> &loop : loops)
+            for (const Cubic &curve : loop)
+                box = box.united(curve.controlBox());
+        if (!clip || clip->holds(box))
+            return {};
+        AreaEffort effort(m_effort.left() / 4);
+        const Area whole = areaOf(svgClosed(loops), isEvenOdd ? FillRule::EvenOdd : FillRule::NonZero, &effort);
+        const Area seen = intersection(whole, clip->area, &effort);
+        m_effort.spend(m_effort.left() / 4 - effort.left());
+        m_out.losses.outlines += effort.isSpent() ? 1 : 0;
+        const bool isAll = effort.isSpent() || sizeOf(seen) >= (1 - 1e-9) * sizeOf(whole);
+        return isAll ? std::nullopt : std::optional(seen);
+    }
 
     /// A stroke that cannot be a stroke of a painting is the area that its pen covers.
     void addStroke(const std::vector<PenLine> &lines, const SvgPaint &paint, const Look &look)
     {
         const SvgStyle &style = look.style;
-        if (paint.replaced || !isRoundStroke(lines, style)) {
+        const bool isRound = isRoundStroke(lines, style);
+        if (paint.replaced || !isRound || !isWholeSeen(lines, look)) {
             AreaEffort effort(m_effort.left() / 4);
             const std::optional<Area> area = svgPenArea(lines, style, tolerance / m_out.scale, effort);
             m_effort.spend(m_effort.left() / 4 - effort.left());
@@ -283,12 +360,28 @@ private:
         }
     }
 
-    /// Shades of an area that lie over each other are a group.
-    void addArea(const SvgLoops &loops, bool isEvenOdd, const SvgPaint &paint, double opacity, const Look &look)
+    /// Whether a clip shows a stroke as far as its pen reaches.
+    bool isWholeSeen(const std::vector<PenLine> &lines, const Look &look)
     {
+        const double reach = 0.5 * look.style.pen.width * (look.style.keepsWidth ? 1 : look.style.matrix.scale());
+        if (!look.clip || look.clip->holds(svgBox(svgMapped(lines, look.style.matrix)).grown(reach)))
+            return true;
+        AreaEffort effort(m_effort.left() / 4);
+        const std::optional<Area> area = svgPenArea(lines, look.style, tolerance / m_out.scale, effort);
+        m_effort.spend(m_effort.left() / 4 - effort.left());
+        return area && !seenOf(area->loops, false, look.clip);
+    }
+
+    /// Shades of an area that lie over each other are a group.
+    void addArea(const SvgLoops &whole, bool isEvenOdd, const SvgPaint &paint, double opacity, const Look &look)
+    {
+        const std::optional<Area> seen = seenOf(whole, isEvenOdd, look.clip);
+        const SvgLoops &loops = seen ? seen->loops : whole;
+        if (loops.empty())
+            return;
         SvgPath area = look.path;
         area.fill = paint.colour;
-        area.isEvenOdd = isEvenOdd;
+        area.isEvenOdd = isEvenOdd && !seen;
         for (const std::vector<Cubic> &loop : loops) {
             if (!area.curves.empty())
                 area.chains.push_back(area.curves.size());
@@ -324,7 +417,8 @@ private:
     std::set<const SvgElement *> m_lost, m_cycles;
     int m_drawn = 0, m_copied = 0;
     std::size_t m_curves = 0;
-    AreaEffort m_effort{mostSteps};
+    AreaEffort m_effort{mostSteps}, m_clipEffort{mostSteps / 3};
+    SvgClips m_clips{m_tree, m_clipEffort};
 };
 
 } // namespace

@@ -54,33 +54,13 @@ double fontSizeFrom(const QString &text, const SvgUnits &around)
 
 const QSet<QString> &knownProperties()
 {
-    static const QSet<QString> names{"fill",
-                                     "stroke",
-                                     "fill-opacity",
-                                     "stroke-opacity",
-                                     "opacity",
-                                     "stroke-width",
-                                     "stroke-linecap",
-                                     "stroke-linejoin",
-                                     "stroke-miterlimit",
-                                     "stroke-dasharray",
-                                     "stroke-dashoffset",
-                                     "visibility",
-                                     "display",
-                                     "color",
-                                     "stop-color",
-                                     "stop-opacity",
-                                     "fill-rule",
-                                     "marker",
-                                     "marker-start",
-                                     "marker-mid",
-                                     "marker-end",
-                                     "clip-path",
-                                     "mask",
-                                     "filter",
-                                     "transform",
-                                     "vector-effect",
-                                     "font-size"};
+    static const QStringList list =
+        QStringLiteral("fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
+                       "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
+                       "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
+                       "filter transform vector-effect font-size overflow")
+            .split(u' ');
+    static const QSet<QString> names(list.begin(), list.end());
     return names;
 }
 
@@ -167,7 +147,7 @@ SvgColour colourFrom(const QString &text, const SvgColour &current)
 SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
 {
     SvgStyle style = parent;
-    style.isDisplayed = true, style.keepsWidth = false;
+    style.isDisplayed = true, style.keepsWidth = false, style.overflows = false;
     style.clipPath.clear(), style.mask.clear(), style.filter.clear();
     const Properties all = propertiesOf(element, sheet);
     const auto take = [&all](const char *name, auto use) { takeFrom(all, name, use); };
@@ -186,6 +166,9 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     take("font-size", [&](const QString &v) { style.units.fontSize = fontSizeFrom(v, parent.units); });
     takePen(all, style.units, style.pen);
     take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
+    take("clip-rule", [&](const QString &v) { style.isClipEvenOdd = v == QLatin1String("evenodd"); });
+    take("overflow",
+         [&](const QString &v) { style.overflows = v == QLatin1String("visible") || v == QLatin1String("auto"); });
     take("visibility", [&](const QString &v) { style.isVisible = v == QLatin1String("visible"); });
     take("display", [&](const QString &v) { style.isDisplayed = v != QLatin1String("none"); });
     take("vector-effect",

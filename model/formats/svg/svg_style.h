@@ -24,10 +24,12 @@ struct SvgStyle {
     double fillOpacity = 1, strokeOpacity = 1, opacity = 1;
     Pen pen; ///< of strokes, in user units
     bool isVisible = true;
-    bool isEvenOdd = false; ///< fill-rule
+    bool isEvenOdd = false;     ///< fill-rule
+    bool isClipEvenOdd = false; ///< clip-rule
     // What follows counts for this element alone.
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
+    bool overflows = false;  ///< overflow: whether a nested drawing shows what lies beyond its viewport
     QString clipPath, mask, filter;
 
     /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute
