@@ -1,7 +1,6 @@
 #include "model/formats/svg/svg_clip.h"
 
 #include "model/formats/svg/svg_outlines.h"
-#include "model/formats/svg/svg_paths.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/shaping/transform.h"
 
