@@ -162,16 +162,19 @@ private:
     /// The winding number left of a section.
     int windingLeftOf(const Section &section) const
     {
-        const double y = 0.5 * (section.top + section.bottom), x = m_parts[section.arc].arc.xAt(y);
+        const RisingArc &own = m_parts[section.arc].arc;
+        const double y = 0.5 * (section.top + section.bottom), t = own.parameterAtY(y), x = own.xAtParameter(t);
+        const Point way = own.curve.derivative(t);
+        const double near = nearness(way.x, way.y, m_meetings.tolerance);
         int winding = 0;
         spend(m_effort, 4 * m_bands[bandOf(y)].size());
         for (const std::uint32_t k : m_bands[bandOf(y)]) {
             const RisingArc &arc = m_parts[k].arc;
-            if (k == section.arc || !(arc.top() <= y && y < arc.bottom()) || arc.left() > x)
+            if (k == section.arc || !(arc.top() <= y && y < arc.bottom()) || arc.left() > x + near)
                 continue;
-            // Of arcs that lie on each other the first ones count as lying further left.
-            const double other = arc.right() < x ? arc.right() : arc.xAt(y);
-            if (other < x || (other == x && k < section.arc))
+            // Of arcs that lie on each other the first ones count as lying further left, wherever that is asked.
+            const double other = arc.right() < x - near ? arc.right() : arc.xAt(y);
+            if (other < x - near || (other <= x + near && k < section.arc))
                 winding += m_parts[k].falls ? -1 : 1;
         }
         return winding;

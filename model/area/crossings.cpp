@@ -4,6 +4,20 @@ namespace suffuse {
 
 namespace {
 
+/// How far a part of an arc is from its chord, at most, in x at the same height. A curve lies within the hull of its
+/// control points, so this misses nothing, not even what bends both ways and meets its chord in the middle.
+double bendOf(const Cubic &part)
+{
+    const auto &p = part.p;
+    const double height = p[3].y - p[0].y;
+    if (!(height > 0))
+        return std::abs(p[3].x - p[0].x);
+    const double slope = (p[3].x - p[0].x) / height;
+    const auto off = [&](Point q) { return std::abs(q.x - p[0].x - slope * (q.y - p[0].y)); };
+    // A cubic is nearer to its chord than the farther one of its control points by a quarter at least.
+    return 0.75 * std::max(off(p[1]), off(p[2]));
+}
+
 /// Finds the heights at which two arcs cross, as those where the difference of their x changes its sign.
 class PairFinder {
 public:
@@ -18,12 +32,26 @@ public:
     }
 
 private:
+    /// Both arcs at a height: their parameters and x.
     struct Level {
-        double y, a, b;
+        double y, s, t, a, b;
         double difference() const { return a - b; }
     };
 
-    Level at(double y) const { return {y, m_a.xAt(y), m_b.xAt(y)}; }
+    Level at(double y) const
+    {
+        const double s = m_a.parameterAtY(y), t = m_b.parameterAtY(y);
+        return {y, s, t, m_a.xAtParameter(s), m_b.xAtParameter(t)};
+    }
+
+    /// Whether the arcs are near to each other between two heights, as far as four more that lie unevenly tell.
+    bool areNear(const Level &top, const Level &bottom, double near) const
+    {
+        for (const double share : {0.11, 0.37, 0.58, 0.83})
+            if (!(std::abs(at(top.y + share * (bottom.y - top.y)).difference()) <= near))
+                return false;
+        return true;
+    }
 
     template <class Use>
     void search(const Level &top, const Level &bottom, int depth, Use &use) const
@@ -34,19 +62,16 @@ private:
         };
         if (apart(top.a, bottom.a, top.b, bottom.b) || !spend(m_effort, 50))
             return;
-        const double y = 0.5 * (top.y + bottom.y);
         const bool atEnd = depth > enough && (top.difference() == 0 || bottom.difference() == 0);
         if (!(bottom.y - top.y > m_tolerance) || depth > 48 || atEnd)
             return addIfChanged(top, bottom, use);
-        const Level middle = at(y);
-        if (std::max({std::abs(top.difference()), std::abs(middle.difference()), std::abs(bottom.difference())}) <=
-            m_tolerance) // They lie on each other, and it does not matter which of them lies further left.
-            return depth > 0 ? addIfChanged(top, bottom, use) : void();
-        // How far the arcs may be from straight lines; at a turn, where x goes like √y, it is 1.2 times that.
-        const double bend =
-            2 * (std::abs(middle.a - 0.5 * (top.a + bottom.a)) + std::abs(middle.b - 0.5 * (top.b + bottom.b)));
-        if (std::min(std::abs(top.difference()), std::abs(bottom.difference())) > bend && depth > 0)
+        const double near = nearness(bottom.a - top.a, bottom.y - top.y, m_tolerance);
+        if (std::max(std::abs(top.difference()), std::abs(bottom.difference())) <= near && areNear(top, bottom, near))
+            return depth > 0 ? addIfChanged(top, bottom, use) : void(); // All of them lies on each other.
+        const double bend = bendOf(between(m_a.curve, top.s, bottom.s)) + bendOf(between(m_b.curve, top.t, bottom.t));
+        if (std::min(std::abs(top.difference()), std::abs(bottom.difference())) > bend)
             return addIfChanged(top, bottom, use);
+        const Level middle = at(0.5 * (top.y + bottom.y));
         search(top, middle, depth + 1, use);
         search(middle, bottom, depth + 1, use);
     }

@@ -30,6 +30,13 @@ struct Meetings {
     double tolerance = 0; ///< places that are nearer to each other count as one
 };
 
+/// Arcs of this direction that are no farther from each other in x lie on each other. What is a tolerance across a
+/// steep arc is more along a level line.
+inline double nearness(double dx, double dy, double tolerance)
+{
+    return tolerance * (1 + (dy > 0 ? std::min(std::abs(dx) / dy, 1e6) : 0));
+}
+
 Meetings meetingsOf(const std::vector<RisingPart> &parts, const std::vector<LoopRange> &loops,
                     const std::vector<LevelWay> &levels, AreaEffort *effort = nullptr);
 

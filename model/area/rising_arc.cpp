@@ -58,9 +58,8 @@ double RisingArc::parameterAtY(double y) const
     return parameterOf(p[0].y, p[1].y, p[2].y, p[3].y, y);
 }
 
-double RisingArc::xAt(double y) const
+double RisingArc::xAtParameter(double t) const
 {
-    const double t = parameterAtY(y);
     return t <= 0 ? curve.p[0].x : t >= 1 ? curve.p[3].x : std::clamp(curve.at(t).x, left(), right());
 }
 

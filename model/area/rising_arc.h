@@ -19,7 +19,8 @@ struct RisingArc {
 
     /// The parameter where the arc is at a height within it, and its x there.
     double parameterAtY(double y) const;
-    double xAt(double y) const;
+    double xAt(double y) const { return xAtParameter(parameterAtY(y)); }
+    double xAtParameter(double t) const;
     /// The parameter where the arc is at an x within it.
     double parameterAtX(double x) const;
 };

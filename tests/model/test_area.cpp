@@ -1,6 +1,8 @@
 // The boundary of what lies inside an outline, against winding numbers counted at points.
 #include "model/area/boundary.h"
 #include "model/area/outline.h"
+#include "model/shaping/fill_cut.h"
+#include "model/shaping/split.h"
 #include "tests/model/awkward_strokes.h"
 #include "tests/model/windings.h"
 #include "tests/trials.h"
@@ -240,6 +242,40 @@ private slots:
                     loops.push_back(awkward.below(2) ? loop : reversed(loop));
             }
             const QString problem = problemOf(loops, random, 100, 0.7);
+            QVERIFY2(problem.isEmpty(), qPrintable(QStringLiteral("trial %1: %2").arg(i).arg(problem)));
+        }
+    }
+
+    /// The pieces of cut fills lie on each other along the cuts, in single precision: lines that are nearly one cross at
+    /// any place, and cubics that stand for straight lines bend both ways.
+    void piecesOfCutFills()
+    {
+        AwkwardStrokes awkward(7);
+        std::mt19937 random(6);
+        for (int i = 0; i < trials(300, 18'000); ++i) {
+            Stroke s = line({});
+            s.fill = Fill{};
+            for (int n = 1 + awkward.below(3); n > 0; --n) {
+                Stroke chain;
+                Point at{awkward.real(0, 100), awkward.real(0, 100)};
+                for (int k = 2 + awkward.below(5); k > 0; --k) {
+                    const Point b{awkward.real(0, 100), awkward.real(0, 100)}, c{awkward.real(0, 100), awkward.real(0, 100)};
+                    const Point to{awkward.real(0, 100), awkward.real(0, 100)};
+                    Segment g;
+                    g.bezier = n % 2 ? toOffsets(straight(at, to)) : toOffsets(Cubic{{at, b, c, to}});
+                    if (!chain.segments.empty())
+                        g.bezier[0] = chain.segments.back().bezier[3];
+                    g.density = 0;
+                    chain.segments.push_back(g);
+                    at = to;
+                }
+                appendChain(s, chain.segments);
+            }
+            for (int k = 0; k < 3; ++k) {
+                const double from = awkward.real(-20, 120), to = awkward.real(-20, 120);
+                s = filledCut(s, {-20, from}, {120, to});
+            }
+            const QString problem = problemOf(closedOutline(s), random, 100, 1e-4);
             QVERIFY2(problem.isEmpty(), qPrintable(QStringLiteral("trial %1: %2").arg(i).arg(problem)));
         }
     }
