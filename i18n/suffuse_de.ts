@@ -4661,6 +4661,134 @@ Auch die Pfeiltasten wirken.</translation>
         <source>A fill cannot be wetted again. It spreads as long as it takes to dry.</source>
         <translation>Eine Füllung kann nicht noch einmal befeuchtet werden. Sie breitet sich aus, so lange sie trocknet.</translation>
     </message>
+    <message>
+        <source>Not done: nothing would be left.</source>
+        <translation>Nicht ausgeführt: Es bliebe nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Not done: the outlines meet so often that it would take minutes.</source>
+        <translation>Nicht ausgeführt: Die Umrisse treffen sich so oft, dass es Minuten dauern würde.</translation>
+    </message>
+    <message>
+        <source>Not done: the outlines lie on each other so closely that the result is uncertain.</source>
+        <translation>Nicht ausgeführt: Die Umrisse liegen so eng aufeinander, dass das Ergebnis unsicher ist.</translation>
+    </message>
+    <message>
+        <source>Select two or more filled strokes.</source>
+        <translation>Wählen Sie zwei oder mehr gefüllte Striche.</translation>
+    </message>
+    <message>
+        <source>&amp;Union</source>
+        <translation>&amp;Vereinigung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt++</source>
+        <translation>Ctrl+Alt++</translation>
+    </message>
+    <message>
+        <source>One fill of what the selected ones cover, with the values of the lowest</source>
+        <translation>Eine Füllung aus allem, was die ausgewählten bedecken, mit den Werten der untersten</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>&amp;Differenz</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+-</source>
+        <translation>Ctrl+Alt+-</translation>
+    </message>
+    <message>
+        <source>Leave of the lowest selected fill what the others do not cover</source>
+        <translation>Lässt von der untersten ausgewählten Füllung, was die anderen nicht bedecken</translation>
+    </message>
+    <message>
+        <source>&amp;Intersection</source>
+        <translation>&amp;Überschneidung</translation>
+    </message>
+    <message>
+        <source>Ctrl+*</source>
+        <translation>Ctrl+*</translation>
+    </message>
+    <message>
+        <source>Leave of the lowest selected fill what all others cover</source>
+        <translation>Lässt von der untersten ausgewählten Füllung, was alle anderen bedecken</translation>
+    </message>
+    <message>
+        <source>E&amp;xclusion</source>
+        <translation>E&amp;xklusion</translation>
+    </message>
+    <message>
+        <source>Ctrl+^</source>
+        <translation>Ctrl+^</translation>
+    </message>
+    <message>
+        <source>One fill of what one of the selected ones covers, and not two</source>
+        <translation>Eine Füllung aus dem, was eine der ausgewählten bedeckt und nicht zwei</translation>
+    </message>
+    <message>
+        <source>Di&amp;vision</source>
+        <translation>Divisio&amp;n</translation>
+    </message>
+    <message>
+        <source>Ctrl+/</source>
+        <translation>Ctrl+/</translation>
+    </message>
+    <message>
+        <source>Cut the lowest selected fill along the outlines of the others</source>
+        <translation>Schneidet die unterste ausgewählte Füllung an den Umrissen der anderen</translation>
+    </message>
+    <message>
+        <source>Select a filled stroke.</source>
+        <translation>Wählen Sie einen gefüllten Strich.</translation>
+    </message>
+    <message>
+        <source>I&amp;nset</source>
+        <translation>&amp;Schrumpfen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+(</source>
+        <translation>Ctrl+Alt+(</translation>
+    </message>
+    <message>
+        <source>Move the outlines of fills inwards, by the distance of Offset and More</source>
+        <translation>Schiebt die Umrisse von Füllungen nach innen, um den Abstand von „Versetzen und mehr“</translation>
+    </message>
+    <message>
+        <source>&amp;Outset</source>
+        <translation>&amp;Erweitern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+)</source>
+        <translation>Ctrl+Alt+)</translation>
+    </message>
+    <message>
+        <source>Move the outlines of fills outwards, by the distance of Offset and More</source>
+        <translation>Schiebt die Umrisse von Füllungen nach außen, um den Abstand von „Versetzen und mehr“</translation>
+    </message>
+    <message>
+        <source>&amp;Stroke to Outline</source>
+        <translation>Strich in &amp;Umriss umwandeln</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+T</source>
+        <translation>Ctrl+Alt+T</translation>
+    </message>
+    <message>
+        <source>Make fills of what is seen of the lines of the selected strokes</source>
+        <translation>Macht Füllungen aus dem, was von den Linien der ausgewählten Striche zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Stroke to outline</source>
+        <translation>Strich in Umriss umwandeln</translation>
+    </message>
+    <message>
+        <source>Select a stroke of which a line is seen.</source>
+        <translation>Wählen Sie einen Strich, von dem eine Linie zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation>Flächen verrechnen</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

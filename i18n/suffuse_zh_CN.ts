@@ -4644,6 +4644,134 @@ Arrow keys work too.</source>
         <source>A fill cannot be wetted again. It spreads as long as it takes to dry.</source>
         <translation>填充无法再次润湿。它在干燥之前会一直扩散。</translation>
     </message>
+    <message>
+        <source>Not done: nothing would be left.</source>
+        <translation>未执行：不会剩下任何内容。</translation>
+    </message>
+    <message>
+        <source>Not done: the outlines meet so often that it would take minutes.</source>
+        <translation>未执行：轮廓相交过多，将需要数分钟。</translation>
+    </message>
+    <message>
+        <source>Not done: the outlines lie on each other so closely that the result is uncertain.</source>
+        <translation>未执行：轮廓重叠得过于紧密，结果不可靠。</translation>
+    </message>
+    <message>
+        <source>Select two or more filled strokes.</source>
+        <translation>请选择两条或更多已填充的笔画。</translation>
+    </message>
+    <message>
+        <source>&amp;Union</source>
+        <translation>并集(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt++</source>
+        <translation>Ctrl+Alt++</translation>
+    </message>
+    <message>
+        <source>One fill of what the selected ones cover, with the values of the lowest</source>
+        <translation>将所选填充覆盖的区域合成一个填充，采用最底层的数值</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>差集(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+-</source>
+        <translation>Ctrl+Alt+-</translation>
+    </message>
+    <message>
+        <source>Leave of the lowest selected fill what the others do not cover</source>
+        <translation>只保留最底层所选填充中未被其他填充覆盖的部分</translation>
+    </message>
+    <message>
+        <source>&amp;Intersection</source>
+        <translation>交集(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Ctrl+*</source>
+        <translation>Ctrl+*</translation>
+    </message>
+    <message>
+        <source>Leave of the lowest selected fill what all others cover</source>
+        <translation>只保留最底层所选填充中被所有其他填充覆盖的部分</translation>
+    </message>
+    <message>
+        <source>E&amp;xclusion</source>
+        <translation>排除(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Ctrl+^</source>
+        <translation>Ctrl+^</translation>
+    </message>
+    <message>
+        <source>One fill of what one of the selected ones covers, and not two</source>
+        <translation>将只被一个所选填充覆盖的区域合成一个填充</translation>
+    </message>
+    <message>
+        <source>Di&amp;vision</source>
+        <translation>分割(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Ctrl+/</source>
+        <translation>Ctrl+/</translation>
+    </message>
+    <message>
+        <source>Cut the lowest selected fill along the outlines of the others</source>
+        <translation>沿其他填充的轮廓切开最底层的所选填充</translation>
+    </message>
+    <message>
+        <source>Select a filled stroke.</source>
+        <translation>请选择一条已填充的笔画。</translation>
+    </message>
+    <message>
+        <source>I&amp;nset</source>
+        <translation>内缩(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+(</source>
+        <translation>Ctrl+Alt+(</translation>
+    </message>
+    <message>
+        <source>Move the outlines of fills inwards, by the distance of Offset and More</source>
+        <translation>按“偏移及更多”中的距离向内移动填充的轮廓</translation>
+    </message>
+    <message>
+        <source>&amp;Outset</source>
+        <translation>外扩(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+)</source>
+        <translation>Ctrl+Alt+)</translation>
+    </message>
+    <message>
+        <source>Move the outlines of fills outwards, by the distance of Offset and More</source>
+        <translation>按“偏移及更多”中的距离向外移动填充的轮廓</translation>
+    </message>
+    <message>
+        <source>&amp;Stroke to Outline</source>
+        <translation>笔画转为轮廓(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+T</source>
+        <translation>Ctrl+Alt+T</translation>
+    </message>
+    <message>
+        <source>Make fills of what is seen of the lines of the selected strokes</source>
+        <translation>将所选笔画中可见的线条变成填充</translation>
+    </message>
+    <message>
+        <source>Stroke to outline</source>
+        <translation>笔画转为轮廓</translation>
+    </message>
+    <message>
+        <source>Select a stroke of which a line is seen.</source>
+        <translation>请选择一条可见线条的笔画。</translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation>区域运算</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

@@ -90,6 +90,10 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
                              {GroupStrokes, UngroupStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
+    addMenu(*object, Commands::tr("Areas"), table,
+            {{UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},
+             {InsetAreas, OutsetAreas},
+             {LinesToAreas}});
     addMenu(*object, Commands::tr("Resha&pe"), table,
             {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addMenu(*object, Commands::tr("Appl&y Brush"), table,

@@ -173,4 +173,9 @@ Area united(const Area &a, const Area &b, AreaEffort *effort)
     return areaWhere(together(a.loops, b.loops), 1, effort);
 }
 
+Area exclusion(const Area &a, const Area &b, AreaEffort *effort)
+{
+    return areaOf(together(a.loops, b.loops), FillRule::EvenOdd, effort);
+}
+
 } // namespace suffuse

@@ -29,5 +29,7 @@ Area intersection(const Area &a, const Area &b, AreaEffort *effort = nullptr);
 /// What lies in a and not in b.
 Area difference(const Area &a, const Area &b, AreaEffort *effort = nullptr);
 Area united(const Area &a, const Area &b, AreaEffort *effort = nullptr);
+/// What lies in one of them alone.
+Area exclusion(const Area &a, const Area &b, AreaEffort *effort = nullptr);
 
 } // namespace suffuse

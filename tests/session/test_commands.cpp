@@ -2,7 +2,9 @@
 #include "app/session/commands/keys.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
+#include "model/shaping/shapes.h"
 #include "undo/edits.h"
+#include "undo/fill_edits.h"
 #include "undo/group_edits.h"
 #include "undo/time_edits.h"
 
@@ -62,6 +64,46 @@ private slots:
         QVERIFY(!table[Command::Duplicate].isEnabled());
         for (const QAction *action : table.all())
             QVERIFY(!action->objectName().isEmpty() && !action->text().isEmpty());
+    }
+
+    void areasAreCombinedOrItIsSaidWhyNot()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        const auto addSquare = [&](double x, double y) {
+            const StrokeId id = editor.document().takeStrokeId();
+            Stroke square = strokeAlong(outlineOf({}, {x, y}, {x + 10, y + 10}), Brush(), id, 0);
+            square.fill = usualFill(square);
+            editor.push(addStrokes(editor.document(), {std::make_shared<const Stroke>(square)}, true), "square");
+            return id;
+        };
+        const StrokeId first = addSquare(0, 0);
+        table.update();
+        QVERIFY(!table[Command::UniteAreas].isEnabled() && table[Command::OutsetAreas].isEnabled());
+        const StrokeId second = addSquare(20, 0);
+        editor.document().setSelection({{first, second}, {}});
+        table.update();
+        QSignalSpy said(&table, &Commands::said);
+        table[Command::IntersectAreas].trigger();
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(editor.document().painting()->strokes.size(), std::size_t(2));
+        const int steps = editor.undoStack().count();
+        const PaintingPtr before = editor.document().painting();
+        table[Command::UniteAreas].trigger();
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(editor.undoStack().count(), steps + 1);
+        QCOMPARE(editor.undoText(), QString("Union"));
+        QCOMPARE(editor.document().painting()->strokes.size(), std::size_t(1));
+        QCOMPARE(editor.document().selection().strokes, std::set<StrokeId>{first});
+        table.update();
+        table[Command::LinesToAreas].trigger(); // The squares have lines, too.
+        QCOMPARE(editor.document().painting()->strokes.size(), std::size_t(2));
+        editor.undoStack().undo();
+        editor.undoStack().undo();
+        QVERIFY(*editor.document().painting() == *before);
     }
 
     void nothingIsSelectedShownOrUnlockedWhereNothingIs()

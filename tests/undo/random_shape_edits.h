@@ -5,6 +5,7 @@
 #include "model/shaping/fill_cut.h"
 #include "tests/model/awkward_strokes.h"
 #include "tests/undo/random_edits.h"
+#include "undo/area_edits.h"
 #include "undo/colour_edits.h"
 #include "undo/fill_edits.h"
 #include "undo/group_edits.h"
@@ -34,7 +35,7 @@ public:
     {
         if (m_random.below(3) == 0)
             selectSome();
-        switch (m_random.below(28)) {
+        switch (m_random.below(29)) {
         case 0:
             return insertNodes(m_document, places());
         case 1:
@@ -110,6 +111,9 @@ public:
                             [this](const Colour &each) {
                                 return Colour{float(m_random.real(0, 1)), each.blue, each.red, each.opacity};
                             });
+        case 27:
+            return m_random.below(4) ? combineAreas(m_document, AreaSet(m_random.below(5)))
+                                     : linesToAreas(m_document);
         default:
             return m_others.next();
         }

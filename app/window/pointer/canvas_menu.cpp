@@ -135,7 +135,9 @@ void addForSelection(QMenu &menu, const Commands &table)
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "R&eshape"), table,
               {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Com&bine and Break"), table,
-              {{CombineStrokes, BreakApart, RemoveErasures}});
+              {{CombineStrokes, BreakApart, RemoveErasures},
+               {UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},
+               {InsetAreas, OutsetAreas, LinesToAreas}});
     addBrushAndColours(menu, table);
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Select S&ame"), table,
               {{SameColour, SameStyle, SameBrush, SameName}});

@@ -121,6 +121,27 @@ private slots:
         QCOMPARE(s.steps(), 3);
     }
 
+    /// From the drag to the key: two shapes become one.
+    void shapesAreCombinedByKeys()
+    {
+        Drawing s;
+        s.take(ShapeKind::Rectangle);
+        s.drag({200, 200}, {400, 350});
+        s.drag({300, 300}, {500, 450});
+        s.use(Command::SelectAll);
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        QTest::keyClick(&s.canvas(), Qt::Key_Asterisk, Qt::ControlModifier);
+        QCOMPARE(s.steps(), 3);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(isNear(s.last(), {300, 300, 400, 350}));
+        QTest::keyClick(&s.canvas(), Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&s.canvas(), Qt::Key_Plus, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(isNear(s.last(), {200, 200, 500, 450}));
+    }
+
     void aClickOrALineDrawsNothing()
     {
         Drawing s;
