@@ -4789,6 +4789,22 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Areas</source>
         <translation>Flächen verrechnen</translation>
     </message>
+    <message>
+        <source>Outline Pe&amp;n</source>
+        <translation>&amp;Umriss-Zeichenfeder</translation>
+    </message>
+    <message>
+        <source>Draw an outline node by node, filled or not</source>
+        <translation>Einen Umriss Knoten für Knoten zeichnen, gefüllt oder nicht</translation>
+    </message>
+    <message>
+        <source>Lasso F&amp;ill</source>
+        <translation>Lasso-Füllu&amp;ng</translation>
+    </message>
+    <message>
+        <source>Fill what is drawn around</source>
+        <translation>Füllen, was umfahren wird</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -9147,6 +9163,44 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Move gradient</source>
         <translation>Verlauf verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenTool</name>
+    <message>
+        <source>Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.</source>
+        <translation>Klick: Ecke. Ziehen: Kurve, Alt: nur ein Anfasser. Erster Knoten: schließen. Eingabe: Ende. Rücktaste: zurück.</translation>
+    </message>
+    <message>
+        <source>Click or drag to go on with the selected stroke from its end.</source>
+        <translation>Klick oder Ziehen setzt den ausgewählten Strich von seinem Ende an fort.</translation>
+    </message>
+    <message>
+        <source>Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.</source>
+        <translation>Klick: Ecke, Ziehen: Kurve. Umschalt: Schritte von 15°. Ende eines ausgewählten Strichs: fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Extend outline</source>
+        <translation>Umriss fortsetzen</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LassoFillTool</name>
+    <message>
+        <source>Click: straight line. First point, double click or Return: close. Shift: steps of 15°.</source>
+        <translation>Klick: gerade Linie. Erster Punkt, Doppelklick oder Eingabe: schließen. Umschalt: Schritte von 15°.</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be filled. Alt at the end, or clicks: straight lines.</source>
+        <translation>Umfahren, was gefüllt werden soll. Alt am Ende, oder Klicks: gerade Linien.</translation>
+    </message>
+    <message>
+        <source>Lasso fill</source>
+        <translation>Lasso-Füllung</translation>
     </message>
 </context>
 </TS>

@@ -4772,6 +4772,22 @@ Arrow keys work too.</source>
         <source>Areas</source>
         <translation>区域运算</translation>
     </message>
+    <message>
+        <source>Outline Pe&amp;n</source>
+        <translation>轮廓钢笔(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draw an outline node by node, filled or not</source>
+        <translation>逐个节点绘制轮廓，可填充</translation>
+    </message>
+    <message>
+        <source>Lasso F&amp;ill</source>
+        <translation>套索填充(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Fill what is drawn around</source>
+        <translation>填充所圈出的区域</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -9097,6 +9113,44 @@ Arrow keys work too.</source>
     <message>
         <source>Move gradient</source>
         <translation>移动渐变</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenTool</name>
+    <message>
+        <source>Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.</source>
+        <translation>单击：尖角。拖动：曲线，Alt：只移动一个控制柄。首节点：闭合。回车：结束。退格：撤回一个。</translation>
+    </message>
+    <message>
+        <source>Click or drag to go on with the selected stroke from its end.</source>
+        <translation>单击或拖动，从所选笔画的端点继续。</translation>
+    </message>
+    <message>
+        <source>Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.</source>
+        <translation>单击为尖角，拖动为曲线。Shift：以 15° 为步长。所选笔画的端点：继续该笔画。</translation>
+    </message>
+    <message>
+        <source>Extend outline</source>
+        <translation>延长轮廓</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LassoFillTool</name>
+    <message>
+        <source>Click: straight line. First point, double click or Return: close. Shift: steps of 15°.</source>
+        <translation>单击：直线。首点、双击或回车：闭合。Shift：以 15° 为步长。</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be filled. Alt at the end, or clicks: straight lines.</source>
+        <translation>圈出要填充的区域。结束时按 Alt 或单击：直线。</translation>
+    </message>
+    <message>
+        <source>Lasso fill</source>
+        <translation>套索填充</translation>
     </message>
 </context>
 </TS>

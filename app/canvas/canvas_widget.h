@@ -121,7 +121,7 @@ signals:
     void modifiersChanged();
     void toolChanged();
     void begunChanged();                   ///< `selection()` has changed, though nothing else was selected
-    void busyChanged();                    ///< something has come into the tool's hand, or has left it
+    void busyChanged();                    ///< something has come into the tool's hand, has left it, or is pressed no more
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void asked(const suffuse::PointerEvent &event); ///< the right button asks what is there

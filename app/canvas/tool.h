@@ -49,6 +49,8 @@ public:
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.
     virtual void cancel() = 0;
+    /// Finishes what is in hand between two presses, as far as it is something, before another tool is taken.
+    virtual void settle() {}
     /// Changes the size by so many steps, for a command. A tool without a size does nothing.
     virtual void stepSize(int /*steps*/) {}
     virtual void stepOpacity(int /*steps*/) {}

@@ -66,7 +66,8 @@ bool CanvasInput::isBusy() const
 
 void CanvasInput::noteBusy()
 {
-    const bool busy = isBusy();
+    // Some tools have something in hand between two presses, too.
+    const int busy = isBusy() ? 1 + m_hand.isPressed() : 0;
     if (std::exchange(m_busy, busy) != busy)
         emit busyChanged();
 }

@@ -64,12 +64,13 @@ public:
     void focusOut(Qt::FocusReason reason);
     /// Ends what is in hand as the release of the button would.
     void finish();
-    /// Emits `busyChanged` if something has come into the tool's hand, or has left it, since it was last emitted.
+    /// Emits `busyChanged` if something has come into the tool's hand, has left it, or is pressed no more, since it was
+    /// last emitted.
     void noteBusy();
 
 signals:
     void modifiersChanged();
-    void busyChanged(); ///< something has come into the tool's hand, or has left it
+    void busyChanged(); ///< something has come into the tool's hand, has left it, or is pressed no more
     void cursorChanged();
     void overlayChanged(); ///< what lies over the picture has changed
     void fitWanted();
@@ -100,7 +101,7 @@ private:
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
     bool m_pointerInside = false;
-    bool m_busy = false;          ///< what the last `busyChanged` said
+    int m_busy = 0; ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed
     quint64 m_pressStamp = 0;     ///< milliseconds of the device's clock
     Microseconds m_pressTime = 0; ///< the document time of the press
 };

@@ -45,6 +45,8 @@ enum class Command {
     Redraw,
     Push,
     Shapes,
+    OutlinePen,
+    LassoFill,
     Knife,
     Eraser,
     AttributeBrush,

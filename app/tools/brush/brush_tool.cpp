@@ -5,6 +5,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/brush/brush_tool_options.h"
+#include "app/tools/stroke_ends.h"
 #include "app/widgets/habits/at_next_change.h"
 #include "model/brush/brush_dynamics.h"
 #include "model/brush/brush_width.h"
@@ -22,7 +23,6 @@ namespace suffuse {
 namespace {
 
 constexpr std::size_t firstStrokes = 3; ///< after which it is said what can be done with them
-constexpr double endReach = 8;          ///< logical pixels around an end node in which a stroke can be continued
 
 double spreadOf(const Segment &segment)
 {
@@ -118,7 +118,7 @@ void BrushTool::press(const PointerEvent &event)
         return;
     }
     Brush brush = m_editor.brush();
-    m_extended = event.modifiers & Qt::ShiftModifier ? endAt(event.pixel) : std::nullopt;
+    m_extended = event.modifiers & Qt::ShiftModifier ? selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel) : std::nullopt;
     if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
         m_sizing.begin(event.pixel);
         showOutlineAt(event.pixel);
@@ -138,26 +138,6 @@ void BrushTool::press(const PointerEvent &event)
     m_builder->add(sampleOf(first));
     m_editor.document().setDraft(m_builder->stroke());
     showOutlineAt(event.pixel);
-}
-
-std::optional<NodeRef> BrushTool::endAt(Point pixel) const
-{
-    std::optional<NodeRef> found;
-    const Document &document = m_editor.document();
-    const std::set<StrokeId> &selected = m_canvas.selection().strokes;
-    if (selected.empty())
-        return found;
-    double nearest = endReach * m_canvas.devicePixelRatioF();
-    for (const StrokePtr &stroke : document.painting()->strokes) {
-        if (!selected.contains(stroke->id) || document.painting()->isLocked(*stroke))
-            continue;
-        for (const int node : endNodesOf(*stroke))
-            if (const double d = length(m_canvas.view().toPixels(nodePosition(*stroke, node)) - pixel); d <= nearest) {
-                nearest = d;
-                found = {stroke->id, node};
-            }
-    }
-    return found;
 }
 
 PenSample BrushTool::sampleOf(const PointerEvent &event) const
@@ -256,7 +236,7 @@ void BrushTool::cancel()
 void BrushTool::hover(const PointerEvent &event)
 {
     showOutlineAt(event.pixel);
-    if (const std::optional<NodeRef> end = endAt(event.pixel); end != m_nearEnd) {
+    if (const std::optional<NodeRef> end = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel); end != m_nearEnd) {
         m_nearEnd = end;
         m_canvas.updateOverlay();
         emit hintChanged();

@@ -55,8 +55,6 @@ private:
     /// until something else is done.
     void tellAbout(const Stroke &stroke);
     void say(const QString &text);
-    /// The end node of a selected stroke that is near enough to the pixel to be continued.
-    std::optional<NodeRef> endAt(Point pixel) const;
     void showOutlineAt(Point pixel);
     QRectF outlineBox() const;
 

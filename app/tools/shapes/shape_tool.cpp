@@ -3,12 +3,12 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "app/tools/shapes/shape_paint.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
-#include "model/painting/validate.h"
+#include "model/shaping/node_path.h"
 #include "undo/edits.h"
-#include "undo/fill_edits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,8 +21,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double angleStep = std::numbers::pi / 12; ///< of polygons with Shift
-constexpr double leastDrag = 3;                     ///< logical pixels; what is shorter is a click
+constexpr double leastSweep = std::numbers::pi / 180; ///< of arcs
 
 QString keyOf(const char *name)
 {
@@ -42,15 +41,13 @@ ShapeForm storedForm()
     int kind = 0;
     stored("kind", kind, 0, int(ShapeKind::Star));
     form.kind = ShapeKind(kind);
-    int paint = int(form.paint);
-    stored("paint", paint, 0, int(ShapePaint::Both));
-    form.paint = ShapePaint(paint);
+    form.paint = storedPaint(QStringLiteral("shapes"));
     stored("radius", form.radius, 0, 1e6);
     stored("rounding", form.rounding, 0, 1);
     stored("corners", form.corners, ShapeForm::leastCorners, ShapeForm::mostCorners);
     stored("inner", form.inner, 0.01, 1);
     stored("from", form.from, -2 * std::numbers::pi, 2 * std::numbers::pi);
-    stored("sweep", form.sweep, angleStep / 15, 2 * std::numbers::pi);
+    stored("sweep", form.sweep, leastSweep, 2 * std::numbers::pi);
     form.isPie = settings::store().value(keyOf("pie"), true).toBool();
     return form;
 }
@@ -59,7 +56,7 @@ void store(const ShapeForm &form)
 {
     QSettings &store = settings::store();
     store.setValue(keyOf("kind"), int(form.kind));
-    store.setValue(keyOf("paint"), int(form.paint));
+    storePaint(QStringLiteral("shapes"), form.paint);
     store.setValue(keyOf("radius"), form.radius);
     store.setValue(keyOf("rounding"), form.rounding);
     store.setValue(keyOf("corners"), form.corners);
@@ -107,17 +104,11 @@ QWidget *ShapeTool::options()
         setForm(form);
     });
     row->addWidget(kinds);
-    auto *paints = new QComboBox(m_options);
-    paints->setObjectName("paint");
-    paints->addItems({tr("Outline"), tr("Fill"), tr("Outline and fill")});
-    paints->setToolTip(tr("What of the shape is painted"));
-    paints->setAccessibleName(tr("What of the shape is painted"));
-    connect(paints, &QComboBox::activated, this, [this](int index) {
+    addPaintField(*row, m_form.paint, [this](ShapePaint paint) {
         ShapeForm form = m_form;
-        form.paint = ShapePaint(index);
+        form.paint = paint;
         setForm(form);
     });
-    row->addWidget(paints);
     row->addSpacing(10);
 
     // Each field stands in a row of its own with its label, so that they are shown and hidden together.
@@ -154,7 +145,7 @@ QWidget *ShapeTool::options()
     FieldSpec from{tr("From"), tr("Where the arc begins, clockwise from the right"), angleDisplay(),
                    -2 * std::numbers::pi, 2 * std::numbers::pi};
     FieldSpec sweep{tr("Arc"), tr("How far the arc goes round; 360° is the whole ellipse"), angleDisplay(),
-                    angleStep / 15, 2 * std::numbers::pi};
+                    leastSweep, 2 * std::numbers::pi};
     add("radius", {Rectangle}, radius, &ShapeForm::radius);
     add("corners", {Polygon, Star}, corners, &ShapeForm::corners);
     add("inner", {Star}, inner, &ShapeForm::inner);
@@ -200,15 +191,7 @@ void ShapeTool::showFields()
 
 StrokePtr ShapeTool::strokeBetween(Point a, Point b) const
 {
-    Stroke stroke = strokeAlong(outlineOf(m_form, a, b), m_editor.brush(), m_id, m_born);
-    if (m_form.paint != ShapePaint::Outline && !stroke.segments.empty())
-        stroke.fill = usualFill(stroke);
-    if (m_form.paint == ShapePaint::Fill)
-        for (Segment &segment : stroke.segments)
-            segment.density = 0; // it bounds the fill, and lays no paint
-    if (stroke.segments.empty() || !problemOf(stroke).isEmpty())
-        return nullptr;
-    return std::make_shared<const Stroke>(std::move(stroke));
+    return paintedAlong(outlineOf(m_form, a, b), m_editor.brush(), m_id, m_born, m_form.paint);
 }
 
 void ShapeTool::press(const PointerEvent &event)
@@ -226,10 +209,8 @@ void ShapeTool::aim(const PointerEvent &event)
     Point way = to - m_from;
     const bool shift = event.modifiers & Qt::ShiftModifier;
     if (isFromMiddle(m_form.kind)) {
-        if (shift) {
-            const double angle = angleStep * std::round(std::atan2(way.y, way.x) / angleStep);
-            way = length(way) * Point{std::cos(angle), std::sin(angle)};
-        }
+        if (shift)
+            way = inSteps({}, way);
         m_a = m_from;
     } else {
         if (shift) {
@@ -255,7 +236,7 @@ void ShapeTool::release(const PointerEvent &event)
         return;
     aim(event);
     const double drag = length(m_b - m_a) * m_canvas.view().scale / m_canvas.devicePixelRatioF();
-    const StrokePtr stroke = drag >= leastDrag ? strokeBetween(m_a, m_b) : nullptr;
+    const StrokePtr stroke = drag >= leastShapeDrag ? strokeBetween(m_a, m_b) : nullptr;
     if (stroke)
         m_size = m_b - m_a;
     cancel();

@@ -13,6 +13,8 @@
 #include "app/tools/shaping/knife_tool.h"
 #include "app/tools/shaping/push_tool.h"
 #include "app/tools/shaping/redraw_tool.h"
+#include "app/tools/shapes/lasso_fill_tool.h"
+#include "app/tools/shapes/pen_tool.h"
 #include "app/tools/shapes/shape_tool.h"
 #include "app/tools/tool_options.h"
 
@@ -42,6 +44,10 @@ void ToolRack::addTools()
         Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(canvas, m_place.commands, &canvas));
     add(Shapes, "shapes", Commands::tr("Geome&tric Shapes"), "shapes", Qt::Key_S,
         Commands::tr("Paint rectangles, ellipses, polygons and stars"), new ShapeTool(canvas, &canvas));
+    add(OutlinePen, "outlinePen", Commands::tr("Outline Pe&n"), "outline-pen", Qt::Key_C,
+        Commands::tr("Draw an outline node by node, filled or not"), new PenTool(canvas, &canvas));
+    add(LassoFill, "lassoFill", Commands::tr("Lasso F&ill"), "lasso-fill", Qt::Key_G,
+        Commands::tr("Fill what is drawn around"), new LassoFillTool(canvas, &canvas));
     add(Redraw, "redraw", Commands::tr("Redra&w"), "redraw", Qt::Key_W,
         Commands::tr("Draw over a part of a stroke, which follows the new line"), new RedrawTool(canvas, &canvas));
     add(Push, "push", Commands::tr("&Push"), "push", Qt::Key_U, Commands::tr("Push, comb, pinch or roughen strokes"),
@@ -63,7 +69,7 @@ void ToolRack::addTools()
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
     m_place.commands.makeExclusive(
-        {Brush, Select, Segments, Shapes, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+        {Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,
@@ -82,6 +88,8 @@ void ToolRack::use(Tool *tool)
     m_next = canvas.isPressed() && canvas.tool()->isBusy() ? tool : nullptr;
     if (m_next) // when the stroke in hand is finished
         return;
+    if (Tool *before = canvas.tool())
+        before->settle();
     canvas.setTool(tool);
     m_options.setWidget(tool->options());
 }

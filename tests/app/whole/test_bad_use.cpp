@@ -64,6 +64,8 @@ Grab grabOf(WaveSession &s, const QString &what)
                                                {"redraw", {Command::Redraw, {250, 320}, {450, 320}}},
                                                {"push", {Command::Push, {350, 300}, {350, 380}}},
                                                {"shape", {Command::Shapes, {200, 200}, {500, 250}}},
+                                               {"pen", {Command::OutlinePen, {200, 200}, {500, 250}}},
+                                               {"lasso", {Command::LassoFill, {200, 200}, {500, 250}}},
                                                {"knife", {Command::Knife, {350, 250}, {345, 400}}},
                                                {"eraser", {Command::Eraser, {350, 270}, {350, 380}}},
                                                {"attributes", {Command::AttributeBrush, {250, 320}, {450, 320}}},
@@ -92,7 +94,7 @@ bool hasNewPoints(const Stroke &stroke)
 
 /// What `grabOf` knows.
 constexpr const char *gestures[] = {"brush",  "extend", "move",  "band",   "scale",      "turn",       "node",
-                                    "handle", "curve",  "shape", "knife", "eraser", "attributes", "eyedropper", "hand"};
+                                    "handle", "curve",  "shape", "pen",    "lasso",  "knife", "eraser", "attributes", "eyedropper", "hand"};
 
 class TestBadUse : public QObject {
     Q_OBJECT

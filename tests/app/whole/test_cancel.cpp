@@ -113,6 +113,8 @@ private slots:
         row("attribute", Command::AttributeBrush, {250, 320}, {400, 320});
         row("paint", Command::Brush, {300, 500}, {500, 500});
         row("shape", Command::Shapes, {300, 500}, {500, 560});
+        row("pen", Command::OutlinePen, {300, 500}, {500, 560});
+        row("lasso", Command::LassoFill, {300, 500}, {500, 560});
         row("knife", Command::Knife, {350, 200}, {350, 450});
     }
 
@@ -131,7 +133,8 @@ private slots:
         }
         session.drag(start, {to.x(), to.y()}, {}, false);
         QVERIFY(session.canvas().tool()->isBusy());
-        const bool pushes = tool != Command::Brush && tool != Command::Shapes && tool != Command::Knife && tool != Command::Redraw;
+        const bool pushes = tool != Command::Brush && tool != Command::Shapes && tool != Command::OutlinePen &&
+                            tool != Command::LassoFill && tool != Command::Knife && tool != Command::Redraw;
         QCOMPARE(session.alters(), pushes);
         session.escape();
         QVERIFY(!session.canvas().tool()->isBusy());

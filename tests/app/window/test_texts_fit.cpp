@@ -234,7 +234,8 @@ private slots:
                     cut << when + text;
         };
         for (const Command tool :
-             {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::Redraw, Command::Push, Command::Knife,
+             {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
+              Command::LassoFill, Command::Redraw, Command::Push, Command::Knife,
               Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
             s.use(tool);
             look("with a tool: ");

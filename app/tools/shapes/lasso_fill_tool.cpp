@@ -1,0 +1,225 @@
+#include "app/tools/shapes/lasso_fill_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/canvas/overlay/overlay.h"
+#include "app/session/editor.h"
+#include "app/tools/shapes/shape_paint.h"
+#include "app/tools/tool_fields.h"
+#include "model/area/offset_curve.h"
+#include "model/shaping/curve_fit.h"
+#include "model/shaping/node_path.h"
+#include "undo/edits.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double wayTolerance = 0.7; ///< logical pixels by which the outline may leave the way of the hand
+
+} // namespace
+
+LassoFillTool::LassoFillTool(CanvasWidget &canvas, QObject *parent)
+    : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("lassoFill")))
+{}
+
+QString LassoFillTool::hint() const
+{
+    return isBusy() ? tr("Click: straight line. First point, double click or Return: close. Shift: steps of 15°.")
+                    : tr("Draw around what is to be filled. Alt at the end, or clicks: straight lines.");
+}
+
+QWidget *LassoFillTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    addPaintField(*row, m_paint, [this](ShapePaint paint) { setPaint(paint); });
+    row->addStretch();
+    return m_options;
+}
+
+void LassoFillTool::setPaint(ShapePaint paint)
+{
+    m_paint = paint;
+    storePaint(QStringLiteral("lassoFill"), paint);
+    if (m_options)
+        m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(paint));
+    if (isBusy())
+        show();
+}
+
+bool LassoFillTool::closesAt(Point pixel) const
+{
+    const double near = closingReach * m_canvas.devicePixelRatioF();
+    return m_parts.size() > 1 && length(m_canvas.view().toPixels(m_parts.front().front()) - pixel) <= near;
+}
+
+bool LassoFillTool::isClick(const Part &part) const
+{
+    const double least = leastShapeDrag * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    return std::ranges::all_of(part, [&](Point p) { return length(p - part.front()) < least; });
+}
+
+void LassoFillTool::press(const PointerEvent &event)
+{
+    if (isBusy() && (event.doubleClick || closesAt(event.pixel)))
+        return finish();
+    if (!isBusy()) {
+        m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+        m_id = m_editor.document().takeStrokeId();
+        m_born = event.time;
+        m_editor.clock().hold(true, event.late);
+    }
+    const Point at = isBusy() && (event.modifiers & Qt::ShiftModifier)
+                         ? inSteps(m_parts.back().back(), event.point)
+                         : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+    m_parts.push_back({at});
+    m_isPressed = true;
+    m_next.reset();
+    show();
+    emit hintChanged();
+}
+
+void LassoFillTool::add(const PointerEvent &event)
+{
+    Part &part = m_parts.back();
+    const double step = 0.5 * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    if (length(event.point - part.back()) >= step)
+        part.push_back(event.point);
+}
+
+void LassoFillTool::move(const PointerEvent &event)
+{
+    if (!m_isPressed)
+        return;
+    add(event);
+    show();
+}
+
+void LassoFillTool::release(const PointerEvent &event)
+{
+    if (!m_isPressed)
+        return;
+    add(event);
+    m_isPressed = false;
+    if (isClick(m_parts.back()))
+        m_parts.back().resize(1);
+    else if (!(event.modifiers & Qt::AltModifier))
+        return finish();
+    show();
+}
+
+void LassoFillTool::hover(const PointerEvent &event)
+{
+    if (!isBusy())
+        return;
+    const bool inSteps15 = event.modifiers & Qt::ShiftModifier;
+    m_next = closesAt(event.pixel) ? m_parts.front().front()
+             : inSteps15 ? inSteps(m_parts.back().back(), event.point)
+                         : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+    m_canvas.updateOverlay();
+}
+
+void LassoFillTool::leave()
+{
+    m_next.reset();
+    m_canvas.updateOverlay();
+}
+
+std::vector<Cubic> LassoFillTool::outline() const
+{
+    const double near = wayTolerance * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    std::vector<Cubic> curves;
+    const auto goStraight = [&curves](Point from, Point to) {
+        if (from != to)
+            curves.push_back(straightCubic(from, to));
+    };
+    for (const Part &part : m_parts) {
+        if (&part != &m_parts.front())
+            goStraight((&part - 1)->back(), part.front());
+        if (part.size() > 1)
+            for (const Cubic &curve : cubicsThrough(part, {}, {}, near))
+                curves.push_back(curve);
+    }
+    if (isBusy())
+        goStraight(m_parts.back().back(), m_parts.front().front());
+    return curves;
+}
+
+void LassoFillTool::show()
+{
+    m_editor.document().setDraft(paintedAlong(outline(), m_editor.brush(), m_id, m_born, m_paint));
+    m_canvas.updateOverlay();
+}
+
+void LassoFillTool::finish()
+{
+    if (!isBusy())
+        return;
+    const std::vector<Cubic> curves = outline();
+    // Two points enclose nothing.
+    const StrokePtr stroke =
+        curves.size() > 2 || !isClick(m_parts.back()) ? paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint)
+                                                      : nullptr;
+    cancel();
+    if (stroke)
+        m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Lasso fill"));
+}
+
+void LassoFillTool::cancel()
+{
+    if (!isBusy())
+        return;
+    m_parts.clear();
+    m_isPressed = false;
+    m_next.reset();
+    m_id = 0;
+    m_editor.document().setDraft(nullptr);
+    m_editor.clock().hold(false);
+    m_canvas.updateOverlay();
+    emit hintChanged();
+}
+
+bool LassoFillTool::wantsKey(const QKeyEvent &event) const
+{
+    return isBusy() && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
+}
+
+bool LassoFillTool::keyPress(QKeyEvent *event)
+{
+    if (!wantsKey(*event))
+        return false;
+    finish();
+    return true;
+}
+
+void LassoFillTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    if (!isBusy())
+        return;
+    const auto pixel = [&view](Point p) {
+        const Point at = view.toPixels(p);
+        return QPointF(at.x, at.y);
+    };
+    QPainterPath path(pixel(m_parts.front().front()));
+    for (const Part &part : m_parts)
+        for (const Point p : part)
+            path.lineTo(pixel(p));
+    const OverlayColours &colours = m_canvas.overlayColours();
+    strokeTwoTone(painter, path, colours.accent, dpr);
+    QPainterPath rest(pixel(m_parts.back().back()));
+    if (m_next && !m_isPressed)
+        rest.lineTo(pixel(*m_next));
+    rest.lineTo(pixel(m_parts.front().front()));
+    strokeTwoTone(painter, rest, colours.accent, dpr, Qt::DashLine);
+    paintNode(painter, view.toPixels(m_parts.front().front()), colours, dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,305 @@
+#include "app/tools/shapes/pen_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/canvas/overlay/overlay.h"
+#include "app/session/editor.h"
+#include "app/tools/shapes/shape_paint.h"
+#include "app/tools/stroke_ends.h"
+#include "app/tools/tool_fields.h"
+#include "model/painting/validate.h"
+#include "undo/edits.h"
+#include "undo/node_edits.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace suffuse {
+
+PenTool::PenTool(CanvasWidget &canvas, QObject *parent)
+    : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("pen")))
+{}
+
+QString PenTool::hint() const
+{
+    if (isBusy())
+        return tr("Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.");
+    if (m_nearEnd)
+        return tr("Click or drag to go on with the selected stroke from its end.");
+    return tr("Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.");
+}
+
+QWidget *PenTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    addPaintField(*row, m_paint, [this](ShapePaint paint) { setPaint(paint); });
+    row->addStretch();
+    return m_options;
+}
+
+void PenTool::setPaint(ShapePaint paint)
+{
+    m_paint = paint;
+    storePaint(QStringLiteral("pen"), paint);
+    if (m_options)
+        m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(paint));
+    if (isBusy())
+        show();
+}
+
+Point PenTool::placeOf(const PointerEvent &event, Point from) const
+{
+    if (event.modifiers & Qt::ShiftModifier)
+        return inSteps(from, event.point);
+    return m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+}
+
+bool PenTool::isNear(Point place, Point pixel) const
+{
+    return length(m_canvas.view().toPixels(place) - pixel) <= closingReach * m_canvas.devicePixelRatioF();
+}
+
+bool PenTool::closesAt(Point pixel) const
+{
+    if (m_extended) { // at the other end of the chain
+        const StrokePtr stroke = m_editor.document().painting()->find(m_extended->stroke);
+        const std::optional<NodeRef> end = selectedEndAt(m_canvas, *m_editor.document().painting(), pixel);
+        if (!stroke || !end || *end == *m_extended || end->stroke != m_extended->stroke)
+            return false;
+        const NodeSides one = sidesOf(*stroke, end->node), other = sidesOf(*stroke, m_extended->node);
+        return chainAt(*stroke, std::max(one.before, one.after)) == chainAt(*stroke, std::max(other.before, other.after));
+    }
+    return m_nodes.size() > 1 && isNear(m_nodes.front().at, pixel);
+}
+
+void PenTool::begin(const PointerEvent &event)
+{
+    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+    m_extended = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
+    m_id = m_editor.document().takeStrokeId();
+    m_born = event.time;
+    m_editor.clock().hold(true, event.late);
+    const Point from = m_extended ? nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
+                                                 m_extended->node)
+                                  : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+    m_nodes.push_back(cornerAt(from));
+}
+
+void PenTool::press(const PointerEvent &event)
+{
+    if (isBusy() && event.doubleClick && !m_isClosing) {
+        finish(false); // The click before it has set the last node.
+        return;
+    }
+    m_isPressed = true;
+    m_pressPixel = event.pixel;
+    m_isClosing = isBusy() && closesAt(event.pixel);
+    if (!isBusy())
+        begin(event);
+    else if (m_isClosing && m_extended)
+        m_nodes.push_back(cornerAt(nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
+                                                selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel)->node)));
+    else if (!m_isClosing)
+        m_nodes.push_back(cornerAt(placeOf(event, m_nodes.back().at)));
+    m_next.reset();
+    show();
+    emit hintChanged();
+}
+
+void PenTool::dragHandle(const PointerEvent &event)
+{
+    if (length(event.pixel - m_pressPixel) < leastShapeDrag * m_canvas.devicePixelRatioF())
+        return;
+    PathNode &node = m_isClosing && !m_extended ? m_nodes.front() : m_nodes.back();
+    const Point to = event.modifiers & Qt::ShiftModifier ? inSteps(node.at, event.point) : event.point;
+    const Point opposite = 2 * node.at - to;
+    const bool isBroken = event.modifiers & Qt::AltModifier;
+    if (m_isClosing) { // The curve arrives against the drag; the other handle is there already.
+        node.in = opposite;
+        if (!isBroken && !m_extended)
+            node.out = to;
+    } else {
+        node.out = to;
+        if (!isBroken)
+            node.in = opposite;
+    }
+}
+
+void PenTool::move(const PointerEvent &event)
+{
+    if (!m_isPressed || !isBusy())
+        return;
+    dragHandle(event);
+    show();
+}
+
+void PenTool::release(const PointerEvent &event)
+{
+    if (!m_isPressed || !isBusy())
+        return;
+    dragHandle(event);
+    m_isPressed = false;
+    if (m_isClosing)
+        finish(true);
+    else
+        show();
+}
+
+void PenTool::hover(const PointerEvent &event)
+{
+    if (isBusy()) {
+        m_next = closesAt(event.pixel) && !m_extended ? m_nodes.front().at : placeOf(event, m_nodes.back().at);
+        m_canvas.updateOverlay();
+        return;
+    }
+    if (const auto end = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel); end != m_nearEnd) {
+        m_nearEnd = end;
+        m_canvas.updateOverlay();
+        emit hintChanged();
+    }
+}
+
+void PenTool::leave()
+{
+    m_next.reset();
+    m_nearEnd.reset();
+    m_canvas.updateOverlay();
+}
+
+void PenTool::takeBack()
+{
+    if (m_nodes.size() == 1)
+        return cancel();
+    m_nodes.pop_back();
+    m_isPressed = m_isClosing = false;
+    show();
+}
+
+StrokePtr PenTool::strokeInHand(bool isClosed) const
+{
+    const std::vector<Cubic> curves = curvesThrough(m_nodes, isClosed && !m_extended);
+    if (!m_extended)
+        return paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint);
+    const StrokePtr whole = m_editor.document().painting()->find(m_extended->stroke);
+    if (!whole)
+        return nullptr;
+    const NodeSides sides = sidesOf(*whole, m_extended->node);
+    const Segment &values = whole->segments[std::size_t(std::max(sides.before, sides.after))];
+    Stroke added = strokeAlong(curves, m_editor.brush(), m_id, m_born);
+    added.style = whole->style;
+    added.mix = whole->mix;
+    const Point shift = added.origin - whole->origin;
+    added.origin = whole->origin;
+    for (Segment &segment : added.segments) {
+        Segment like = values;
+        for (std::size_t i = 0; i < 4; ++i)
+            like.bezier[i] = toOffset(shift + segment.bezier[i], {});
+        like.node = segment.node;
+        like.born = m_born;
+        like.rewet.clear();
+        like.start = like.lift = false;
+        segment = std::move(like);
+    }
+    for (std::size_t k = 1; k < added.segments.size(); ++k)
+        added.segments[k].bezier[0] = added.segments[k - 1].bezier[3];
+    return !added.segments.empty() && problemOf(added).isEmpty() ? std::make_shared<const Stroke>(std::move(added))
+                                                                 : nullptr;
+}
+
+void PenTool::show()
+{
+    m_editor.document().setDraft(strokeInHand(m_isClosing));
+    m_canvas.updateOverlay();
+}
+
+void PenTool::finish(bool isClosed)
+{
+    if (!isBusy())
+        return;
+    const StrokePtr stroke = strokeInHand(isClosed);
+    const std::optional<NodeRef> end = m_extended;
+    cancel();
+    if (!stroke)
+        return;
+    if (end) {
+        m_editor.push(extendStroke(m_editor.document(), *end, *stroke), tr("Extend outline"));
+        return;
+    }
+    m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Outline"));
+}
+
+void PenTool::cancel()
+{
+    if (!isBusy())
+        return;
+    m_nodes.clear();
+    m_extended.reset();
+    m_next.reset();
+    m_isPressed = m_isClosing = false;
+    m_id = 0;
+    m_editor.document().setDraft(nullptr);
+    m_editor.clock().hold(false);
+    m_canvas.updateOverlay();
+    emit hintChanged();
+}
+
+bool PenTool::wantsKey(const QKeyEvent &event) const
+{
+    const int key = event.key();
+    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace);
+}
+
+bool PenTool::keyPress(QKeyEvent *event)
+{
+    if (!wantsKey(*event))
+        return false;
+    if (event->key() == Qt::Key_Backspace)
+        takeBack();
+    else
+        finish(false);
+    return true;
+}
+
+void PenTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    const OverlayColours &colours = m_canvas.overlayColours();
+    const auto pixel = [&view](Point p) {
+        const Point at = view.toPixels(p);
+        return QPointF(at.x, at.y);
+    };
+    if (!isBusy()) {
+        const StrokePtr near = m_nearEnd ? m_editor.document().painting()->find(m_nearEnd->stroke) : nullptr;
+        if (near && m_nearEnd->node < nodeCount(*near))
+            paintSnapMark(painter, view.toPixels(nodePosition(*near, m_nearEnd->node)), colours, dpr);
+        return;
+    }
+    QPainterPath path;
+    for (const Cubic &curve : curvesThrough(m_nodes, m_isClosing && !m_extended))
+        addCurve(path, curve, view);
+    strokeTwoTone(painter, path, colours.accent, dpr);
+    if (m_next && !m_isPressed) {
+        QPainterPath next;
+        const PathNode &last = m_nodes.back();
+        addCurve(next, curvesThrough({last, cornerAt(*m_next)}, false).front(), view);
+        strokeTwoTone(painter, next, colours.accent, dpr, Qt::DashLine);
+    }
+    for (const PathNode &node : m_nodes) {
+        for (const Point handle : {node.in, node.out})
+            if (handle != node.at) {
+                QPainterPath line(pixel(node.at));
+                line.lineTo(pixel(handle));
+                strokeTwoTone(painter, line, colours.accent, dpr, Qt::SolidLine, 0.6);
+                paintNode(painter, view.toPixels(handle), colours, 0.7 * dpr);
+            }
+        paintNode(painter, view.toPixels(node.at), colours, dpr);
+    }
+    if (m_nodes.size() > 1 && !m_extended && m_next && *m_next == m_nodes.front().at)
+        paintSnapMark(painter, view.toPixels(m_nodes.front().at), colours, dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,31 @@
+// What shapes of all kinds have in common: paint in their outline, within it, or both.
+#pragma once
+
+#include "model/shaping/shapes.h"
+
+#include <QString>
+
+#include <functional>
+
+class QComboBox;
+class QHBoxLayout;
+
+namespace suffuse {
+
+/// Logical pixels: what is shorter is a click and no drag.
+inline constexpr double leastShapeDrag = 3;
+/// Logical pixels around the first point of an outline in which a press closes it.
+inline constexpr double closingReach = 8;
+
+/// A stroke along curves with the values of a brush at full pressure. Null where nothing could be painted.
+StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, StrokeId id, Microseconds born,
+                       ShapePaint paint);
+
+/// Adds the field for what of a shape is painted. `take` is called with each choice.
+QComboBox *addPaintField(QHBoxLayout &row, ShapePaint now, const std::function<void(ShapePaint)> &take);
+
+/// What was chosen last in the row of one of the tools; a fill at first.
+ShapePaint storedPaint(const QString &tool);
+void storePaint(const QString &tool, ShapePaint paint);
+
+} // namespace suffuse

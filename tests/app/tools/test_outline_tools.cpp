@@ -1,0 +1,273 @@
+// Outlines that are drawn node by node, and what is drawn around.
+#include "app/tools/shapes/lasso_fill_tool.h"
+#include "app/tools/shapes/pen_tool.h"
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
+#include "model/painting/validate.h"
+#include "model/shaping/reshape.h"
+#include "tests/app/session.h"
+
+#include <QComboBox>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Qt::KeyboardModifiers none = {};
+
+struct Drawing : Session {
+    explicit Drawing(Command tool)
+    {
+        use(Command::Zoom100);
+        use(tool);
+    }
+
+    void press(Point at_, Qt::KeyboardModifiers modifiers = none)
+    {
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(at_));
+    }
+    void release(Point at_, Qt::KeyboardModifiers modifiers = none)
+    {
+        QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, at(at_));
+    }
+    void move(Point to, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = none)
+    {
+        const QPoint pixel = at(to);
+        QMouseEvent event(QEvent::MouseMove, pixel, canvas().mapToGlobal(pixel), Qt::NoButton, buttons, modifiers);
+        QCoreApplication::sendEvent(&canvas(), &event);
+    }
+    /// Presses that follow each other at once would be double clicks.
+    void click(Point where, Qt::KeyboardModifiers modifiers = none)
+    {
+        QTest::mouseClick(&canvas(), Qt::LeftButton, modifiers, at(where), 1000);
+    }
+    void drag(const std::vector<Point> &way, Qt::KeyboardModifiers modifiers = none)
+    {
+        press(way.front(), modifiers);
+        for (std::size_t i = 1; i < way.size(); ++i)
+            for (int k = 1; k <= 5; ++k) {
+                advance(interval);
+                move(way[i - 1] + (k / 5.0) * (way[i] - way[i - 1]), Qt::LeftButton, modifiers);
+            }
+        release(way.back(), modifiers);
+    }
+    void key(Qt::Key which) { QTest::keyClick(&canvas(), which); }
+    const Stroke &last() { return *painting().strokes.back(); }
+    int steps() { return editor().undoStack().count(); }
+    bool isBusy() { return canvas().tool()->isBusy(); }
+};
+
+double extentOf(const Stroke &stroke)
+{
+    return sizeOf(areaOf(closedOutline(stroke), FillRule::NonZero));
+}
+
+bool isClosed(const Stroke &stroke)
+{
+    return stroke.segments.front().bezier[0] == stroke.segments.back().bezier[3];
+}
+
+bool isNear(Point a, Point b, double by = 1.5)
+{
+    return length(a - b) < by;
+}
+
+} // namespace
+
+class TestOutlineTools : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void clicksSetCornersAndTheFirstNodeCloses()
+    {
+        Drawing s(Command::OutlinePen);
+        for (const Point corner : {Point{300, 300}, {500, 300}, {500, 400}, {300, 400}})
+            s.click(corner);
+        QVERIFY(s.isBusy());
+        QCOMPARE(s.steps(), 0);
+        QVERIFY(s.editor().document().draft()); // it shows as paint
+        s.click({302, 301});
+        QVERIFY(!s.isBusy());
+        QVERIFY(!s.editor().document().draft());
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoText(), QString("Outline"));
+        QCOMPARE(s.last().segments.size(), std::size_t(4));
+        QVERIFY(isClosed(s.last()) && isFillAlone(s.last()));
+        QVERIFY(std::abs(extentOf(s.last()) - 20'000) < 600);
+        for (int node = 1; node < 4; ++node)
+            QCOMPARE(nodeKind(s.last(), node), NodeKind::Corner);
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.last().id});
+        QCOMPARE(s.last().fill->colour, s.editor().brush().colour);
+    }
+
+    void dragsSetSmoothNodesAndAltBreaksThem()
+    {
+        Drawing s(Command::OutlinePen);
+        s.click({300, 300});
+        s.drag({{400, 400}, {450, 400}});
+        s.drag({{500, 300}, {540, 300}}, Qt::AltModifier);
+        s.click({600, 400});
+        s.key(Qt::Key_Return);
+        QCOMPARE(s.steps(), 1);
+        const Stroke &stroke = s.last();
+        QCOMPARE(stroke.segments.size(), std::size_t(3));
+        QVERIFY(!isClosed(stroke));
+        QCOMPARE(nodeKind(stroke, 1), NodeKind::Smooth);
+        QVERIFY(isNear(*handlePosition(stroke, 1, true), {450, 400}));
+        QVERIFY(isNear(*handlePosition(stroke, 1, false), {350, 400}));
+        QCOMPARE(nodeKind(stroke, 2), NodeKind::Corner);
+        QVERIFY(isNear(*handlePosition(stroke, 2, true), {540, 300}));
+        QVERIFY(isNear(*handlePosition(stroke, 2, false), {500, 300}));
+    }
+
+    void shiftTurnsBySteps()
+    {
+        Drawing s(Command::OutlinePen);
+        s.click({300, 300});
+        s.click({500, 310}, Qt::ShiftModifier);
+        s.click({505, 400}, Qt::ShiftModifier);
+        s.key(Qt::Key_Return);
+        QVERIFY(std::abs(nodePosition(s.last(), 1).y - nodePosition(s.last(), 0).y) < 1e-3);
+        QVERIFY(std::abs(nodePosition(s.last(), 2).x - nodePosition(s.last(), 1).x) < 1e-3);
+    }
+
+    void backspaceTakesBackAndEscGivesUp()
+    {
+        Drawing s(Command::OutlinePen);
+        s.click({300, 300});
+        s.click({500, 300});
+        s.click({500, 400});
+        s.key(Qt::Key_Backspace);
+        s.click({400, 420});
+        s.key(Qt::Key_Return);
+        QCOMPARE(s.last().segments.size(), std::size_t(2));
+        QVERIFY(isNear(nodePosition(s.last(), 2), {400, 420}));
+        const PaintingPtr before = s.editor().document().painting();
+        s.editor().document().setSelection({});
+        s.click({300, 500});
+        s.click({500, 500});
+        s.key(Qt::Key_Escape);
+        QVERIFY(!s.isBusy() && !s.editor().document().draft());
+        s.click({300, 500});
+        s.key(Qt::Key_Backspace); // the only one
+        QVERIFY(!s.isBusy());
+        s.click({300, 500});
+        s.click({500, 500});
+        s.use(Command::Undo); // gives up what is in hand, and undoes nothing
+        QVERIFY(!s.isBusy());
+        QCOMPARE(s.editor().document().painting(), before);
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void anotherToolAndADoubleClickEndTheOutline()
+    {
+        Drawing s(Command::OutlinePen);
+        s.click({300, 300});
+        s.click({500, 300});
+        s.click({500, 400});
+        s.use(Command::Select);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.last().segments.size(), std::size_t(2));
+        s.editor().document().setSelection({});
+        s.use(Command::OutlinePen);
+        s.click({300, 500});
+        s.click({500, 500});
+        s.click({500, 600});
+        QTest::mouseDClick(&s.canvas(), Qt::LeftButton, none, s.at({500, 600}));
+        QCOMPARE(s.steps(), 2);
+        QVERIFY(!s.isBusy());
+        QCOMPARE(s.last().segments.size(), std::size_t(2));
+    }
+
+    /// With the values that the stroke has at its end, until the other end closes it.
+    void itGoesOnFromAnEnd()
+    {
+        Drawing s(Command::OutlinePen);
+        auto *row = s.canvas().tool()->options()->findChild<QComboBox *>("paint");
+        row->setCurrentIndex(int(ShapePaint::Outline));
+        emit row->activated(int(ShapePaint::Outline));
+        s.click({300, 300});
+        s.click({500, 300});
+        s.key(Qt::Key_Return);
+        QVERIFY(!s.last().fill);
+        const Segment painted = s.last().segments.front();
+        Brush other = s.editor().brush();
+        other.colour = {0.1f, 0.2f, 0.3f, 1};
+        s.editor().setBrush(other);
+        s.click({500, 300}); // the end
+        s.click({500, 400});
+        s.key(Qt::Key_Return);
+        QCOMPARE(s.steps(), 2);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.last().segments.size(), std::size_t(2));
+        QCOMPARE(s.last().segments.back().colour, painted.colour);
+        QCOMPARE(s.last().segments.back().density, painted.density);
+        s.click({300, 300}); // the start
+        s.click({300, 400});
+        s.click({500, 400}); // the other end
+        QVERIFY(!s.isBusy());
+        QCOMPARE(s.last().segments.size(), std::size_t(4));
+        QVERIFY(isClosed(s.last()));
+        QCOMPARE(chainsOf(s.last()).size(), std::size_t(1));
+        QCOMPARE(problemOf(s.last()), QString());
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QCOMPARE(s.last().segments.size(), std::size_t(1));
+        row->setCurrentIndex(int(ShapePaint::Fill));
+        emit row->activated(int(ShapePaint::Fill));
+    }
+
+    void aLassoFillsWhatIsDrawnAround()
+    {
+        Drawing s(Command::LassoFill);
+        std::vector<Point> around;
+        for (int i = 0; i <= 40; ++i)
+            around.push_back(Point{450, 350} + 100 * Point{std::cos(0.15 * i), std::sin(0.15 * i)});
+        s.drag(around);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoText(), QString("Lasso fill"));
+        QVERIFY(isFillAlone(s.last()) && isClosed(s.last()));
+        QVERIFY2(std::abs(extentOf(s.last()) - 31'400) < 600, qPrintable(QString::number(extentOf(s.last()))));
+        QVERIFY2(s.last().segments.size() < 30, qPrintable(QString::number(s.last().segments.size())));
+        QCOMPARE(problemOf(s.last()), QString());
+    }
+
+    void clicksOfTheLassoAreCorners()
+    {
+        Drawing s(Command::LassoFill);
+        s.click({300, 300});
+        s.click({500, 300});
+        s.drag({{500, 400}, {400, 450}, {300, 400}}, Qt::AltModifier);
+        QVERIFY(s.isBusy());
+        s.click({301, 302});
+        QVERIFY(!s.isBusy());
+        QCOMPARE(s.steps(), 1);
+        QVERIFY2(std::abs(extentOf(s.last()) - 25'000) < 800, qPrintable(QString::number(extentOf(s.last()))));
+        s.click({300, 300});
+        s.click({500, 300});
+        s.key(Qt::Key_Return); // Two points enclose nothing.
+        QCOMPARE(s.steps(), 1);
+        s.press({300, 300});
+        s.move({400, 400}, Qt::LeftButton);
+        QVERIFY(s.editor().document().draft());
+        s.key(Qt::Key_Escape);
+        s.release({400, 400});
+        QVERIFY(!s.editor().document().draft());
+        QCOMPARE(s.steps(), 1);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestOutlineTools)
+#include "test_outline_tools.moc"
