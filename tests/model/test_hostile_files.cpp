@@ -177,6 +177,16 @@ private slots:
             << pens + repeated("<svg viewBox='1 1 998 998'>", 200) +
                    repeated("<path fill='red' d='M0 0" + scribble("C", 50) + "'/>", 2000) + repeated("</svg>", 200) +
                    "</svg>";
+        // Gradients of many rings in many intricate shapes, and opacities of everything over everything.
+        const QByteArray server = "<radialGradient id='g' spreadMethod='reflect' r='0.01'><stop stop-color='red'/>"
+                                  "<stop offset='1' stop-color='blue' stop-opacity='.5'/></radialGradient>";
+        QTest::newRow("rings without end")
+            << pens + server + repeated("<path fill='url(#g)' d='M0 0" + scribble("C", 100) + "'/>", 2000) + "</svg>";
+        QTest::newRow("opacities of scribbles") << [&] {
+            QByteArray text = pens + repeated("<g opacity='.9'>", 100);
+            text += repeated("<path fill='red' fill-opacity='.5' d='M0 0" + scribble("L", 20) + "'/>", 2000);
+            return text + repeated("</g>", 100) + "</svg>";
+        }();
         QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
         QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
         QTest::newRow("zeros") << QByteArray(4 * many, '\0');

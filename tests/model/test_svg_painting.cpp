@@ -174,7 +174,7 @@ private slots:
                                        "<g clip-path=\"url(#c)\"><rect width=\"9\" height=\"9\" fill=\"url(#g)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url('#g') red\" clip-path=\"url(#c)\"/>"
                                        "<rect width=\"9\" height=\"9\" fill=\"url(#h)\"/></g>"),
-                 QString("1 gradient(s) were left out.")); // the radial one
+                 QString());
         QCOMPARE(leftOut(definitions + "<g marker=\"url(#m)\" mask=\"url(#k)\" style=\"filter:url(#f)\">" + line +
                          "<text>words</text></g><path d=\"M0 0h9\" stroke=\"url(#p)\"/>"),
                  QString("1 pattern(s), 1 mask(s), 1 filter(s), 1 marker(s), 1 text(s) were left out."));
@@ -253,6 +253,127 @@ private slots:
         const Painting one = read("", "<stop stop-color='red'/>", box);
         QCOMPARE(one.strokes.size(), std::size_t(1));
         QVERIFY(!one.strokes[0]->fill->gradient);
+    }
+
+    /// Around a point colours change in steps that are no higher than 1/32, so that none is off by more than 1/64.
+    void radialGradientsAreStacks()
+    {
+        const auto read = [](const QByteArray &attributes, const QByteArray &stops, const QByteArray &shape) {
+            const Result<LoadedDocument> read =
+                readDocument(svg("viewBox='0 0 100 100'",
+                                 "<radialGradient id='g' " + attributes + ">" + stops + "</radialGradient>" + shape),
+                             "a.svg");
+            return read && read->leftOut.isEmpty() ? read->painting : Painting();
+        };
+        const QByteArray greys = "<stop stop-color='#000'/><stop offset='1' stop-color='#fff'/>";
+        const QByteArray box = "<rect x='20' y='20' width='60' height='60' fill='url(#g)'/>";
+        const Painting stack = read("", greys, box);
+        QVERIFY2(stack.strokes.size() >= 32 && stack.strokes.size() < 40,
+                 qPrintable(QString::number(stack.strokes.size())));
+        QCOMPARE(stack.groups.size(), std::size_t(1));
+        // From the largest to the smallest, each a circle as far as the shape shows it, and brighter outside.
+        double size = 1e9;
+        const auto brightness = [](const Stroke &stroke) {
+            const Colour &c = stroke.fill->colour;
+            return srgbFromRyb(std::array{double(c.red), double(c.yellow), double(c.blue)})[1];
+        };
+        double before = 2;
+        for (const StrokePtr &stroke : stack.strokes) {
+            const double own = sizeOf(areaOf(closedOutline(*stroke), stroke->fill->rule));
+            QVERIFY(own <= size);
+            size = own;
+            const double bright = brightness(*stroke);
+            QVERIFY(bright < before && (before == 2 || before - bright < 1.0 / 31));
+            before = bright;
+            if (own < 0.7 * 3600) {
+                const double radius = std::sqrt(own / std::numbers::pi);
+                QVERIFY2(std::abs(bright - (radius / 30 - 1.0 / 64)) < 0.005,
+                         qPrintable(QStringLiteral("%1 at %2").arg(bright).arg(radius)));
+            }
+        }
+        // Rings beside each other where paint lets through, of which none lies over another.
+        const Painting rings = read("", "<stop stop-color='#000' stop-opacity='0'/><stop offset='1'/>", box);
+        double sum = 0;
+        for (const StrokePtr &stroke : rings.strokes)
+            sum += sizeOf(areaOf(closedOutline(*stroke), stroke->fill->rule));
+        QVERIFY2(rings.strokes.size() >= 30 && std::abs(sum - 3600) < 0.5, qPrintable(QString::number(sum)));
+        // A focus, a transform, repetition, units of the document.
+        QVERIFY(read("fx='0.3' fy='0.4'", greys, box).strokes.size() >= 32);
+        QVERIFY(read("spreadMethod='repeat' r='0.2'", greys, box).strokes.size() > 100);
+        QVERIFY(read("spreadMethod='reflect' r='20%' gradientTransform='rotate(20) scale(1 2)'", greys, box)
+                    .strokes.size() > 50);
+        const Painting own = read("gradientUnits='userSpaceOnUse' cx='50' cy='50' r='10'", greys, box);
+        QCOMPARE(brightness(*own.strokes.front()), 1.0);
+        QVERIFY(brightness(*own.strokes.back()) < 0.02);
+        // Without a radius there is the last colour alone; a box without height has no shares.
+        QCOMPARE(read("r='0'", greys, box).strokes.size(), std::size_t(1));
+        QCOMPARE(read("", greys, "<path d='M0 50h99' stroke='url(#g)'/>" + box).strokes.size(), stack.strokes.size());
+    }
+
+    /// Where colours let through, or repeat, strips lie beside each other.
+    void linearGradientsMayBeStrips()
+    {
+        const auto read = [](const QByteArray &attributes, const QByteArray &stops) {
+            const Result<LoadedDocument> read = readDocument(
+                svg("viewBox='0 0 100 100'", "<linearGradient id='g' " + attributes + ">" + stops +
+                                                 "</linearGradient><rect x='20' y='20' width='60' height='60' "
+                                                 "fill='url(#g)'/>"),
+                "a.svg");
+            return read && read->leftOut.isEmpty() ? read->painting : Painting();
+        };
+        const auto sum = [](const Painting &painting) {
+            double sum = 0;
+            for (const StrokePtr &stroke : painting.strokes)
+                sum += sizeOf(areaOf(closedOutline(*stroke), stroke->fill->rule));
+            return sum;
+        };
+        const Painting three = read("gradientTransform='rotate(30)'",
+                                    "<stop offset='.2'/><stop offset='.5' stop-opacity='.2'/><stop offset='.8'/>");
+        QCOMPARE(three.strokes.size(), std::size_t(4)); // before, two shades, behind
+        QVERIFY2(std::abs(sum(three) - 3600) < 0.1, qPrintable(QString::number(sum(three))));
+        const Painting repeated = read("spreadMethod='repeat' x2='.25'", "<stop stop-color='#888'/>"
+                                                                         "<stop offset='1' stop-color='#999'/>");
+        QVERIFY2(repeated.strokes.size() >= 4 && repeated.strokes.size() < 20,
+                 qPrintable(QString::number(repeated.strokes.size())));
+    }
+
+    /// What has an opacity as a whole shows nothing of what it covers.
+    void opacityIsThatOfTheWhole_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<std::vector<double>>("sizes"); ///< by opacity: from thin to strong
+        QTest::addColumn<std::vector<double>>("opacities");
+        using Row = std::vector<double>;
+        const QByteArray a = "<rect width='10' height='10'/>", b = "<rect x='5' width='10' height='10'/>";
+        QTest::newRow("two opaque areas") << "<g opacity='.5'>" + a + b + "</g>" << Row{50, 100} << Row{.5, .5};
+        QTest::newRow("beside each other")
+            << "<g opacity='.5'>" + a + "<rect x='10' width='9' height='10'/></g>" << Row{100, 90} << Row{.5, .5};
+        // Where the upper one lets half through: 1 − (1 − .25)(1 − x) = .5 · (1 − .5 · 0)
+        QTest::newRow("an upper one that lets through") << "<g opacity='.5'>" + a + "<g opacity='.5'>" + b + "</g></g>"
+                                                        << Row{50, 50, 100} << Row{.5, .5 * .5 / (1 - .25), .25};
+        QTest::newRow("a fill below its stroke")
+            << QByteArray("<rect x='10' y='10' width='10' height='10' opacity='.5' stroke='red' stroke-width='2'/>")
+            << Row{64, 12 * 12 - 64} << Row{.5, .5};
+        QTest::newRow("a round stroke over a fill")
+            << QByteArray("<g opacity='.5'><path d='M10 15h10' stroke='red' stroke-linecap='round' stroke-width='4'/>"
+                          "<rect x='10' y='10' width='10' height='10'/></g>")
+            << Row{4 * std::numbers::pi, 100} << Row{.5, .5};
+        QTest::newRow("nothing") << "<g opacity='0'>" + a + "</g>" + b << Row{100} << Row{1};
+    }
+    void opacityIsThatOfTheWhole()
+    {
+        QFETCH(const QByteArray, content);
+        QFETCH(const std::vector<double>, sizes);
+        QFETCH(const std::vector<double>, opacities);
+        const Result<Painting> painting = readPainting(svg("viewBox='0 0 100 100'", content), "a.svg");
+        QVERIFY2(painting, qPrintable(painting.error()));
+        QCOMPARE(painting->strokes.size(), sizes.size());
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            const Stroke &stroke = *painting->strokes[i];
+            const double size = sizeOf(areaOf(closedOutline(stroke), stroke.fill->rule));
+            QVERIFY2(std::abs(size - sizes[i]) < 0.01, qPrintable(QStringLiteral("%1: %2").arg(i).arg(size)));
+            QVERIFY(std::abs(double(stroke.fill->colour.opacity) - opacities[i]) < 1e-6);
+        }
     }
 
     /// What a pen with corners, flat ends or dashes covers is an area, whose outline is exact.

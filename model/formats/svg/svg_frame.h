@@ -1,7 +1,7 @@
 // What stands around the paths of a drawing: its size, and its groups.
 #pragma once
 
-#include "model/formats/svg/svg_paths.h"
+#include "model/formats/svg/svg_drawing.h"
 
 #include <QXmlStreamAttributes>
 

@@ -1,39 +1,34 @@
 #include "model/formats/svg/svg_gradient.h"
 
-#include "model/formats/svg/svg_shapes.h"
+#include "model/area/offset_curve.h"
 #include "model/painting/ryb.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace suffuse {
 
 namespace {
 
 constexpr int deepestReference = 32;
-constexpr int mostShades = 64;
+constexpr std::size_t mostShades = 64;   ///< over each other
+constexpr std::size_t mostApart = 1'000; ///< beside each other, or within each other
+
+bool isGradient(const SvgElement *element)
+{
+    return element &&
+           (element->name == QLatin1String("linearGradient") || element->name == QLatin1String("radialGradient"));
+}
 
 /// The attribute of the gradient, or of the first one that has it of those from which it takes what it lacks.
 QString attributeOf(const SvgElement &gradient, const char *name, const SvgTree &tree)
 {
     const SvgElement *element = &gradient;
-    for (int hops = 0; element && hops < deepestReference; ++hops, element = tree.target(*element))
+    for (int hops = 0; isGradient(element) && hops < deepestReference; ++hops, element = tree.target(*element))
         if (const QString value = element->attribute(name); !value.isEmpty())
             return value.trimmed();
     return {};
-}
-
-/// A coordinate: of the box as a share of it, else in units, where per cents count by `whole`.
-double coordinateOf(const QString &text, bool boxed, double whole, double usualShare)
-{
-    if (text.isEmpty())
-        return boxed ? usualShare : usualShare * whole;
-    if (text.endsWith(u'%')) {
-        bool ok = false;
-        const double share = text.chopped(1).toDouble(&ok) / 100;
-        return ok ? (boxed ? share : share * whole) : 0;
-    }
-    return svgLength(text).value_or(0);
 }
 
 SvgColour between(const SvgColour &a, const SvgColour &b, double share)
@@ -74,62 +69,266 @@ std::vector<SvgStop> refined(const std::vector<SvgStop> &stops)
     return fine;
 }
 
+/// Finds the shades of one use of a gradient.
+class ShadeFinder {
+public:
+    ShadeFinder(const SvgGradientUse &use, SvgTree &tree) : m_use(use), m_tree(tree)
+    {
+        m_boxed = attribute("gradientUnits") != QLatin1String("userSpaceOnUse");
+        m_units = use.units;
+        m_whole = use.matrix;
+        if (m_boxed) {
+            m_units.width = m_units.height = 1;
+            m_whole = m_whole * SvgMatrix{use.box.width(), 0, 0, use.box.height(), use.box.left, use.box.top};
+        }
+        m_whole = m_whole * svgTransform(attribute("gradientTransform"));
+        m_stops = svgStops(&use.gradient, tree);
+        for (SvgStop &stop : m_stops)
+            stop.colour[3] *= use.opacity;
+        m_isOpaque = std::ranges::all_of(m_stops, [](const SvgStop &stop) { return stop.colour[3] == 1; });
+    }
+
+    std::optional<std::vector<SvgShade>> find()
+    {
+        // Shares of a box without width or height mean nothing.
+        const bool isFlat = m_boxed && !(m_use.box.width() > 0 && m_use.box.height() > 0);
+        if (m_stops.empty() || isFlat || isCircular())
+            return std::vector<SvgShade>();
+        const bool isRadial = m_use.gradient.name == QLatin1String("radialGradient");
+        const double determinant = m_whole.a * m_whole.d - m_whole.b * m_whole.c;
+        if (determinant == 0 || !std::isfinite(determinant))
+            return std::vector{evenly(m_stops.back().colour)};
+        if (!(isRadial ? radial() : linear()))
+            return {};
+        return std::move(m_shades);
+    }
+
+private:
+    QString attribute(const char *name) const { return attributeOf(m_use.gradient, name, m_tree); }
+    std::optional<double> length(const char *name, SvgAxis axis) const
+    {
+        return svgLength(attribute(name), m_units, axis);
+    }
+    /// A coordinate; where there is none, a share of the whole.
+    double at(const char *name, SvgAxis axis, double share) const
+    {
+        return length(name, axis).value_or(*svgLength(QString::number(100 * share) + QLatin1Char('%'), m_units, axis));
+    }
+
+    bool isCircular() const
+    {
+        const SvgElement *element = &m_use.gradient;
+        for (int hops = 0; isGradient(element); ++hops, element = m_tree.target(*element))
+            if (hops > deepestReference)
+                return true;
+        return false;
+    }
+
+    SvgShade evenly(const SvgColour &colour) const { return {{}, {1, 0}, colour, colour, {}}; }
+
+    /// The points of the document's plane where a gradient would be 0 at `origin` and rise by 1 along `slope`.
+    bool linear()
+    {
+        const Point a{at("x1", SvgAxis::Across, 0), at("y1", SvgAxis::Down, 0)};
+        const Point b{at("x2", SvgAxis::Across, 1), at("y2", SvgAxis::Down, 0)};
+        const Point along = b - a;
+        const double squared = dot(along, along), determinant = m_whole.a * m_whole.d - m_whole.b * m_whole.c;
+        if (!(squared > 0)) { // It is painted with the last colour.
+            m_shades = {evenly(m_stops.back().colour)};
+            return true;
+        }
+        // Lines of one colour are mapped as lines, so the way between the points is turned by the inverse transposed
+        // matrix.
+        const Point slope = (1 / squared) * along;
+        const Point turned{(m_whole.d * slope.x - m_whole.b * slope.y) / determinant,
+                           (m_whole.a * slope.y - m_whole.c * slope.x) / determinant};
+        m_from = m_whole.map(a), m_way = (1 / dot(turned, turned)) * turned;
+        double low = 0, high = 1;
+        for (const Point corner : {Point{m_use.seen.left, m_use.seen.top},
+                                   {m_use.seen.right, m_use.seen.top},
+                                   {m_use.seen.left, m_use.seen.bottom},
+                                   {m_use.seen.right, m_use.seen.bottom}}) {
+            const double offset = dot(corner - m_from, turned);
+            low = std::min(low, offset), high = std::max(high, offset);
+        }
+        if (!repeatStops(low, high))
+            return false;
+        const SvgColour &last = m_stops.back().colour;
+        const bool evenlyOpaque =
+            std::ranges::all_of(m_stops, [&](const SvgStop &stop) { return stop.colour[3] == last[3]; });
+        const std::vector<SvgStop> fine = evenlyOpaque ? refined(m_stops) : m_stops;
+        if (fine.size() == 1)
+            m_shades = {evenly(last)};
+        else if (fine.size() == 2 || (m_isOpaque && !m_use.isApart && fine.size() <= mostShades))
+            addOver(fine);
+        else if (fine.size() <= mostApart)
+            addStrips(fine, low - 1, high + 1);
+        return !m_shades.empty();
+    }
+    Point place(double offset) const { return m_from + offset * m_way; }
+
+    /// Shades over each other: a new colour comes up from nothing over what is there, which mixes the two evenly.
+    void addOver(const std::vector<SvgStop> &fine)
+    {
+        constexpr double jump = 1e-4; // where two stops stand at one place, a share of the way
+        for (std::size_t i = 1; i < fine.size(); ++i) {
+            const double begin = fine[i - 1].offset, end = std::max(fine[i].offset, begin + jump);
+            SvgColour before = fine[i - 1].colour;
+            if (i > 1) {
+                before = fine[i].colour;
+                before[3] = 0;
+            }
+            m_shades.push_back({place(begin), place(end), before, fine[i].colour, {}});
+        }
+    }
+
+    /// Strips beside each other, across the way. Where colours are opaque each goes on below those behind it, so that
+    /// nothing shows between them.
+    void addStrips(const std::vector<SvgStop> &fine, double low, double high)
+    {
+        const Point middle = m_use.seen.centre(), aside = turned(m_way);
+        const double offset = dot(middle - m_from, m_way) / dot(m_way, m_way);
+        const double reach = (m_use.seen.width() + m_use.seen.height()) / suffuse::length(aside);
+        const Point centre = middle - offset * m_way; // where offsets are 0, as near as possible
+        const auto add = [&](double begin, double end, const SvgColour &first, const SvgColour &last) {
+            if (!(end > begin))
+                return;
+            const double until = m_isOpaque && !m_use.isApart ? high : end;
+            const Point corners[] = {centre + begin * m_way - reach * aside, centre + until * m_way - reach * aside,
+                                     centre + until * m_way + reach * aside, centre + begin * m_way + reach * aside};
+            SvgShade shade{place(begin), place(end), first, last, {{}}};
+            for (std::size_t k = 0; k < 4; ++k)
+                shade.within[0].push_back(straightCubic(corners[k], corners[(k + 1) % 4]));
+            m_shades.push_back(std::move(shade));
+        };
+        add(low, fine.front().offset, fine.front().colour, fine.front().colour);
+        for (std::size_t i = 1; i < fine.size(); ++i)
+            add(fine[i - 1].offset, fine[i].offset, fine[i - 1].colour, fine[i].colour);
+        add(fine.back().offset, high, fine.back().colour, fine.back().colour);
+    }
+
+    /// Circles around each other, from a focus outwards, as discs over each other or as rings beside each other.
+    bool radial()
+    {
+        const Point centre{at("cx", SvgAxis::Across, 0.5), at("cy", SvgAxis::Down, 0.5)};
+        const double radius = at("r", SvgAxis::Any, 0.5);
+        Point focus{length("fx", SvgAxis::Across).value_or(centre.x), length("fy", SvgAxis::Down).value_or(centre.y)};
+        const double inner = std::clamp(length("fr", SvgAxis::Any).value_or(0), 0.0, std::max(0.0, radius));
+        if (!(radius > 0)) {
+            if (radius == 0)
+                m_shades = {evenly(m_stops.back().colour)};
+            return radius == 0;
+        }
+        const Point off = focus - centre;
+        if (const double most = 0.99 * (radius - inner); suffuse::length(off) > most)
+            focus = centre + (most / suffuse::length(off)) * off;
+        // How often the circle must be repeated to reach everything.
+        const SvgMatrix &m = m_whole;
+        const double determinant = m.a * m.d - m.b * m.c;
+        double farthest = 1;
+        for (const Point corner : {Point{m_use.seen.left, m_use.seen.top},
+                                   {m_use.seen.right, m_use.seen.top},
+                                   {m_use.seen.left, m_use.seen.bottom},
+                                   {m_use.seen.right, m_use.seen.bottom}}) {
+            const Point p = corner - Point{m.e, m.f};
+            const Point own{(m.d * p.x - m.c * p.y) / determinant, (m.a * p.y - m.b * p.x) / determinant};
+            farthest =
+                std::max(farthest, 1 + suffuse::length(own - focus) / (radius - suffuse::length(focus - centre)));
+        }
+        if (!repeatStops(0, farthest))
+            return false;
+        struct Ring {
+            double end;
+            SvgColour colour;
+        };
+        std::vector<Ring> rings{{m_stops.front().offset, m_stops.front().colour}};
+        for (std::size_t i = 1; i < m_stops.size(); ++i) {
+            const SvgStop &a = m_stops[i - 1], &b = m_stops[i];
+            double change = 0;
+            for (std::size_t c = 0; c < 4; ++c)
+                change = std::max(change, std::abs(b.colour[c] - a.colour[c]));
+            const int parts = b.offset > a.offset ? std::clamp(int(std::ceil(32 * change)), 1, 32) : 0;
+            for (int k = 0; k < parts; ++k)
+                rings.push_back({a.offset + (k + 1.0) / parts * (b.offset - a.offset),
+                                 between(a.colour, b.colour, (k + 0.5) / parts)});
+        }
+        if (rings.size() > mostApart)
+            return false;
+        const auto circle = [&](double offset) {
+            const Point middle = focus + offset * (centre - focus);
+            const double size = inner + offset * (radius - inner);
+            std::vector<Cubic> loop = arcAround(middle, middle + Point{size, 0}, 2 * std::numbers::pi);
+            for (Cubic &curve : loop)
+                for (Point &p : curve.p)
+                    p = m_whole.map(p);
+            loop.back().p[3] = loop.front().p[0];
+            return loop;
+        };
+        const bool isStack = m_isOpaque && !m_use.isApart;
+        m_shades.push_back(evenly(m_stops.back().colour));
+        if (!isStack) { // What lies beyond the last circle.
+            const Rect around = m_use.seen.grown(1 + m_use.seen.width() + m_use.seen.height());
+            const Point corners[] = {{around.left, around.top},
+                                     {around.right, around.top},
+                                     {around.right, around.bottom},
+                                     {around.left, around.bottom}};
+            m_shades.back().within = {{}, circle(rings.back().end)};
+            for (std::size_t k = 0; k < 4; ++k)
+                m_shades.back().within[0].push_back(straightCubic(corners[k], corners[(k + 1) % 4]));
+        }
+        for (std::size_t i = rings.size(); i-- > 0;) {
+            if (!(inner + rings[i].end * (radius - inner) > 0))
+                continue;
+            SvgShade ring = evenly(rings[i].colour);
+            ring.within.push_back(circle(rings[i].end));
+            if (!isStack && i > 0 && inner + rings[i - 1].end * (radius - inner) > 0)
+                ring.within.push_back(circle(rings[i - 1].end));
+            m_shades.push_back(std::move(ring));
+        }
+        return true;
+    }
+
+    /// Repeats the stops as spreadMethod says, so that they reach from `low` to `high`.
+    bool repeatStops(double low, double high)
+    {
+        const QString spread = attribute("spreadMethod");
+        const bool isReflected = spread == QLatin1String("reflect");
+        if (!isReflected && spread != QLatin1String("repeat"))
+            return true;
+        const double first = std::floor(low), last = std::ceil(high);
+        if (!((last - first) * double(m_stops.size()) <= double(mostApart)))
+            return false;
+        std::vector<SvgStop> all;
+        for (double turn = first; turn < last; ++turn) {
+            std::vector<SvgStop> stops = m_stops;
+            const bool isBack = isReflected && std::fmod(turn, 2) != 0;
+            if (isBack)
+                std::ranges::reverse(stops);
+            const auto add = [&](double offset, const SvgColour &colour) { all.push_back({turn + offset, colour}); };
+            add(0, stops.front().colour);
+            for (const SvgStop &stop : stops)
+                add(isBack ? 1 - stop.offset : stop.offset, stop.colour);
+            add(1, stops.back().colour);
+        }
+        m_stops = std::move(all);
+        return true;
+    }
+
+    const SvgGradientUse &m_use;
+    SvgTree &m_tree;
+    bool m_boxed = false, m_isOpaque = false;
+    SvgUnits m_units;
+    SvgMatrix m_whole;   ///< from the gradient's units to those of the document
+    Point m_from, m_way; ///< of a linear one: where it begins, and from there to its end
+    std::vector<SvgStop> m_stops;
+    std::vector<SvgShade> m_shades;
+};
+
 } // namespace
 
-std::vector<SvgShade> svgShades(const SvgElement &gradient, const Rect &box, const SvgMatrix &matrix,
-                                const Rect &viewport, double opacity, const SvgColour &current, SvgTree &tree)
+std::optional<std::vector<SvgShade>> svgShades(const SvgGradientUse &use, SvgTree &tree)
 {
-    if (gradient.name != QLatin1String("linearGradient"))
-        return {};
-    std::vector<SvgStop> stops = svgStops(&gradient, current, tree);
-    const QString spread = attributeOf(gradient, "spreadMethod", tree);
-    if (stops.empty() || (!spread.isEmpty() && spread != QLatin1String("pad")))
-        return {};
-    for (SvgStop &stop : stops)
-        stop.colour[3] *= opacity;
-    const bool boxed = attributeOf(gradient, "gradientUnits", tree) != QLatin1String("userSpaceOnUse");
-    const auto at = [&](const char *name, double whole, double usual) {
-        return coordinateOf(attributeOf(gradient, name, tree), boxed, whole, usual);
-    };
-    const Point a{at("x1", viewport.width(), 0), at("y1", viewport.height(), 0)};
-    const Point b{at("x2", viewport.width(), 1), at("y2", viewport.height(), 0)};
-    SvgMatrix whole = matrix;
-    if (boxed)
-        whole = whole * SvgMatrix{box.width(), 0, 0, box.height(), box.left, box.top};
-    whole = whole * svgTransform(attributeOf(gradient, "gradientTransform", tree));
-    // Lines of one colour are mapped as lines, so the way between the points is turned by the inverse transposed
-    // matrix.
-    const Point along = b - a;
-    const double squared = along.x * along.x + along.y * along.y, determinant = whole.a * whole.d - whole.b * whole.c;
-    const SvgStop &last = stops.back();
-    if (!(squared > 0) || determinant == 0 || !std::isfinite(determinant)) // it is painted with the last colour
-        return {{whole.map(a), whole.map(a) + Point{1, 0}, last.colour, last.colour}};
-    const Point slope = (1 / squared) * along;
-    const Point turned{(whole.d * slope.x - whole.b * slope.y) / determinant,
-                       (whole.a * slope.y - whole.c * slope.x) / determinant};
-    const Point from = whole.map(a), way = (1 / (turned.x * turned.x + turned.y * turned.y)) * turned;
-    const auto place = [&](double offset) { return from + offset * way; };
-    const bool evenlyOpaque =
-        std::ranges::all_of(stops, [&](const SvgStop &stop) { return stop.colour[3] == last.colour[3]; });
-    const std::vector<SvgStop> fine = evenlyOpaque ? refined(stops) : stops;
-    if (fine.size() == 1)
-        return {{place(0), place(1), last.colour, last.colour}};
-    // Of shades over each other the upper ones must not let the lower through once they have begun.
-    const bool oneIsEnough = fine.size() == 2;
-    if (!oneIsEnough && (!evenlyOpaque || last.colour[3] < 1 || fine.size() > mostShades))
-        return {};
-    constexpr double jump = 1e-4; // where two stops stand at one place, a share of the way
-    std::vector<SvgShade> shades;
-    for (std::size_t i = 1; i < fine.size(); ++i) {
-        const double begin = fine[i - 1].offset, end = std::max(fine[i].offset, begin + jump);
-        SvgColour before = fine[i - 1].colour;
-        if (i > 1) { // Over what is there the new colour comes up from nothing, which mixes the two evenly.
-            before = fine[i].colour;
-            before[3] = 0;
-        }
-        shades.push_back({place(begin), place(end), before, fine[i].colour});
-    }
-    return shades;
+    return ShadeFinder(use, tree).find();
 }
 
 } // namespace suffuse

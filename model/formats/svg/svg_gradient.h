@@ -1,8 +1,10 @@
-// Linear gradients of SVG, as colours that change evenly between two points.
+// Gradients of SVG, as fills that lie over or beside each other.
 #pragma once
 
 #include "model/formats/svg/svg_style.h"
+#include "model/painting/geometry.h"
 
+#include <optional>
 #include <vector>
 
 namespace suffuse {
@@ -12,13 +14,24 @@ namespace suffuse {
 struct SvgShade {
     Point from, to;
     SvgColour first, last;
+    /// The area where alone it is painted, as closed loops by the even-odd rule; none: everywhere.
+    std::vector<std::vector<Cubic>> within;
 };
 
-/// What a linear gradient paints with, from bottom to top: shades that are painted over each other show its colours
-/// within 1/100. `box` is that of the shape in its own units, `matrix` maps these to those of the document, and
-/// `viewport` is what per cents count by. Empty where it cannot be shown so: for other gradients, for stops that let
-/// through unequally and are more than two, and for gradients that repeat.
-std::vector<SvgShade> svgShades(const SvgElement &gradient, const Rect &box, const SvgMatrix &matrix,
-                                const Rect &viewport, double opacity, const SvgColour &current, SvgTree &tree);
+/// What a gradient paints with.
+struct SvgGradientUse {
+    const SvgElement &gradient;
+    Rect box;         ///< of the shape, in its own units
+    SvgMatrix matrix; ///< maps these to units of the document
+    SvgUnits units;   ///< of the shape
+    Rect seen;        ///< the box of all that is painted, in units of the document
+    double opacity = 1;
+    bool isApart = false; ///< whether shades must not lie over each other
+};
+
+/// The shades that show a gradient, from bottom to top: colours along a line within 1/100, those around a point within
+/// 1/64. They lie over each other where all colours are opaque, and else beside each other. Empty where a gradient
+/// paints nothing; no value if it takes too many.
+std::optional<std::vector<SvgShade>> svgShades(const SvgGradientUse &use, SvgTree &tree);
 
 } // namespace suffuse

@@ -2,8 +2,7 @@
 
 #include "model/formats/svg/svg_clip.h"
 #include "model/formats/svg/svg_frame.h"
-#include "model/formats/svg/svg_gradient.h"
-#include "model/formats/svg/svg_outlines.h"
+#include "model/formats/svg/svg_painter.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/formats/svg/svg_style.h"
 #include "model/shaping/transform.h"
@@ -22,25 +21,7 @@ constexpr int deepestNesting = 256;
 constexpr int deepestGroups = 32;
 constexpr int mostDrawn = 200'000; ///< the greatest number of elements, including those of every <use>
 constexpr int mostCopied = 50'000; ///< the greatest number of elements among these that a <use> repeats
-constexpr std::size_t mostCurvesInAll = 2'000'000;
-constexpr double tolerance = 0.005;              ///< of outlines, canvas units
-constexpr std::uint64_t mostSteps = 300'000'000; ///< for the areas of all strokes, about a second
-
-/// Whether curves do not all lie on one straight line.
-bool enclosesArea(const std::vector<Cubic> &curves)
-{
-    const Point from = curves.front().p[0];
-    Point farthest;
-    const auto visit = [&](auto see) {
-        for (const Cubic &cubic : curves)
-            for (const Point &p : cubic.p)
-                see(p - from);
-    };
-    visit([&](Point arm) { farthest = length(arm) > length(farthest) ? arm : farthest; });
-    double widest = 0;
-    visit([&](Point arm) { widest = std::max(widest, std::abs(farthest.x * arm.y - farthest.y * arm.x)); });
-    return widest > 1e-9 * (farthest.x * farthest.x + farthest.y * farthest.y);
-}
+constexpr std::uint64_t mostSteps = 100'000'000; ///< for the areas of clips
 
 bool isOnlyDefined(const QString &element)
 {
@@ -81,7 +62,7 @@ public:
             around.units.width = m_viewport.width(), around.units.height = m_viewport.height();
             const SvgStyle style = SvgStyle::of(*root, around, m_tree.sheet());
             if (root->name == QLatin1String("svg") && style.isDisplayed)
-                drawChildren(*root, style, {});
+                drawChildren(*root, style, {}), m_painter.fade(0, style.opacity);
             else
                 draw(*root, around, {});
         }
@@ -134,7 +115,7 @@ private:
     {
         m_drawn += 1, m_copied += place.isCopy ? 1 : 0;
         const bool tooMuch =
-            place.depth > deepestNesting || m_drawn > mostDrawn || m_copied > mostCopied || m_curves > mostCurvesInAll;
+            place.depth > deepestNesting || m_drawn > mostDrawn || m_copied > mostCopied || m_painter.isFull();
         m_out.losses.isCut = m_out.losses.isCut || tooMuch;
         return tooMuch;
     }
@@ -164,6 +145,7 @@ private:
             drawGroup(element, style, place);
         else if (is("svg"))
             drawNested(element, style, element, place);
+        m_painter.fade(before, style.opacity);
         if (m_out.paths.size() > before)
             for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);
@@ -267,6 +249,9 @@ private:
         if (!target || element.isCycle)
             return;
         style = movedBy(element, style);
+        const QString fill = style.inContext(style.fill);
+        style.contextStroke = style.inContext(style.stroke);
+        style.contextFill = fill;
         place.isCopy = true;
         place.name = element.givenName();
         if (target->name != QLatin1String("symbol") && target->name != QLatin1String("svg")) {
@@ -277,138 +262,19 @@ private:
         if (isTooMuch(place) || !own.isDisplayed)
             return;
         ++place.depth;
+        const std::size_t before = m_out.paths.size();
         drawNested(*target, own, element, place);
+        m_painter.fade(before, own.opacity);
     }
 
     void addShape(const SvgElement &element, const SvgStyle &style, const QString &data, const Place &place)
     {
-        const SvgPaint stroke = svgPaint(style.stroke, style.strokeOpacity * style.opacity, style.current, m_tree);
-        const SvgPaint fill = svgPaint(style.fill, style.fillOpacity * style.opacity, style.current, m_tree);
-        const bool hasStroke = stroke.colour && style.pen.width > 0;
-        if (!style.isVisible || (!hasStroke && !fill.colour))
-            return;
-        const std::vector<PenLine> lines = svgLines(data);
-        for (const PenLine &line : lines)
-            if (m_curves += 1 + line.curves.size(); m_curves > mostCurvesInAll) {
-                m_out.losses.isCut = true;
-                return;
-            }
-        Look look{svgBox(lines), style, place.clip, {}};
-        look.path.name = place.name.isEmpty() ? element.givenName() : place.name;
-        look.path.group = place.group;
-        if (mayHaveMarkers(element.name))
+        SvgShape shape{svgLines(data), style, place.clip, place.name.isEmpty() ? element.givenName() : place.name,
+                       place.group};
+        if (mayHaveMarkers(element.name) && style.isVisible)
             for (const QString &marker : style.markers)
                 lose(marker, "marker");
-        if (const SvgLoops loops = svgLoops(lines, style.matrix);
-            fill.colour && std::ranges::any_of(loops, enclosesArea))
-            addArea(loops, style.isEvenOdd, fill, style.fillOpacity, look);
-        if (hasStroke)
-            addStroke(lines, stroke, look);
-    }
-
-    /// What a shape's fill and stroke have in common.
-    struct Look {
-        Rect box; ///< in user units
-        const SvgStyle &style;
-        const SvgClipPtr &clip;
-        SvgPath path; ///< with its name and group
-    };
-
-    /// What of an area a clip shows. No value if that is all of it.
-    std::optional<Area> seenOf(const SvgLoops &loops, bool isEvenOdd, const SvgClipPtr &clip)
-    {
-        Rect box;
-        for (const std::vector<Cubic> &loop : loops)
-            for (const Cubic &curve : loop)
-                box = box.united(curve.controlBox());
-        if (!clip || clip->holds(box))
-            return {};
-        AreaEffort effort(m_effort.left() / 4);
-        const Area whole = areaOf(svgClosed(loops), isEvenOdd ? FillRule::EvenOdd : FillRule::NonZero, &effort);
-        const Area seen = intersection(whole, clip->area, &effort);
-        m_effort.spend(m_effort.left() / 4 - effort.left());
-        m_out.losses.outlines += effort.isSpent() ? 1 : 0;
-        const bool isAll = effort.isSpent() || sizeOf(seen) >= (1 - 1e-9) * sizeOf(whole);
-        return isAll ? std::nullopt : std::optional(seen);
-    }
-
-    /// A stroke that cannot be a stroke of a painting is the area that its pen covers.
-    void addStroke(const std::vector<PenLine> &lines, const SvgPaint &paint, const Look &look)
-    {
-        const SvgStyle &style = look.style;
-        const bool isRound = isRoundStroke(lines, style);
-        if (paint.replaced || !isRound || !isWholeSeen(lines, look)) {
-            AreaEffort effort(m_effort.left() / 4);
-            const std::optional<Area> area = svgPenArea(lines, style, tolerance / m_out.scale, effort);
-            m_effort.spend(m_effort.left() / 4 - effort.left());
-            if (area && (m_curves += area->curves()) <= mostCurvesInAll) {
-                if (!area->isEmpty())
-                    addArea(area->loops, false, paint, style.strokeOpacity, look);
-                return;
-            }
-            ++m_out.losses.outlines;
-            if (paint.replaced)
-                m_lost.insert(paint.replaced);
-        }
-        for (PenLine &line : svgMapped(lines, style.matrix)) {
-            if (line.curves.empty())
-                continue;
-            m_out.paths.push_back(look.path);
-            m_out.paths.back().stroke = paint.colour;
-            m_out.paths.back().strokeWidth = style.pen.width * (style.keepsWidth ? 1 : style.matrix.scale());
-            m_out.paths.back().curves = std::move(line.curves);
-        }
-    }
-
-    /// Whether a clip shows a stroke as far as its pen reaches.
-    bool isWholeSeen(const std::vector<PenLine> &lines, const Look &look)
-    {
-        const double reach = 0.5 * look.style.pen.width * (look.style.keepsWidth ? 1 : look.style.matrix.scale());
-        if (!look.clip || look.clip->holds(svgBox(svgMapped(lines, look.style.matrix)).grown(reach)))
-            return true;
-        AreaEffort effort(m_effort.left() / 4);
-        const std::optional<Area> area = svgPenArea(lines, look.style, tolerance / m_out.scale, effort);
-        m_effort.spend(m_effort.left() / 4 - effort.left());
-        return area && !seenOf(area->loops, false, look.clip);
-    }
-
-    /// Shades of an area that lie over each other are a group.
-    void addArea(const SvgLoops &whole, bool isEvenOdd, const SvgPaint &paint, double opacity, const Look &look)
-    {
-        const std::optional<Area> seen = seenOf(whole, isEvenOdd, look.clip);
-        const SvgLoops &loops = seen ? seen->loops : whole;
-        if (loops.empty())
-            return;
-        SvgPath area = look.path;
-        area.fill = paint.colour;
-        area.isEvenOdd = isEvenOdd && !seen;
-        for (const std::vector<Cubic> &loop : loops) {
-            if (!area.curves.empty())
-                area.chains.push_back(area.curves.size());
-            area.curves.insert(area.curves.end(), loop.begin(), loop.end());
-        }
-        std::vector<SvgShade> shades;
-        if (paint.replaced && paint.gradient)
-            shades = svgShades(*paint.gradient, look.box, look.style.matrix, m_viewport, opacity * look.style.opacity,
-                               look.style.current, m_tree);
-        if (shades.empty()) {
-            if (paint.replaced)
-                m_lost.insert(paint.replaced);
-            m_out.paths.push_back(std::move(area));
-            return;
-        }
-        if (shades.size() > 1) {
-            m_out.groups.push_back({area.name, area.group});
-            area.group = int(m_out.groups.size()) - 1;
-        }
-        for (const SvgShade &shade : shades) {
-            area.fill = shade.first;
-            area.shade.reset();
-            if (shade.first != shade.last)
-                area.shade = {shade.from, shade.to, shade.last};
-            if ((*area.fill)[3] > 0 || area.shade)
-                m_out.paths.push_back(area);
-        }
+        m_painter.paint(shape);
     }
 
     SvgTree &m_tree;
@@ -416,8 +282,8 @@ private:
     SvgDrawing m_out;
     std::set<const SvgElement *> m_lost, m_cycles;
     int m_drawn = 0, m_copied = 0;
-    std::size_t m_curves = 0;
-    AreaEffort m_effort{mostSteps}, m_clipEffort{mostSteps / 3};
+    SvgPainter m_painter{m_tree, m_out, m_lost};
+    AreaEffort m_clipEffort{mostSteps};
     SvgClips m_clips{m_tree, m_clipEffort};
 };
 

@@ -1,66 +1,15 @@
 // Takes curves from SVG: paths and basic shapes with their colours, under transforms.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/formats/svg/svg_drawing.h"
 #include "model/result.h"
 
 #include <QByteArray>
 #include <QString>
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace suffuse {
-
-/// What an element paints: the area within its subpaths, or a line along one of them.
-struct SvgPath {
-    /// Each starts where the one before it ends, unless a chain begins there. There is at least one.
-    std::vector<Cubic> curves;
-    std::vector<std::size_t> chains;             ///< the curves with which the second and further chains begin
-    std::optional<std::array<double, 4>> stroke; ///< sRGB-encoded colour and opacity of a line
-    std::optional<std::array<double, 4>> fill;   ///< of an area; one of the two is there
-    /// Of an area whose colour changes: from `fill` at the first point to the colour at the second one, and not beyond.
-    struct Shade {
-        Point from, to;
-        std::array<double, 4> colour;
-    };
-    std::optional<Shade> shade;
-    bool isEvenOdd = false;                      ///< the rule by which an area is inside its curves
-    double strokeWidth = 1; ///< user units of the drawing
-    QString name;           ///< Inkscape's label, <title> or id; may be empty
-    int group = -1;         ///< the index of a group of the drawing; −1: none
-};
-
-/// A <g>, or an element that works like one.
-struct SvgGroup {
-    QString name;    ///< as that of a path
-    int parent = -1; ///< the index of a group before this one; −1: none
-};
-
-/// How much of a drawing strokes cannot show.
-struct SvgLosses {
-    int outlines = 0; ///< outlines of pens that take too much work to find
-    int texts = 0, images = 0;
-    /// definitions that are used by what is drawn
-    int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;
-    int cycles = 0;     ///< <use> elements that contain themselves
-    int rules = 0;      ///< selectors of style sheets that were not understood
-    bool isCut = false; ///< whether there was more than is read
-};
-
-/// The paths of a document, and the size that it gives itself.
-struct SvgDrawing {
-    std::vector<SvgPath> paths;
-    /// The groups with more than one thing in them. The paths of a group, including those of groups within it, stand
-    /// together.
-    std::vector<SvgGroup> groups;
-    SvgLosses losses;
-    /// what is to be seen, in the units of the document (viewBox, or width and height); empty if the document does not
-    /// say
-    Rect area;
-    double scale = 1; ///< CSS pixels for each unit, by width and height
-};
 
 /// The subpaths of path data ("M 0 0 C …"). All commands of SVG are read, and lines and arcs become cubics. What
 /// follows a mistake is left out, as browsers do, and so are curves that are points or not finite.

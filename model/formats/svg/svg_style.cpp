@@ -160,9 +160,9 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     take("color", [&](const QString &v) { style.current = colourFrom(v, parent.current); });
     text("fill", style.fill), text("stroke", style.stroke);
     share("fill-opacity", style.fillOpacity), share("stroke-opacity", style.strokeOpacity);
-    double own = 1;
-    share("opacity", own);
-    style.opacity *= own;
+    style.opacity = 1;
+    share("opacity", style.opacity);
+    style.isFaded = parent.isFaded || style.opacity < 1;
     take("font-size", [&](const QString &v) { style.units.fontSize = fontSizeFrom(v, parent.units); });
     takePen(all, style.units, style.pen);
     take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
@@ -187,24 +187,44 @@ QString svgReference(const QString &paint)
     return paint.startsWith(QLatin1String("url")) ? form.match(paint).captured(1) : QString();
 }
 
-std::vector<SvgStop> svgStops(const SvgElement *gradient, const SvgColour &current, SvgTree &tree)
+SvgStyle SvgStyle::ofDefinition(const SvgElement &element, CssSheet &sheet)
+{
+    const auto *parent = static_cast<const SvgElement *>(element.parent);
+    return of(element, parent ? ofDefinition(*parent, sheet) : SvgStyle(), sheet);
+}
+
+std::vector<SvgStop> svgStops(const SvgElement *gradient, SvgTree &tree)
 {
     std::vector<SvgStop> stops;
-    for (int hops = 0; gradient && stops.empty() && hops < 32; ++hops, gradient = tree.target(*gradient)) {
+    for (int hops = 0; gradient && gradient->name.endsWith(QLatin1String("Gradient")) && stops.empty() && hops < 32;
+         ++hops, gradient = tree.target(*gradient)) {
+        const SvgStyle around = SvgStyle::ofDefinition(*gradient, tree.sheet());
+        const Properties outer = propertiesOf(*gradient, tree.sheet());
         for (const auto &child : gradient->children) {
-            if (child->name != QLatin1String("stop") || stops.size() >= 1000)
+            const QString offset = child->attribute("offset").trimmed();
+            const std::optional<double> place = offset.isEmpty() ? 0 : shareOf(offset);
+            if (child->name != QLatin1String("stop") || stops.size() >= 1000 || !place)
                 continue;
             const Properties p = propertiesOf(*child, tree.sheet());
+            const auto value = [&](const char *name, const char *usual) {
+                const QString given = p.value(name, usual);
+                return given == QLatin1String("inherit") ? outer.value(name, usual) : given;
+            };
             SvgStop stop;
-            stop.colour = colourFrom(p.value("stop-color", "black"), current);
-            stop.colour[3] *= shareOf(p.value("stop-opacity", "1")).value_or(1);
-            stop.offset = shareOf(child->attribute("offset").trimmed()).value_or(0);
-            if (!stops.empty())
-                stop.offset = std::max(stop.offset, stops.back().offset);
+            stop.colour = colourFrom(value("stop-color", "black"), SvgStyle::of(*child, around, tree.sheet()).current);
+            stop.colour[3] *= shareOf(value("stop-opacity", "1")).value_or(1);
+            stop.offset = stops.empty() ? *place : std::max(*place, stops.back().offset);
             stops.push_back(stop);
         }
     }
     return stops;
+}
+
+QString SvgStyle::inContext(const QString &paint) const
+{
+    return paint == QLatin1String("context-fill")     ? contextFill
+           : paint == QLatin1String("context-stroke") ? contextStroke
+                                                      : paint;
 }
 
 SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree)
@@ -213,7 +233,7 @@ SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current
     const QString reference = svgReference(paint);
     const SvgElement *server = tree.find(reference);
     if (server && server->name.endsWith(QLatin1String("Gradient"))) {
-        const std::vector<SvgStop> stops = svgStops(server, current, tree);
+        const std::vector<SvgStop> stops = svgStops(server, tree);
         SvgColour mean{};
         for (const SvgStop &stop : stops)
             for (std::size_t i = 0; i < 4; ++i)

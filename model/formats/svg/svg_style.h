@@ -19,14 +19,17 @@ struct SvgStyle {
     SvgMatrix matrix;
     SvgUnits units;
     QString fill = "black", stroke = "none"; ///< as written in CSS
+    QString contextFill = "none", contextStroke = "none"; ///< what context-fill and context-stroke mean
     QString markers[3] = {"none", "none", "none"};
     SvgColour current{0, 0, 0, 1};
-    double fillOpacity = 1, strokeOpacity = 1, opacity = 1;
+    double fillOpacity = 1, strokeOpacity = 1;
     Pen pen; ///< of strokes, in user units
     bool isVisible = true;
+    bool isFaded = false;       ///< whether the element or something around it has an opacity below 1
     bool isEvenOdd = false;     ///< fill-rule
     bool isClipEvenOdd = false; ///< clip-rule
     // What follows counts for this element alone.
+    double opacity = 1;
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
     bool overflows = false;  ///< overflow: whether a nested drawing shows what lies beyond its viewport
@@ -35,6 +38,11 @@ struct SvgStyle {
     /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute
     /// overrides style sheets, and !important overrides all. Values that make no sense are ignored.
     static SvgStyle of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet);
+    /// That of an element where it stands, within the styles of all elements around it.
+    static SvgStyle ofDefinition(const SvgElement &element, CssSheet &sheet);
+
+    /// A paint, or what it stands for if it is that of the element which uses this one.
+    QString inContext(const QString &paint) const;
 };
 
 /// The "#id" of "url(#id) fallback"; empty for other paints.
@@ -45,8 +53,9 @@ struct SvgStop {
     double offset = 0; ///< [0, 1]; none is before that of the stop before it
     SvgColour colour{0, 0, 0, 1};
 };
-/// The stops of a gradient, or of the gradient from which it takes them; empty if there are none.
-std::vector<SvgStop> svgStops(const SvgElement *gradient, const SvgColour &current, SvgTree &tree);
+/// The stops of a gradient, or of the gradient from which it takes them; empty if there are none. Those whose place is
+/// no number are left out.
+std::vector<SvgStop> svgStops(const SvgElement *gradient, SvgTree &tree);
 
 /// A stroke or a fill as one colour. For a gradient it is the mean of its stops.
 struct SvgPaint {

@@ -427,7 +427,7 @@ private slots:
             "<g transform='translate(10 20) scale(2)' stroke='#0000ff' stroke-width='3' "
             "stroke-linecap='round' opacity='.5'>"
             "<path d='M0 0L10 0' style='fill:none; stroke-opacity: 50%'/>"
-            "<path d='M0 0L10 0L10 1' style='stroke:none' fill='rgb(255,0,0)' transform='rotate(90)'/>"
+            "<path d='M0 0L10 0L10 1' style='stroke:none' fill='rgb(255,0,0)' transform='translate(0 9) rotate(90)'/>"
             "<path d='M0 0L10 0' display='none'/><path d='M0 0L10 0' fill='none' style='stroke:none'/></g></svg>";
         const auto paths = readSvgPaths(svg);
         QVERIFY2(bool(paths), qPrintable(paths.error()));
@@ -436,7 +436,7 @@ private slots:
         QVERIFY(near(line.curves[0].p[0], {10, 20}) && near(line.curves[0].p[3], {30, 20}));
         QCOMPARE(line.strokeWidth, 6.0);
         QVERIFY(!line.fill && line.stroke && std::abs((*line.stroke)[3] - 0.25) < 1e-12 && (*line.stroke)[2] == 1);
-        QVERIFY(near(filled.curves[0].p[3], {10, 40}));
+        QVERIFY(near(filled.curves[0].p[3], {10, 58}));
         QVERIFY(!filled.stroke && filled.fill && (*filled.fill)[0] == 1);
         const auto broken = readSvgPaths("<svg><path d='M0 0h1'>\n</svg>");
         QVERIFY(!broken && broken.error().contains('2'));
