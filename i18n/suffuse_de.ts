@@ -4805,6 +4805,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fill what is drawn around</source>
         <translation>Füllen, was umfahren wird</translation>
     </message>
+    <message>
+        <source>Bu&amp;cket</source>
+        <translation>Far&amp;beimer</translation>
+    </message>
+    <message>
+        <source>Fill what the paint around a place bounds</source>
+        <translation>Füllen, was die Farbe um eine Stelle begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -9201,6 +9209,61 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Lasso fill</source>
         <translation>Lasso-Füllung</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BucketTool</name>
+    <message>
+        <source>Click: fill what the paint around that place bounds, with the brush in hand.</source>
+        <translation>Klick: füllt mit dem Pinsel in der Hand, was die Farbe um die Stelle begrenzt.</translation>
+    </message>
+    <message>
+        <source>Over all strokes</source>
+        <translation>Über allen Strichen</translation>
+    </message>
+    <message>
+        <source>Under all strokes</source>
+        <translation>Unter allen Strichen</translation>
+    </message>
+    <message>
+        <source>Where the fill lies</source>
+        <translation>Wo die Füllung liegt</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>By how much colours may differ from that under the pointer</source>
+        <translation>Wie sehr Farben von der unter dem Zeiger abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Openings of the bounds that are narrower are closed</source>
+        <translation>Schmalere Öffnungen der Grenzen gelten als geschlossen</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>Wachsen um</translation>
+    </message>
+    <message>
+        <source>How far the fill reaches under its bounds</source>
+        <translation>Wie weit die Füllung unter ihre Grenzen reicht</translation>
+    </message>
+    <message>
+        <source>Only what lies on the canvas is filled.</source>
+        <translation>Nur was auf der Leinwand liegt, wird gefüllt.</translation>
+    </message>
+    <message>
+        <source>There is nothing to fill here.</source>
+        <translation>Hier ist nichts zu füllen.</translation>
+    </message>
+    <message>
+        <source>Bucket fill</source>
+        <translation>Farbeimer</translation>
     </message>
 </context>
 </TS>

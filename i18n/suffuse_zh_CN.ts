@@ -4788,6 +4788,14 @@ Arrow keys work too.</source>
         <source>Fill what is drawn around</source>
         <translation>填充所圈出的区域</translation>
     </message>
+    <message>
+        <source>Bu&amp;cket</source>
+        <translation>油漆桶(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Fill what the paint around a place bounds</source>
+        <translation>填充某处周围颜料所围住的区域</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -9151,6 +9159,61 @@ Arrow keys work too.</source>
     <message>
         <source>Lasso fill</source>
         <translation>套索填充</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BucketTool</name>
+    <message>
+        <source>Click: fill what the paint around that place bounds, with the brush in hand.</source>
+        <translation>单击：用手中的画笔填充该处周围颜料所围住的区域。</translation>
+    </message>
+    <message>
+        <source>Over all strokes</source>
+        <translation>在所有笔画之上</translation>
+    </message>
+    <message>
+        <source>Under all strokes</source>
+        <translation>在所有笔画之下</translation>
+    </message>
+    <message>
+        <source>Where the fill lies</source>
+        <translation>填充的位置</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>By how much colours may differ from that under the pointer</source>
+        <translation>颜色可与指针处相差多少</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>间隙</translation>
+    </message>
+    <message>
+        <source>Openings of the bounds that are narrower are closed</source>
+        <translation>边界上更窄的开口视为闭合</translation>
+    </message>
+    <message>
+        <source>Grow by</source>
+        <translation>扩大</translation>
+    </message>
+    <message>
+        <source>How far the fill reaches under its bounds</source>
+        <translation>填充伸入边界之下多远</translation>
+    </message>
+    <message>
+        <source>Only what lies on the canvas is filled.</source>
+        <translation>只填充画布上的区域。</translation>
+    </message>
+    <message>
+        <source>There is nothing to fill here.</source>
+        <translation>此处没有可填充的区域。</translation>
+    </message>
+    <message>
+        <source>Bucket fill</source>
+        <translation>油漆桶填充</translation>
     </message>
 </context>
 </TS>

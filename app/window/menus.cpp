@@ -122,7 +122,7 @@ void addTimeMenu(QMenuBar &bar, const Commands &table)
 void addToolsMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
-                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
+                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
     Group favourites;
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
@@ -155,7 +155,7 @@ QToolBar *makeToolBar(const Commands &table, QWidget *parent)
     bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
-           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
+           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
             {Undo, Redo},
             {ZoomIn, ZoomOut, Fit}});
     for (auto *button : bar->findChildren<QToolButton *>())

@@ -47,6 +47,7 @@ enum class Command {
     Shapes,
     OutlinePen,
     LassoFill,
+    Bucket,
     Knife,
     Eraser,
     AttributeBrush,

@@ -13,6 +13,7 @@
 #include "app/tools/shaping/knife_tool.h"
 #include "app/tools/shaping/push_tool.h"
 #include "app/tools/shaping/redraw_tool.h"
+#include "app/tools/shapes/bucket_tool.h"
 #include "app/tools/shapes/lasso_fill_tool.h"
 #include "app/tools/shapes/pen_tool.h"
 #include "app/tools/shapes/shape_tool.h"
@@ -48,6 +49,8 @@ void ToolRack::addTools()
         Commands::tr("Draw an outline node by node, filled or not"), new PenTool(canvas, &canvas));
     add(LassoFill, "lassoFill", Commands::tr("Lasso F&ill"), "lasso-fill", Qt::Key_G,
         Commands::tr("Fill what is drawn around"), new LassoFillTool(canvas, &canvas));
+    add(Bucket, "bucket", Commands::tr("Bu&cket"), "bucket", Qt::Key_F,
+        Commands::tr("Fill what the paint around a place bounds"), new BucketTool(canvas, &canvas));
     add(Redraw, "redraw", Commands::tr("Redra&w"), "redraw", Qt::Key_W,
         Commands::tr("Draw over a part of a stroke, which follows the new line"), new RedrawTool(canvas, &canvas));
     add(Push, "push", Commands::tr("&Push"), "push", Qt::Key_U, Commands::tr("Push, comb, pinch or roughen strokes"),
@@ -69,7 +72,7 @@ void ToolRack::addTools()
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
     m_place.commands.makeExclusive(
-        {Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+        {Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,

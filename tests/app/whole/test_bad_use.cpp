@@ -66,6 +66,7 @@ Grab grabOf(WaveSession &s, const QString &what)
                                                {"shape", {Command::Shapes, {200, 200}, {500, 250}}},
                                                {"pen", {Command::OutlinePen, {200, 200}, {500, 250}}},
                                                {"lasso", {Command::LassoFill, {200, 200}, {500, 250}}},
+                                               {"bucket", {Command::Bucket, {200, 200}, {500, 250}}},
                                                {"knife", {Command::Knife, {350, 250}, {345, 400}}},
                                                {"eraser", {Command::Eraser, {350, 270}, {350, 380}}},
                                                {"attributes", {Command::AttributeBrush, {250, 320}, {450, 320}}},
@@ -94,7 +95,7 @@ bool hasNewPoints(const Stroke &stroke)
 
 /// What `grabOf` knows.
 constexpr const char *gestures[] = {"brush",  "extend", "move",  "band",   "scale",      "turn",       "node",
-                                    "handle", "curve",  "shape", "pen",    "lasso",  "knife", "eraser", "attributes", "eyedropper", "hand"};
+                                    "handle", "curve",  "shape", "pen",    "lasso",  "bucket", "knife", "eraser", "attributes", "eyedropper", "hand"};
 
 class TestBadUse : public QObject {
     Q_OBJECT

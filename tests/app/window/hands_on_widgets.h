@@ -10,7 +10,7 @@ namespace suffuse {
 
 /// Each tool, for tests that go through all of them.
 inline constexpr Command tools[] = {Command::Brush,      Command::Select, Command::Segments, Command::Shapes, Command::Knife,
-                                    Command::OutlinePen, Command::LassoFill,
+                                    Command::OutlinePen, Command::LassoFill, Command::Bucket,
                                     Command::Redraw,     Command::Push,   Command::Eraser,   Command::AttributeBrush,
                                     Command::Eyedropper, Command::Pan};
 

@@ -111,7 +111,7 @@ private slots:
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
                 "exportAgain close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
                 "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound "
-                "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes outlinePen lassoFill "
+                "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes outlinePen lassoFill bucket "
                 "knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "

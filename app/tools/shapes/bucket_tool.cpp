@@ -1,0 +1,148 @@
+#include "app/tools/shapes/bucket_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/tools/shapes/shape_paint.h"
+#include "app/tools/tool_fields.h"
+#include "app/widgets/habits/at_next_change.h"
+#include "app/widgets/numbers/number_field.h"
+#include "app/widgets/numbers/quantity.h"
+#include "model/shaping/area_strokes.h"
+#include "undo/edits.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double mostUnits = 1000;
+
+double storedNumber(const char *name, double usual, double least, double greatest)
+{
+    bool ok = false;
+    const double value = settings::store().value(QLatin1String(name), usual).toDouble(&ok);
+    return ok && value >= least && value <= greatest ? value : usual;
+}
+
+} // namespace
+
+BucketTool::BucketTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent)
+{
+    m_wish.tolerance = storedNumber("tools/bucket/tolerance", m_wish.tolerance, 0, 1);
+    m_wish.gap = storedNumber("tools/bucket/gap", m_wish.gap, 0, mostUnits);
+    m_wish.grow = storedNumber("tools/bucket/grow", m_wish.grow, -mostUnits, mostUnits);
+    m_isUnder = settings::store().value("tools/bucket/under", false).toBool();
+}
+
+QString BucketTool::hint() const
+{
+    return m_said.isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.") : m_said;
+}
+
+QWidget *BucketTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    auto *places = new QComboBox(m_options);
+    places->setObjectName("place");
+    places->addItems({tr("Over all strokes"), tr("Under all strokes")});
+    places->setToolTip(tr("Where the fill lies"));
+    places->setAccessibleName(tr("Where the fill lies"));
+    connect(places, &QComboBox::activated, this, [this](int index) { setWish(m_wish, index == 1); });
+    row->addWidget(places);
+    row->addSpacing(10);
+    const auto add = [&](const FieldSpec &spec, double RegionWish::*member) {
+        NumberField *field = addNumber(*row, spec, [this, member](double value) {
+            RegionWish wish = m_wish;
+            wish.*member = value;
+            setWish(wish, m_isUnder);
+        });
+        field->setValue(m_wish.*member);
+    };
+    add(shareSpec(tr("Tolerance"), tr("By how much colours may differ from that under the pointer"), 0.1),
+        &RegionWish::tolerance);
+    add({tr("Gap"), tr("Openings of the bounds that are narrower are closed"), lengthDisplay(), 0, mostUnits},
+        &RegionWish::gap);
+    add({tr("Grow by"), tr("How far the fill reaches under its bounds"), lengthDisplay(), -mostUnits, mostUnits},
+        &RegionWish::grow);
+    row->addStretch();
+    places->setCurrentIndex(m_isUnder);
+    return m_options;
+}
+
+void BucketTool::setWish(const RegionWish &wish, bool isUnder)
+{
+    m_wish = wish;
+    m_isUnder = isUnder;
+    QSettings &store = settings::store();
+    store.setValue("tools/bucket/tolerance", wish.tolerance);
+    store.setValue("tools/bucket/gap", wish.gap);
+    store.setValue("tools/bucket/grow", wish.grow);
+    store.setValue("tools/bucket/under", isUnder);
+    if (m_options)
+        m_options->findChild<QComboBox *>("place")->setCurrentIndex(isUnder);
+}
+
+void BucketTool::press(const PointerEvent &)
+{
+    say({});
+    m_isPressed = true;
+}
+
+void BucketTool::release(const PointerEvent &event)
+{
+    if (!std::exchange(m_isPressed, false))
+        return;
+    fill(event);
+}
+
+void BucketTool::fill(const PointerEvent &event)
+{
+    const Document &document = m_editor.document();
+    const std::vector<std::vector<Cubic>> outlines =
+        paintRegion(document.painting(), event.time, event.point, m_wish, m_canvas.view().scale);
+    const StrokePtr first = outlines.empty() ? nullptr
+                                             : paintedAlong(outlines.front(), m_editor.brush(),
+                                                            m_editor.document().takeStrokeId(), event.time,
+                                                            ShapePaint::Fill);
+    if (!first) {
+        const bool isBeyond = !document.painting()->canvas.area().contains(event.point);
+        return say(isBeyond ? tr("Only what lies on the canvas is filled.") : tr("There is nothing to fill here."));
+    }
+    Area area{outlines};
+    for (std::vector<Cubic> &loop : area.loops)
+        for (Cubic &curve : loop)
+            for (Point &p : curve.p)
+                p = p - first->origin;
+    const std::optional<Stroke> stroke = withArea(*first, area);
+    if (!stroke)
+        return say(tr("There is nothing to fill here."));
+    Edit edit = addStrokes(document, {std::make_shared<const Stroke>(*stroke)}, true);
+    if (m_isUnder && edit.order) {
+        edit.order->pop_back();
+        edit.order->insert(edit.order->begin(), stroke->id);
+    }
+    m_editor.push(std::move(edit), tr("Bucket fill"));
+}
+
+void BucketTool::cancel()
+{
+    m_isPressed = false;
+    say({});
+}
+
+void BucketTool::say(const QString &text)
+{
+    if (std::exchange(m_said, text) == text)
+        return;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
+}
+
+} // namespace suffuse

@@ -1,0 +1,152 @@
+// The bucket fills what paint bounds.
+#include "app/tools/shapes/bucket_tool.h"
+#include "app/tools/shapes/shape_paint.h"
+#include "model/area/area_sets.h"
+#include "model/area/outline.h"
+#include "model/brush/brush_width.h"
+#include "model/painting/validate.h"
+#include "tests/app/session.h"
+#include "undo/edits.h"
+
+#include <QComboBox>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+struct Filling : Session {
+    Filling()
+    {
+        use(Command::Zoom100);
+        use(Command::Bucket);
+        tool().setWish({}, false);
+    }
+
+    BucketTool &tool() { return *qobject_cast<BucketTool *>(canvas().tool()); }
+    /// A line of paint along the shape between two points, dry, but for so much of its end.
+    void paint(Point a, Point b, double open = 0)
+    {
+        std::vector<Cubic> curves = outlineOf({}, a, b);
+        if (open > 0) {
+            const Cubic last = curves.back();
+            curves.back() = last.split(1 - open / length(last.p[3] - last.p[0]))[0];
+        }
+        const StrokePtr line = paintedAlong(curves, editor().brush(), editor().document().takeStrokeId(),
+                                            editor().clock().time(), ShapePaint::Outline);
+        editor().push(addStrokes(editor().document(), {line}, false), "line");
+        editor().clock().setTime(painting().end());
+    }
+    const Stroke &filled()
+    {
+        for (const StrokePtr &stroke : painting().strokes)
+            if (stroke->fill)
+                return *stroke;
+        return *painting().strokes.back();
+    }
+    int steps() { return editor().undoStack().count(); }
+};
+
+double extentOf(const Stroke &stroke)
+{
+    return sizeOf(areaOf(closedOutline(stroke), stroke.fill->rule));
+}
+
+} // namespace
+
+class TestBucket : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void aClickFillsWhatIsBounded()
+    {
+        Filling s;
+        s.paint({300, 200}, {600, 400});
+        s.tool().setWish({0.1, 0, 0}, false);
+        s.click({450, 300});
+        QCOMPARE(s.steps(), 2);
+        QCOMPARE(s.editor().undoText(), QString("Bucket fill"));
+        const Stroke &fill = s.filled();
+        QVERIFY(isFillAlone(fill));
+        QCOMPARE(problemOf(fill), QString());
+        QCOMPARE(fill.fill->colour, s.editor().brush().colour);
+        QCOMPARE(s.painting().strokes.back()->id, fill.id); // on top
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{fill.id});
+        // Within the line, of which the inner half is as wide as it is seen or more.
+        const double half = halfWidthOf(s.editor().brush()), extent = extentOf(fill);
+        QVERIFY2(extent < (300 - 2 * half + 4) * (200 - 2 * half + 4) && extent > 0.75 * 300 * 200,
+                 qPrintable(QString::number(extent)));
+        QVERIFY2(fill.segments.size() < 24, qPrintable(QString::number(fill.segments.size())));
+        s.use(Command::Undo);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        // Farther, under the line, and below it.
+        s.tool().setWish({0.1, 0, 5}, true);
+        s.click({450, 300});
+        QCOMPARE(s.painting().strokes.front()->id, s.filled().id);
+        QVERIFY(std::abs(extentOf(s.filled()) - extent - 5 * 900) < 1200);
+    }
+
+    void holesStayOpen()
+    {
+        Filling s;
+        s.paint({200, 150}, {700, 500});
+        s.paint({400, 250}, {500, 350});
+        s.click({300, 300});
+        const Stroke &fill = s.filled();
+        QCOMPARE(chainsOf(fill).size(), std::size_t(2));
+        QVERIFY(extentOf(fill) < 500 * 350 - 100 * 100);
+    }
+
+    void gapsAreClosed()
+    {
+        Filling s;
+        s.paint({300, 200}, {600, 400}, 30);
+        s.click({450, 300});
+        const double all = extentOf(s.filled());
+        QVERIFY(all > 100'000); // it runs out
+        s.use(Command::Undo);
+        s.tool().setWish({0.1, 40, 0}, false);
+        s.click({450, 300});
+        QVERIFY2(extentOf(s.filled()) < 65'000, qPrintable(QString::number(extentOf(s.filled()))));
+    }
+
+    void whatIsNowhereIsSaid()
+    {
+        Filling s;
+        s.canvas().panBy({-400, 0});
+        const Rect sheet = s.painting().canvas.area();
+        s.click({sheet.right + 50, 300});
+        QCOMPARE(s.steps(), 0);
+        QVERIFY(s.tool().hint().contains("canvas"));
+        s.click({sheet.right - 50, 300}); // an empty sheet is filled as a whole
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(std::abs(extentOf(s.filled()) - sheet.width() * sheet.height()) < 0.01 * sheet.width() * sheet.height());
+        QVERIFY(!s.tool().hint().contains("lies on"));
+    }
+
+    void theRowIsRemembered()
+    {
+        Filling s;
+        s.tool().setWish({0.25, 7, -3}, true);
+        Session next;
+        next.use(Command::Bucket);
+        const auto &tool = *qobject_cast<BucketTool *>(next.canvas().tool());
+        QCOMPARE(tool.wish().tolerance, 0.25);
+        QCOMPARE(tool.wish().gap, 7.0);
+        QCOMPARE(tool.wish().grow, -3.0);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestBucket)
+#include "test_bucket.moc"
