@@ -2,6 +2,7 @@
 #include "app/session/commands/keys.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
+#include "model/area/outline.h"
 #include "model/shaping/shapes.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
@@ -104,6 +105,39 @@ private slots:
         editor.undoStack().undo();
         editor.undoStack().undo();
         QVERIFY(*editor.document().painting() == *before);
+    }
+
+    /// The values of a fill are a part of what a stroke looks like.
+    void appearancesTakeFillsAlong()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        const auto addSquare = [&](float diffusion, const Colour &colour) {
+            const StrokeId id = editor.document().takeStrokeId();
+            Stroke square = strokeAlong(outlineOf({}, {0, 0}, {10, 10}), Brush(), id, 0);
+            Fill fill = usualFill(square);
+            fill.diffusion = diffusion;
+            fill.colour = colour;
+            square.fill = fill;
+            for (Segment &segment : square.segments)
+                segment.density = 0;
+            editor.push(addStrokes(editor.document(), {std::make_shared<const Stroke>(square)}, true), "square");
+            return id;
+        };
+        const StrokeId other = addSquare(3, {0, 0, 1, 1});
+        addSquare(40, {1, 0.5f, 0, 0.75f});
+        table.update();
+        table[Command::CopyAppearance].trigger();
+        editor.document().setSelection({{other}, {}});
+        table.update();
+        table[Command::PasteAppearance].trigger();
+        const StrokePtr square = editor.document().painting()->find(other);
+        QCOMPARE(square->fill->diffusion, 40.0f);
+        QCOMPARE(square->fill->colour, (Colour{1, 0.5f, 0, 0.75f}));
+        QVERIFY(isFillAlone(*square));
     }
 
     void nothingIsSelectedShownOrUnlockedWhereNothingIs()
