@@ -187,6 +187,10 @@ private slots:
             text += repeated("<path fill='red' fill-opacity='.5' d='M0 0" + scribble("L", 20) + "'/>", 2000);
             return text + repeated("</g>", 100) + "</svg>";
         }();
+        QTest::newRow("markers in markers at a million nodes")
+            << pens + "<marker id='m'><path marker='url(#m)' stroke='red' d='M0 0" + repeated("h1v1", 100) +
+                   "'/></marker>" + repeated("<path marker='url(#m)' d='M0 0" + repeated("h1v1", 100'000) + "'/>", 5) +
+                   "</svg>";
         QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
         QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
         QTest::newRow("zeros") << QByteArray(4 * many, '\0');

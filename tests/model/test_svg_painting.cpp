@@ -4,6 +4,7 @@
 #include "model/formats/files.h"
 #include "model/formats/svg/svg_painting.h"
 #include "model/paint/half_width.h"
+#include "model/paint/seen_paint.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
 
@@ -105,7 +106,7 @@ private slots:
 
     void withoutASizeTheCanvasIsAroundWhatIsDrawn()
     {
-        const Brush &brush = builtinBrushes().front();
+        const Brush brush = svgPen();
         for (const QByteArray root :
              {"", "width=\"100\"", "viewBox=\"0 0 0 0\"", "viewBox=\"0 0 1\"", "width=\"-3\""}) {
             const Result<Painting> painting = readPainting(svg(root, line), "a.svg");
@@ -177,7 +178,7 @@ private slots:
                  QString());
         QCOMPARE(leftOut(definitions + "<g marker=\"url(#m)\" mask=\"url(#k)\" style=\"filter:url(#f)\">" + line +
                          "<text>words</text></g><path d=\"M0 0h9\" stroke=\"url(#p)\"/>"),
-                 QString("1 pattern(s), 1 mask(s), 1 filter(s), 1 marker(s), 1 text(s) were left out."));
+                 QString("1 pattern(s), 1 mask(s), 1 filter(s), 1 text(s) were left out."));
         // What does not show is not lost, nor are gradients of one colour.
         QCOMPARE(leftOut(definitions + line +
                          "<g display=\"none\" clip-path=\"url(#c)\"><path class=\"d\" d=\"M0 0h9\"/></g>"
@@ -376,6 +377,37 @@ private slots:
         }
     }
 
+    /// Where no brush was chosen, a stroke covers what a round pen of its width does, crisp at its edges, ends and
+    /// bends.
+    void strokesLookLikeThoseOfARoundPen()
+    {
+        const Result<Painting> painting = readPainting(
+            svg("viewBox='0 0 100 100'", "<g fill='none' stroke='red' stroke-width='10' stroke-linecap='round' "
+                                         "stroke-linejoin='round'><path d='M20 30h60l-30 40'/></g>"),
+            "a.svg");
+        QVERIFY2(painting && painting->strokes.size() == 1, qPrintable(painting ? "" : painting.error()));
+        const Stroke &stroke = *painting->strokes[0];
+        QVERIFY(!stroke.fill);
+        const PaintSight sight(stroke, stroke.driesAt());
+        const auto near = [](Point p, Point a, Point b) {
+            const Point along = b - a;
+            return length(p - (a + std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0) * along));
+        };
+        for (double x = 5; x < 95; x += 1.7)
+            for (double y = 15; y < 85; y += 1.7) {
+                const double distance = std::min(near({x, y}, {20, 30}, {80, 30}), near({x, y}, {80, 30}, {50, 70}));
+                if (std::abs(distance - 5) < 0.6)
+                    continue;
+                const double opacity = sight.at({x, y}).opacity;
+                QVERIFY2(distance < 5 ? opacity > 0.99 : opacity < 0.01,
+                         qPrintable(QStringLiteral("%1 at (%2, %3)").arg(opacity).arg(x).arg(y)));
+            }
+        // A brush that was chosen paints as it does elsewhere.
+        const Brush brush = builtinBrushes().front();
+        const Result<Painting> brushed = readPainting(svg("viewBox='0 0 100 100'", line), "a.svg", &brush);
+        QVERIFY(brushed && brushed->strokes[0]->style == brush.style && brushed->strokes[0]->brush == brush.name);
+    }
+
     /// What a pen with corners, flat ends or dashes covers is an area, whose outline is exact.
     void strokesThatAreNotRoundAreAreas_data()
     {
@@ -547,6 +579,117 @@ private slots:
         for (const StrokePtr &stroke : read->painting.strokes)
             all += stroke->fill ? sizeOf(areaOf(closedOutline(*stroke), stroke->fill->rule)) : 0;
         QVERIFY2(std::abs(all - size) < 0.002 * size + 0.02, qPrintable(QString::number(all)));
+    }
+
+    /// Markers stand at the nodes of lines: where, which way, how large, and in which colours.
+    void markers_data()
+    {
+        QTest::addColumn<QByteArray>("marker");
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<std::vector<QRectF>>("boxes"); ///< of the markers' areas
+        using Boxes = std::vector<QRectF>;
+        const QByteArray box = "<rect x='0' y='-1' width='2' height='2'/>";
+        const auto marker = [&](const QByteArray &attributes) {
+            return "<marker id='m' overflow='visible' " + attributes + ">" + box + "</marker>";
+        };
+        const QByteArray path = "<path d='M10 10h20v20' fill='none' ";
+        QTest::newRow("the start") << marker("") << path + "marker-start='url(#m)'/>" << Boxes{{10, 9, 2, 2}};
+        QTest::newRow("the middle") << marker("") << path + "marker-mid='url(#m)'/>" << Boxes{{30, 9, 2, 2}};
+        QTest::newRow("all") << marker("") << path + "marker='url(#m)'/>"
+                             << Boxes{{10, 9, 2, 2}, {30, 9, 2, 2}, {30, 29, 2, 2}};
+        QTest::newRow("as wide as the stroke")
+            << marker("") << path + "stroke-width='3' marker-end='url(#m)'/>" << Boxes{{30, 27, 6, 6}};
+        QTest::newRow("as large as it says")
+            << marker("markerUnits='userSpaceOnUse'") << path + "stroke-width='3' marker-end='url(#m)'/>"
+            << Boxes{{30, 29, 2, 2}};
+        QTest::newRow("along the line") << marker("orient='auto'") << path + "marker-end='url(#m)'/>"
+                                        << Boxes{{29, 30, 2, 2}};
+        QTest::newRow("against it") << marker("orient='auto-start-reverse'") << path + "marker-start='url(#m)'/>"
+                                    << Boxes{{8, 9, 2, 2}};
+        QTest::newRow("turned") << marker("orient='90'") << path + "marker-start='url(#m)'/>" << Boxes{{9, 10, 2, 2}};
+        QTest::newRow("its own point") << marker("refX='2' refY='1'") << path + "marker-start='url(#m)'/>"
+                                       << Boxes{{8, 8, 2, 2}};
+        QTest::newRow("its own units") << marker("viewBox='0 0 4 4' markerWidth='2' markerHeight='2' refX='2'")
+                                       << path + "marker-start='url(#m)'/>" << Boxes{{9, 9.5, 1, 1}};
+        QTest::newRow("cut off") << QByteArray("<marker id='m'>") + box + "</marker>"
+                                 << path + "marker-start='url(#m)'/>" << Boxes{{10, 10, 2, 1}};
+        QTest::newRow("nodes of a polygon") << marker("")
+                                            << QByteArray("<polygon points='10,10 30,10 30,30' fill='none' "
+                                                          "marker-end='url(#m)'/>")
+                                            << Boxes{{10, 9, 2, 2}};
+        QTest::newRow("none on other shapes")
+            << marker("") << QByteArray("<rect width='9' height='9' marker-end='url(#m)'/>") << Boxes{{0, 0, 9, 9}};
+    }
+    void markers()
+    {
+        QFETCH(const QByteArray, marker);
+        QFETCH(const QByteArray, line);
+        QFETCH(const std::vector<QRectF>, boxes);
+        const Result<LoadedDocument> read = readDocument(svg("viewBox='0 0 100 100'", marker + line), "a.svg");
+        QVERIFY2(read, qPrintable(read.error()));
+        QCOMPARE(read->leftOut, QString());
+        QCOMPARE(read->painting.strokes.size(), boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Stroke &stroke = *read->painting.strokes[i];
+            const Rect box = areaOf(closedOutline(stroke), stroke.fill->rule).box();
+            const QRectF is(stroke.origin.x + box.left, stroke.origin.y + box.top, box.width(), box.height());
+            const QRectF &wanted = boxes[i];
+            QVERIFY2(
+                std::abs(is.x() - wanted.x()) + std::abs(is.y() - wanted.y()) + std::abs(is.width() - wanted.width()) +
+                        std::abs(is.height() - wanted.height()) <
+                    1e-3,
+                qPrintable(QStringLiteral("%1, %2; %3 x %4").arg(is.x()).arg(is.y()).arg(is.width()).arg(is.height())));
+        }
+    }
+
+    void paintsOfTheContextAndTheirOrder()
+    {
+        const auto read = [](const QByteArray &content) {
+            const Result<Painting> painting = readPainting(svg("viewBox='0 0 100 100'", content), "a.svg");
+            return painting ? painting->strokes : StrokeList();
+        };
+        const StrokeList used = read("<defs><rect id='r' width='9' height='9' fill='context-stroke'/></defs>"
+                                     "<use href='#r' stroke='red'/>");
+        QVERIFY(!used.empty());
+        QCOMPARE(used[0]->fill->colour, rybFromSrgb(1, 0, 0));
+        const StrokeList marked = read("<marker id='m'><rect width='2' height='2' fill='context-stroke'/></marker>"
+                                       "<path d='M9 9h9' stroke='blue' stroke-linecap='round' marker-end='url(#m)'/>");
+        QCOMPARE(marked.size(), std::size_t(2));
+        QCOMPARE(marked[1]->fill->colour, rybFromSrgb(0, 0, 1));
+        QVERIFY(read("<rect width='9' height='9' fill='context-fill'/>").empty()); // There is no context.
+        for (const auto &[order, first] : {std::pair("normal", rybFromSrgb(0, 1, 0)),
+                                           {"stroke", rybFromSrgb(1, 0, 0)},
+                                           {"markers stroke fill", rybFromSrgb(1, 0, 0)},
+                                           {"fill stroke", rybFromSrgb(0, 1, 0)}}) {
+            const StrokeList ordered =
+                read(QByteArray("<rect width='9' height='9' fill='#0f0' stroke='red' paint-order='") + order + "'/>");
+            QCOMPARE(ordered.size(), std::size_t(2));
+            QCOMPARE(ordered[0]->fill->colour, first);
+        }
+    }
+
+    /// Of a <switch> the first child that can be drawn is.
+    void switches()
+    {
+        const auto names = [](const QByteArray &content) {
+            const Result<LoadedDocument> read = readDocument(svg("viewBox='0 0 100 100'", content), "a.svg");
+            QStringList names;
+            if (read)
+                for (const StrokePtr &stroke : read->painting.strokes)
+                    names << stroke->name;
+            return names.join(' ') + (read ? read->leftOut : read.error());
+        };
+        const auto rect = [](const QByteArray &attributes) {
+            return "<rect width='9' height='9' " + attributes + "/>";
+        };
+        QCOMPARE(names("<switch><foreignObject requiredExtensions='http://ns.adobe.com/'/>" + rect("id='a'") +
+                       rect("id='b'") + "</switch>"),
+                 QString("a"));
+        QCOMPARE(names("<switch>" + rect("id='a' systemLanguage='de, is'") + rect("id='b' systemLanguage='de, en-GB'") +
+                       rect("id='c'") + "</switch>"),
+                 QString("b"));
+        QCOMPARE(names("<g>" + rect("id='a' systemLanguage='de'") + rect("id='b' systemLanguage='en'") + "</g>"),
+                 QString("b"));
     }
 
     void clippingStopsWhereItMust()

@@ -113,8 +113,14 @@ void SvgPainter::paint(const SvgShape &shape)
         curves += 1 + line.curves.size();
     if (!countCurves(curves))
         return;
+    const QString &order = shape.style.order;
+    const qsizetype fill = order.indexOf(QLatin1String("fill")), stroke = order.indexOf(QLatin1String("stroke"));
+    const bool isStrokeFirst = stroke >= 0 && (fill < 0 || stroke < fill);
+    if (isStrokeFirst)
+        paintStroke(shape);
     paintFill(shape);
-    paintStroke(shape);
+    if (!isStrokeFirst)
+        paintStroke(shape);
 }
 
 void SvgPainter::paintFill(const SvgShape &shape)

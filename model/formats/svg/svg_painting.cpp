@@ -17,6 +17,7 @@ namespace {
 
 constexpr qint64 largestSvg = qint64(64) << 20;
 constexpr double largestCanvas = 1e6;
+constexpr Style crisp{StyleKind::Uniform, {0.5f, 0.05f, 0}};
 
 /// The values of a segment that is painted with the brush, so that the dry stroke is `width` wide (0: as the brush
 /// makes it).
@@ -66,7 +67,7 @@ Stroke valuesOfArea(const SvgPath &path, Segment &values, Point origin, const Pl
     values.maxAge = fill.maxAge;
     values.granulation = 1;
     Stroke stroke;
-    stroke.style = {StyleKind::Uniform, {0.5f, 0.05f, 0}};
+    stroke.style = crisp;
     stroke.fill = fill;
     return stroke;
 }
@@ -131,6 +132,20 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, const StrokeList &strok
 }
 
 } // namespace
+
+Brush svgPen()
+{
+    Brush pen = builtinBrushes().front();
+    pen.name.clear();
+    pen.style = crisp;
+    pen.mix = {};
+    pen.maxAge = 1;
+    pen.granulation = 1;
+    pen.peak = 1e6f;
+    pen.dynamics.clear();
+    pen.taper = {};
+    return pen;
+}
 
 Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microseconds born)
 {

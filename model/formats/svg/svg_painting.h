@@ -7,6 +7,11 @@
 
 namespace suffuse {
 
+/// The brush of drawings for which none was chosen. Its strokes look like those of a round pen of constant width: they
+/// have an edge as crisp as that of fills, and hold so much paint that the edge lies as far from the ends of a line,
+/// and from where it bends, as from its middle, but for a few hundredths.
+Brush svgPen();
+
 /// What a drawing shows as strokes and groups, painted with the brush at time `born`. They are scaled so that a dry
 /// stroke is as wide as the path's stroke, in the colour of its stroke or else of its fill. Names are kept. The canvas
 /// is as large as the drawing (if the drawing has no size: as its paths and 2 s around them), with its corner at (0,

@@ -2,6 +2,7 @@
 
 #include "model/formats/svg/svg_clip.h"
 #include "model/formats/svg/svg_frame.h"
+#include "model/formats/svg/svg_markers.h"
 #include "model/formats/svg/svg_painter.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/formats/svg/svg_style.h"
@@ -10,6 +11,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -28,6 +30,19 @@ bool isOnlyDefined(const QString &element)
     static const std::set<QString> names{"defs",   "clipPath", "mask",  "pattern", "marker",
                                          "symbol", "metadata", "title", "desc",    "style"};
     return names.contains(element);
+}
+
+/// Whether an element asks for no extension, and for no language but English.
+bool isForAll(const SvgElement &element)
+{
+    const QString extensions = QStringLiteral("requiredExtensions"), languages = QStringLiteral("systemLanguage");
+    if (!element.attributes.value(extensions).isEmpty())
+        return false;
+    if (!element.attributes.hasAttribute(languages))
+        return true;
+    return std::ranges::any_of(element.attributes.value(languages).toString().split(u','), [](const QString &language) {
+        return language.trimmed().section(u'-', 0, 0).compare(QLatin1String("en"), Qt::CaseInsensitive) == 0;
+    });
 }
 
 bool mayHaveMarkers(const QString &element)
@@ -80,7 +95,7 @@ private:
     /// Where an element is drawn in the tree of groups, and how deep.
     struct Place {
         int depth = 0, groupDepth = 0, group = -1;
-        bool isCopy = false;
+        bool isCopy = false, isInMarker = false;
         QString name;    ///< the name of the <use> that draws it
         SvgClipPtr clip; ///< what of it is seen
     };
@@ -126,7 +141,7 @@ private:
             return;
         ++place.depth;
         const SvgStyle style = SvgStyle::of(element, parent, m_tree.sheet());
-        if (!style.isDisplayed)
+        if (!style.isDisplayed || !isForAll(element))
             return;
         if (const SvgElement *clip = m_tree.find(svgReference(style.clipPath));
             clip && clip->name == QLatin1String("clipPath"))
@@ -141,14 +156,25 @@ private:
             m_out.losses.images += style.isVisible ? 1 : 0;
         else if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
             addShape(element, style, data, place);
-        else if (is("g") || is("a") || is("switch"))
+        else if (is("g") || is("a"))
             drawGroup(element, style, place);
+        else if (is("switch"))
+            drawSwitch(element, style, place);
         else if (is("svg"))
             drawNested(element, style, element, place);
         m_painter.fade(before, style.opacity);
         if (m_out.paths.size() > before)
             for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);
+    }
+
+    /// Draws the first child that may be drawn.
+    void drawSwitch(const SvgElement &element, const SvgStyle &style, const Place &place)
+    {
+        const auto chosen = std::ranges::find_if(
+            element.children, [](const auto &child) { return isForAll(*child) && !isOnlyDefined(child->name); });
+        if (chosen != element.children.end())
+            draw(**chosen, style, place);
     }
 
     void drawGroup(const SvgElement &element, const SvgStyle &style, Place place)
@@ -271,10 +297,46 @@ private:
     {
         SvgShape shape{svgLines(data), style, place.clip, place.name.isEmpty() ? element.givenName() : place.name,
                        place.group};
-        if (mayHaveMarkers(element.name) && style.isVisible)
-            for (const QString &marker : style.markers)
-                lose(marker, "marker");
         m_painter.paint(shape);
+        if (mayHaveMarkers(element.name) && style.isVisible)
+            drawMarkers(shape, data.contains(u'a', Qt::CaseInsensitive), place);
+    }
+
+    /// Draws markers at the nodes of a shape. Those in the middle of one with arcs are left out, since arcs have more
+    /// nodes here than in the drawing; so are those on shapes in markers.
+    void drawMarkers(const SvgShape &shape, bool hasArcs, Place place)
+    {
+        const auto &names = shape.style.markers;
+        std::array<const SvgElement *, 3> markers{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const SvgElement *marker = m_tree.find(svgReference(names[i]));
+            if (!marker || marker->name != QLatin1String("marker"))
+                continue;
+            if (place.isInMarker || (hasArcs && i == 1))
+                m_lost.insert(marker);
+            else
+                markers[i] = marker;
+        }
+        if (std::ranges::none_of(markers, [](const SvgElement *marker) { return marker != nullptr; }))
+            return;
+        place.isInMarker = place.isCopy = true;
+        ++place.depth;
+        for (const SvgMarkerPlace &at : svgMarkerPlaces(shape.lines)) {
+            const SvgElement *marker = markers[std::size_t(at.kind)];
+            if (!marker)
+                continue;
+            if (isTooMuch(place))
+                return;
+            const std::optional<SvgMarkerView> view = svgMarkerView(*marker, at, shape.style, m_tree.sheet());
+            if (!view)
+                continue;
+            Place inside = place;
+            if (!view->style.overflows)
+                inside.clip = m_clips.within(place.clip, view->port, view->style.matrix);
+            const std::size_t before = m_out.paths.size();
+            drawChildren(*marker, view->style, inside);
+            m_painter.fade(before, view->style.opacity);
+        }
     }
 
     SvgTree &m_tree;

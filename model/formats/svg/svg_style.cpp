@@ -58,7 +58,7 @@ const QSet<QString> &knownProperties()
         QStringLiteral("fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
                        "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
                        "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
-                       "filter transform vector-effect font-size overflow")
+                       "filter transform vector-effect font-size overflow paint-order")
             .split(u' ');
     static const QSet<QString> names(list.begin(), list.end());
     return names;
@@ -167,6 +167,7 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     takePen(all, style.units, style.pen);
     take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
     take("clip-rule", [&](const QString &v) { style.isClipEvenOdd = v == QLatin1String("evenodd"); });
+    take("paint-order", [&](const QString &v) { style.order = v; });
     take("overflow",
          [&](const QString &v) { style.overflows = v == QLatin1String("visible") || v == QLatin1String("auto"); });
     take("visibility", [&](const QString &v) { style.isVisible = v == QLatin1String("visible"); });

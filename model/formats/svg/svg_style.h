@@ -20,6 +20,7 @@ struct SvgStyle {
     SvgUnits units;
     QString fill = "black", stroke = "none"; ///< as written in CSS
     QString contextFill = "none", contextStroke = "none"; ///< what context-fill and context-stroke mean
+    QString order;                                        ///< paint-order: what is painted first
     QString markers[3] = {"none", "none", "none"};
     SvgColour current{0, 0, 0, 1};
     double fillOpacity = 1, strokeOpacity = 1;
