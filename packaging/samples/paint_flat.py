@@ -4,240 +4,243 @@ import math
 import random
 import sys
 
-from paintbox import Painting, curve, ellipse, rectangle, ryb, uniform
+from paintbox import (Painting, across_box, feather, lens, oval, placed, rectangle, ryb, tapered, through,
+                      uniform)
 
-CREAM, SAND, ROSE = "#fdf1dc", "#f9e0bd", "#ee9c7c"
-CORAL, BRICK, MUSTARD, GOLD = "#e8694c", "#b9452f", "#eeae45", "#f8cd6b"
-SEA, DEEP, NIGHT, INK = "#2f7480", "#1f5263", "#173a4a", "#102c3a"
-CRISP = uniform(0.008)
-WALLS = (("#fbeedb", "#e5cdb4"), ("#f8dcb4", "#dfb88f"), ("#f3b98f", "#d8946f"), ("#fdf3e2", "#e2d3c0"),
-         ("#eec46f", "#d19f4d"), ("#f0a183", "#cf7a60"), ("#a9c9bd", "#82aaa1"))
-ROOFS = (("#c9553b", "#a8412d"), ("#d76a48", "#b34f35"), ("#b54a38", "#93382b"))
+CREAM, CORAL, SEA, NIGHT, INK = "#fdf1dc", "#e8694c", "#2f7480", "#173a4a", "#102c3a"
+CRISP, SOFT = uniform(0.008), feather(1.0, 1.0)
+WALLS = "#fdf0dd", "#fadbb4", "#f5bb8f", "#fef3e4", "#f0c873", "#f3a587", "#accdc0"
+ROOFS = "#d96446", "#e27a54", "#c8563e"
 rng = random.Random(7)
 p = Painting(1024, 768, "#fbe3c2")
 
 
-def shape(name, points, colour, s=4.0, opacity=1.0, **more):
-    p.fill(name, points, ryb(colour, opacity), s=s, style=CRISP, **more)
+def paint(text):
+    """'#rrggbb', or '#rrggbbaa' with its opacity."""
+    return ryb(text[:7], int(text[7:] or "ff", 16) / 255)
 
 
-def mark(name, points, width, colour, opacity=1.0, **more):
-    """colour: '#rrggbb', or a list of them along the stroke."""
-    paint = [ryb(c, opacity) for c in colour] if isinstance(colour, list) else ryb(colour, opacity)
-    p.line(name, points, width, paint, style=CRISP, **more)
+def mixed(colour, other, share):
+    pairs = [(int(colour[i:i + 2], 16), int(other[i:i + 2], 16)) for i in (1, 3, 5)]
+    return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in pairs)
 
 
-def dot(name, x, y, radius, colour):
-    p.dot(name, x, y, radius, ryb(colour), style=CRISP)
+def shapes(name, outlines, colour, slant=90, style=CRISP, **more):
+    """Outlines in one stroke. colour: one, or a pair that runs through the outlines' box, downwards or aslant."""
+    if isinstance(colour, tuple):
+        colour = across_box(outlines, slant, paint(colour[0]), paint(colour[1]))
+    else:
+        colour = paint(colour)
+    p.area(name, outlines, colour, style=style, **more)
+
+
+def shape(name, outline, colour, slant=90, **more):
+    shapes(name, [outline], colour, slant, **more)
+
+
+def glow(name, outline, colour, spread, slant=90):
+    """Soft light or shade."""
+    shape(name, outline, colour, slant, style=SOFT, spread=spread)
 
 
 # ---------------------------------------------------------------- sky and hills
 
-def cloud(name, x, y, k, colour):
-    """One stroke: a flat foot and a row of round heads."""
-    heads = [(-92, -3), (-84, -14), (-62, -17), (-50, -30), (-22, -38), (4, -31), (16, -22), (40, -26), (60, -18),
-             (66, -12), (84, -12), (92, -3)]
-    foot = [(86, 5), (60, 7), (0, 7), (-60, 7), (-86, 5)]
-    shape(name, curve([(x + k * a, y + k * b) for a, b in heads + foot], closed=True, step=3), colour, 4.2 * k)
+def cloud(name, x, y, k, colours):
+    """A flat foot and round heads."""
+    heads = [(-88, -7, 14), (-50, -16, 23), (-8, -24, 31), (34, -17, 24), (66, -10, 17), (96, -4, 11)]
+    shapes(name, [oval(x + k * a, y + k * b, k * r) for a, b, r in heads]
+           + [rectangle(x - k * 88, y - k * 11, x + k * 96, y + k * 7)], colours)
 
 
 def gull(x, y, k):
-    mark("gull", [(x - 22 * k, y - 5 * k), (x - 11 * k, y - 9 * k), (x, y), (x + 12 * k, y - 11 * k),
-                  (x + 24 * k, y - 8 * k)],
-         [0.1, 1.6 * k, 2.3 * k, 1.6 * k, 0.1], NIGHT, spread=1.4, step=2.5)
+    wings = [[(-22, -5), (-16, -12), (-6, -11), (0, -1.5)], [(0, -1.5), (7, -14), (15, -15), (24, -8)],
+             [(24, -8), (15, -10), (7, -7), (0.5, 3)], [(0.5, 3), (-5, -6), (-14, -8), (-22, -5)]]
+    return [placed(c, x, y, k) for c in wings]
 
 
 def sky():
     with p.group("sky"):
-        shape("sky, low", curve([(-40, 232), (120, 214), (300, 236), (500, 196), (700, 172), (880, 206), (1064, 184)],
-                                step=12) + [(1064, -40), (-40, -40)], "#f9d6ae", 14)
-        shape("sky, middle", curve([(-40, 128), (140, 148), (340, 108), (560, 122), (800, 88), (1064, 120)], step=12)
-              + [(1064, -40), (-40, -40)], "#f6c7a0", 14)
-        shape("sky, high", curve([(-40, 58), (160, 40), (380, 62), (620, 34), (860, 50), (1064, 24)], step=12)
-              + [(1064, -40), (-40, -40)], "#f0b393", 12)
+        shape("sky", rectangle(-40, -40, 1064, 480), ("#ea957f", "#ffe9c6"))
+        for name, low, up, colours in (
+                ("veil, low", [(-40, 238), (130, 216), (310, 240), (500, 198), (700, 172), (880, 208), (1064, 184)],
+                 120, ("#fbd9ac00", "#f3b78ecc")),
+                ("veil, middle", [(-40, 128), (140, 150), (340, 106), (560, 124), (800, 86), (1064, 120)], 40,
+                 ("#f4b89400", "#ea9f85c0")),
+                ("veil, high", [(-40, 58), (160, 38), (380, 64), (620, 32), (860, 52), (1064, 24)], -40,
+                 ("#e0826f60", "#d97f73b8"))):
+            shape(name, through(low) + [(1064, up), (-40, up)], colours)
     with p.group("sun"):
-        shape("glow, wide", ellipse(640, 372, 268, 268), "#fcdcaa", 14)
-        shape("glow", ellipse(640, 372, 200, 200), "#fccf85", 12)
-        shape("sun", ellipse(640, 372, 134, 134), CORAL, 9)
-    with p.group("clouds"):
-        cloud("cloud, left", 300, 208, 0.96, CREAM)
-        cloud("cloud, right", 930, 236, 0.82, CREAM)
-        cloud("cloud before the sun", 752, 330, 0.66, CREAM)
-        cloud("cloud, small", 496, 84, 0.5, "#fbe2c6")
-        cloud("cloud, high", 850, 96, 0.6, "#fbe2c6")
-    with p.group("gulls"):
-        for x, y, k in ((424, 268, 1.0), (472, 244, 0.78), (396, 240, 0.55), (506, 276, 0.5), (868, 164, 0.72),
-                        (904, 148, 0.5)):
-            gull(x, y, k)
+        p.dot("light in the sky", 640, 372, 220, paint("#ffe3a8d8"), style=SOFT)
+        shape("glow, wide", oval(640, 372, 268), ("#ffe2ab70", "#ffe9b8c0"))
+        shape("glow", oval(640, 372, 200), ("#fdc876a0", "#ffd98ee0"))
+        shape("sun", oval(640, 372, 134), ("#f9a24c", "#d93c38"), 80)
+    with p.group("clouds and gulls"):
+        for name, x, y, k in (("cloud, left", 300, 208, 0.92), ("cloud, right", 926, 240, 0.8)):
+            cloud(name, x, y, k, ("#fff6e4", "#fbd7b4"))
+        cloud("cloud before the sun", 752, 330, 0.62, ("#fffaf0", "#ffd9b0"))
+        cloud("cloud, small", 496, 84, 0.46, ("#fbdcc2e0", "#f5b79be0"))
+        cloud("cloud, high", 850, 98, 0.56, ("#fbdcc2e0", "#f5b79be0"))
+        flock = ((424, 268, 1), (472, 244, 0.78), (396, 240, 0.55), (506, 276, 0.5), (868, 164, 0.72), (904, 148, 0.5))
+        shapes("gulls", [gull(*place) for place in flock], NIGHT)
 
 
 def hills():
     with p.group("hills"):
-        shape("far hills", curve([(300, 470), (360, 436), (440, 414), (520, 428), (600, 446), (690, 418), (780, 390),
-                                  (870, 356), (950, 368), (1060, 332)], step=10)
-              + [(1060, 480), (300, 480)], "#e3a487", 6)
-        shape("middle hills", curve([(560, 474), (640, 454), (730, 442), (800, 416), (880, 406), (960, 418),
-                                     (1060, 388)], step=10) + [(1060, 484), (560, 484)], "#c4827a", 6)
-        shape("near hills", curve([(770, 476), (826, 458), (890, 448), (960, 452), (1060, 428)], step=10)
-              + [(1060, 484), (770, 484)], "#8f6b76", 6)
+        for name, ridge, colours in (
+                ("far hills", [(300, 474), (360, 436), (440, 414), (520, 428), (600, 446), (690, 418), (780, 390),
+                               (870, 356), (950, 368), (1060, 332)], ("#d98f7c", "#f0b791")),
+                ("middle hills", [(560, 476), (640, 454), (730, 442), (800, 416), (880, 406), (960, 418), (1060, 388)],
+                 ("#b06a70", "#d98f80")),
+                ("near hills", [(770, 476), (826, 458), (890, 448), (960, 452), (1060, 428)], ("#74536a", "#a66a74"))):
+            shape(name, through(ridge) + [(1060, 484), (ridge[0][0], 484)], colours)
 
 
 # ---------------------------------------------------------------- sea and boats
 
-def glitter(x, y, half, w, colours):
-    """A flake of light, pointed at both ends, warmer towards them."""
-    taper = [w * t for t in (0.05, 0.42, 0.72, 0.92, 1, 0.92, 0.72, 0.42, 0.05)]
-    mark("glitter", [(x - half, y), (x + half, y)], taper, colours, step=max(2.0, min(4.0, half / 9)), spread=0.8 * w,
-         smooth=False)
-
-
 def sea():
     with p.group("sea"):
-        shape("water", [(-40, 468), (1064, 468), (1064, 810), (-40, 810)], "#629e99", 10)
-        shape("nearer water", curve([(-40, 540), (260, 546), (520, 534), (760, 546), (1064, 532)], step=12)
-              + [(1064, 810), (-40, 810)], "#4a8a8f", 10)
-        shape("near water", curve([(-40, 622), (240, 614), (500, 628), (760, 616), (1064, 630)], step=12)
-              + [(1064, 810), (-40, 810)], "#387782", 10)
-        shape("nearest water", curve([(-40, 700), (300, 712), (600, 700), (820, 712), (1064, 694)], step=12)
-              + [(1064, 810), (-40, 810)], "#2b6472", 10)
-    warm = (["#ee8a60", "#f4a673", "#ee8a60"], ["#f4a673", "#fbc98a", "#f4a673"], ["#f0966a", "#f8b87d", "#f0966a"])
-    with p.group("sun on the water"):
-        y, k = 476.0, 0
-        while y < 726:
-            near = (y - 476) / 266
-            half, w = (138 - 82 * near) * rng.uniform(0.74, 1.0), 2.0 + 3.4 * near
-            x = 640 + rng.uniform(-9, 9) * (1 + near)
-            if k % 4 == 2:
-                gap = half * rng.uniform(-0.35, 0.35)
-                left, right = (half + gap - 7) / 2, (half - gap - 7) / 2
-                glitter(x - half + left, y, left, w, warm[k % 3])
-                glitter(x + half - right, y, right, w, warm[(k + 1) % 3])
-            else:
-                glitter(x, y, half, w, warm[k % 3])
-            if y > 528 and rng.random() < 0.7:
-                away = rng.choice((-1, 1)) * (half + rng.uniform(26, 52))
-                if x + away > 520 or y > 640:
-                    glitter(x + away, y + 4 + 4 * near, rng.uniform(9, 15) * (1 + near), 0.7 * w, "#f0966a")
-            y += 8.5 + 8 * near
-            k += 1
+        shape("water", rectangle(-40, 468, 1064, 810), ("#74ada0", "#2a6c7a"))
+        for name, edge, colours in (
+                ("nearer water", [(-40, 540), (260, 548), (520, 532), (760, 548), (1064, 530)],
+                 ("#3c808aa0", "#3c808a00")),
+                ("near water", [(-40, 624), (240, 612), (500, 630), (760, 614), (1064, 632)],
+                 ("#2b6a78b8", "#2b6a7800")),
+                ("nearest water", [(-40, 698), (300, 714), (600, 698), (820, 714), (1064, 692)],
+                 ("#1d5466c0", "#1d546680"))):
+            shape(name, through(edge) + [(1064, 810), (-40, 810)], colours)
+        glow("light on the horizon", rectangle(380, 466, 900, 476), "#fbd3bcb0", 12)
+        glow("light on the water", [(516, 470), (764, 470), (700, 740), (590, 740)], ("#f8b8a4d0", "#f2a09c18"), 18)
+    waves = []
+    for x, y, k in ((452, 500, 0.6), (800, 520, 0.6), (960, 516, 0.7), (420, 560, 0.8), (930, 560, 0.8),
+                    (990, 586, 0.9), (520, 652, 0.9), (790, 576, 0.7), (470, 684, 1.1), (960, 668, 1.1),
+                    (768, 662, 1.0), (540, 728, 1.2), (830, 736, 1.2), (990, 730, 1.3)):
+        x += rng.uniform(-8, 8)
+        waves += [wave(x, y, k), wave(x + 20 * k, y + 7 * k, 0.6 * k)]
     with p.group("waves"):
-        for x, y, k in ((452, 500, 0.6), (800, 520, 0.6), (960, 516, 0.7), (420, 560, 0.8), (930, 560, 0.8),
-                        (990, 586, 0.9), (520, 652, 0.9), (790, 576, 0.7), (470, 684, 1.1),
-                        (960, 668, 1.1), (768, 662, 1.0), (540, 728, 1.2), (830, 736, 1.2), (990, 730, 1.3)):
-            wave(x + rng.uniform(-8, 8), y, k)
-
+        shapes("waves", waves, ("#a8d0c2", "#3f8290"))
+    flakes, cores, strays = [], [], []
+    y, k = 476.0, 0
+    while y < 730:
+        near = (y - 476) / 266
+        half, w = (138 - 82 * near) * rng.uniform(0.74, 1.0), 1.7 + 3.2 * near
+        x = 640 + rng.uniform(-9, 9) * (1 + near)
+        if k % 4 == 2:
+            gap = half * rng.uniform(-0.35, 0.35)
+            left, right = (half + gap - 7) / 2, (half - gap - 7) / 2
+            flakes += [lens(x - half + left, y, left, w), lens(x + half - right, y, right, w)]
+        else:
+            flakes.append(lens(x, y, half, w))
+            cores.append(lens(x + rng.uniform(-0.2, 0.2) * half, y, half * rng.uniform(0.4, 0.6), 0.5 * w))
+        if y > 520 and rng.random() < 0.8:
+            away = rng.choice((-1, 1)) * (half + rng.uniform(26, 52))
+            if x + away > 520 or y > 640:
+                strays.append(lens(x + away, y + 4 + 4 * near, rng.uniform(9, 15) * (1 + near), 0.6 * w))
+        y += 7.5 + 8 * near
+        k += 1
+    with p.group("sun on the water"):
+        shapes("glitter astray", strays, ("#f6b07e", "#ea7f60"))
+        shapes("glitter", flakes, ("#fcc27c", "#ee7d58"))
+        shapes("glitter's heart", cores, ("#ffe6b4", "#fbb978"))
 
 def wave(x, y, k):
-    colour = "#8cbbb1" if y < 534 else "#70a8a7" if y < 616 else "#5896a0" if y < 700 else "#47848f"
-    for dx, dy, size in ((0, 0, 1.0), (20, 7, 0.6)):
-        half = 22 * k * size
-        mark("wave", [(x + dx * k - half, y + dy * k), (x + dx * k - 0.4 * half, y + (dy - 2.4) * k),
-                      (x + dx * k + 0.3 * half, y + (dy - 0.6) * k), (x + dx * k + half, y + (dy + 0.4) * k)],
-             [0.05, 1.7 * k, 1.5 * k, 0.05], colour, spread=1.2 + 0.4 * k)
+    return [placed(c, x, y, k) for c in ([(-24, 0.5), (-10, -5.5), (6, -1.5), (24, 0.5)],
+                                         [(24, 0.5), (8, 1.8), (-8, -1), (-24, 0.5)])]
 
 
 def boat(name, x, y, k, sails, hull):
+    at = lambda points: placed(points, x, y, k)
+    side = lambda points: through(at(points))
     with p.group(name):
-        for i in range(4):
-            sway, half = 2 - 3 * (i % 2), 36 - 8 * i
-            glitter(x + sway * k, y + (12 + 7.5 * i) * k, half * k, (2.5 - 0.3 * i) * k, sails[i % 2])
-        small = 2.4 * k ** 0.5
-        shape("main sail", curve([(x - 2 * k, y - 102 * k), (x + 26 * k, y - 64 * k), (x + 42 * k, y - 15 * k)], step=4)
-              + [(x - 2 * k, y - 13 * k)], sails[0], small)
-        shape("sail's shade", curve([(x - 2 * k, y - 102 * k), (x + 7 * k, y - 62 * k), (x + 10 * k, y - 14 * k)],
-                                    step=4) + [(x - 2 * k, y - 13 * k)], sails[2], small)
-        shape("fore sail", curve([(x - 10 * k, y - 86 * k), (x - 30 * k, y - 46 * k), (x - 46 * k, y - 13 * k)], step=4)
-              + [(x - 10 * k, y - 15 * k)], sails[1], small)
-        mark("mast", [(x - 6 * k, y - 106 * k), (x - 6 * k, y)], 1.3 * k, NIGHT, step=12)
-        mark("pennant", [(x - 5 * k, y - 105 * k), (x + 5 * k, y - 104 * k), (x + 14 * k, y - 107 * k)],
-             [2.4 * k, 2 * k, 0.1], CORAL, step=2)
-        shape("hull", [(x - 52 * k, y - 8 * k), (x + 50 * k, y - 8 * k)]
-              + curve([(x + 44 * k, y + 3 * k), (x + 34 * k, y + 9 * k), (x - 30 * k, y + 9 * k),
-                       (x - 42 * k, y + 2 * k)], step=3), hull, small)
-        mark("stripe", [(x - 45 * k, y - 3 * k), (x + 44 * k, y - 3 * k)], 1.1 * k, CREAM, step=14)
+        shapes("in the water", [[at(c) for c in lens(2 - 3 * (i % 2), 12 + 7.5 * i, 36 - 8 * i, 2.2 - 0.3 * i)]
+                                for i in range(4)], (sails[0][1], sails[1][1]))
+        shape("main sail", side([(-2, -102), (26, -64), (42, -15)]) + at([(-2, -13)]), sails[0], 10)
+        shape("sail's shade", side([(-2, -102), (7, -62), (10, -14)]) + at([(-2, -13)]), sails[2], 0)
+        shape("fore sail", side([(-10, -86), (-30, -46), (-46, -13)]) + at([(-10, -15)]), sails[1], 120)
+        shape("mast", at([(-6.8, 0), (-6.8, -107), (-5.2, -107), (-5.2, 0)]), INK)
+        shape("pennant", side([(-5, -107), (5, -106), (15, -108)]) + side([(15, -108), (5, -101.5), (-5, -102.5)]),
+              CORAL)
+        shape("hull", at([(-52, -8)]) + side([(50, -8), (44, 3), (34, 9)]) + side([(-30, 9), (-42, 2), (-52, -8)]),
+              hull)
+        shape("stripe", at([(-49, -4), (47, -4), (46, -1.8), (-47.5, -1.8)]), CREAM)
 
 
-def dinghy(x, y, k, colour):
+def dinghy(x, y, k, colours):
+    at = lambda points: through(placed(points, x, y, k))
     with p.group("rowing boat"):
-        glitter(x, y + 11 * k, 26 * k, 1.8 * k, "#2b6472")
-        shape("inside", curve([(x - 27 * k, y - 6 * k), (x, y - 3 * k), (x + 27 * k, y - 6 * k), (x, y - 9 * k)],
-                              closed=True, step=3), NIGHT, 1.6)
-        shape("hull", curve([(x - 30 * k, y - 8 * k), (x, y - 3 * k), (x + 30 * k, y - 8 * k)], step=3)
-              + curve([(x + 22 * k, y + 6 * k), (x, y + 8 * k), (x - 22 * k, y + 6 * k)], step=3), colour, 1.8)
-        mark("gunwale", [(x - 30 * k, y - 8 * k), (x, y - 3 * k), (x + 30 * k, y - 8 * k)], 1.1 * k, CREAM)
+        shape("in the water", lens(x, y + 11 * k, 28 * k, 2.4 * k), "#1d5466")
+        shape("inside", at([(-30, -8), (0, -3), (30, -8)]) + at([(30, -8), (0, -10), (-30, -8)]), ("#0f2a38", NIGHT))
+        shape("hull", at([(-30, -8), (0, -3), (30, -8)]) + at([(30, -8), (22, 6), (0, 8), (-22, 6), (-30, -8)]),
+              colours)
+        shape("gunwale", at([(-31, -9), (0, -4.2), (31, -9)]) + at([(31, -7), (0, -2), (-31, -7)]), CREAM)
 
 
 # ---------------------------------------------------------------- trees
 
 def cypress(x, y, h, dark, light, fat=0.14):
-    def half(u):
-        """Half the width of the crown; u runs from its tip to its foot."""
-        return fat * h * 1.1 * u ** 0.72 * (1 - u ** 4) ** 0.5
+    """Dark, and a light flank towards the sun."""
+    def crown(right, left, steps):
+        half = lambda u: fat * h * 1.1 * u ** 0.72 * (1 - u ** 4) ** 0.5
+        down = lambda u: y - h * (1 - 0.95 * u)
+        return (through([(x + right(u) * half(u), down(u)) for u in steps])
+                + through([(x + left(u) * half(u), down(u)) for u in steps[::-1]]))
 
-    down = lambda u: y - h * (1 - 0.95 * u)
-    steps, inner = [k / 24 for k in range(25)], [0.16 + 0.7 * k / 16 for k in range(17)]
     with p.group("cypress"):
-        mark("trunk", [(x, y + 2), (x, y - 0.12 * h)], 0.012 * h + 0.8, "#3b2d2f", smooth=False)
-        shape("crown", [(x + half(u), down(u)) for u in steps] + [(x - half(u), down(u)) for u in steps[-2:0:-1]], dark,
-              max(1.6, 0.02 * h))
-        shape("light", [(x + 0.8 * half(u), down(u)) for u in inner]
-              + [(x + (0.8 - 0.5 * math.sin(math.pi * (u - 0.16) / 0.7)) * half(u), down(u)) for u in inner[-2:0:-1]],
-              light, max(1.1, 0.012 * h))
+        w = 0.012 * h + 0.8
+        shape("trunk", [(x - w, y + 2), (x - w, y - 0.12 * h), (x + w, y - 0.12 * h), (x + w, y + 2)], "#3b2d2f")
+        shape("crown", crown(lambda u: 1, lambda u: -1, (0, 0.12, 0.45, 0.75, 0.94, 1)), dark)
+        shape("light", crown(lambda u: 0.82, lambda u: 0.82 - 0.55 * math.sin(math.pi * (u - 0.14) / 0.72),
+                             (0.14, 0.4, 0.65, 0.86)), (light, light + "60"), 90)
 
 
-def tree(x, y, r, dark=SEA, light="#4a8f8e"):
+def tree(x, y, r):
     with p.group("tree"):
-        mark("trunk", [(x, y), (x, y - r)], 1.6, "#3b2d2f", smooth=False)
-        shape("crown", ellipse(x, y - 1.55 * r, r, 1.12 * r), dark, 0.16 * r + 0.8)
-        shape("light", ellipse(x + 0.3 * r, y - 1.75 * r, 0.52 * r, 0.62 * r), light, 0.1 * r + 0.6)
+        shape("trunk", rectangle(x - 1.6, y - r, x + 1.6, y), "#3b2d2f")
+        shape("crown", oval(x, y - 1.55 * r, r, 1.12 * r), ("#24616c", SEA), 0)
+        shape("light", oval(x + 0.3 * r, y - 1.75 * r, 0.52 * r, 0.62 * r), ("#6fb0a4", "#3a8086"))
 
 
-def bush(x, y, r, colour="#3f7470"):
-    heads = [(-1.7, 0), (-1.72, -0.5), (-1.1, -0.78), (-0.55, -1.3), (0.1, -1.18), (0.45, -0.9), (1.05, -0.95),
-             (1.55, -0.5), (1.6, 0)]
-    shape("bush", [(x + r * a, y + r * b) for a, b in curve(heads, step=0.25)], colour, 1.6)
+def bush(x, y, r):
+    heads = ((-1, 0.3, 0.7), (-0.2, 0.6, 0.8), (0.9, 0.3, 0.75))
+    shapes("bush", [oval(x + a * r, y - b * r, c * r) for a, b, c in heads], ("#5c9184", "#2f6668"))
 
 
 # ---------------------------------------------------------------- houses
 
-def opening(name, x, y, half, height, colour, s=1.0):
+def opening(x, y, half, height):
     """A window or door standing on (x, y), with a round head."""
-    top = y - height + half
-    shape(name, [(x - half, y), (x - half, top)] + ellipse(x, top, half, half, start=200, end=340)
-          + [(x + half, top), (x + half, y)], colour, s)
+    top, bow = y - height + half, y - height - 0.3 * half
+    return [(x - half, y), [(x - half, top), (x - half, bow), (x + half, bow), (x + half, top)], (x + half, y)]
 
 
 def house(x, y, w, h, look, before, ground=False):
     """A house whose front foot is at (x, y): a sunny front, a side in the shade to the left of it, a roof. before: the
     houses (x, y, w, h, look) that will stand before it; it has no windows where they would cut them."""
-    wall, shade = WALLS[look % len(WALLS)]
+    wall, tiles = WALLS[look % len(WALLS)], ROOFS[look % len(ROOFS)]
     left, right, top = x - 0.34 * w, x + w, y - h
     with p.group("house"):
-        shape("side", [(left, top + 3), (x + 2, top), (x + 2, y), (left, y)], shade, 2.7, rims=2)
-        shape("front", rectangle(x, top, right, y), wall, 2.7, rims=2)
-        (gable_roof, hip_roof, parapet)[look % 3](x, left, right, top, wall, *ROOFS[look % len(ROOFS)])
+        shape("side", [(left, top + 3), (x + 1, top), (x + 1, y), (left, y)],
+              (mixed(wall, "#6a3a40", 0.26), mixed(wall, "#6a2c3c", 0.45)))
+        gable = [((x + right) / 2, top - 0.34 * w)] if look % 3 == 0 else []
+        eaves = [(x, top)] + gable + [(right, top)]
+        shape("front", eaves + [(right, y), (x, y)], (mixed(wall, "#fffaf0", 0.08), mixed(wall, "#e08a5c", 0.22)))
+        shape("shade of the roof", eaves + [(ex, ey + 7) for ex, ey in eaves[::-1]], "#8a3d4a48")
+        dark, light = roof(look % 3, x, left, right, top)
+        shape("roof in the shade", dark, (mixed(tiles, "#5a1c28", 0.35), mixed(tiles, "#5a1c28", 0.55)))
+        shape("roof", light, (tiles, mixed(tiles, "#8a2030", 0.25)))
         windows(x, y, w, h, look, before, ground)
 
 
-def gable_roof(x, left, right, top, wall, roof, dark):
-    middle, ridge = (x + right) / 2, top - 0.34 * (right - x)
-    shape("gable", [(x, top + 2), (x, top), (middle, ridge), (right, top), (right, top + 2)], wall, 1.8, rims=2)
-    shape("roof in the shade", [(left - 4, top + 4), (left + 0.42 * (right - x), ridge - 2), (middle, ridge - 4),
-                                (middle, ridge), (x - 2, top + 3)], dark, 1.6, rims=2)
-    shape("eave", [(middle - 2, ridge - 4.5), (right + 6, top + 2), (right + 3, top + 6), (middle - 3, ridge + 2),
-                   (x - 1, top + 4), (x - 4, top + 2)], roof, 1.4)
-
-
-def hip_roof(x, left, right, top, _wall, roof, dark):
-    ridge = top - 0.26 * (right - x)
-    shape("roof in the shade", [(left - 4, top + 5), (left + 8, ridge), (x + 6, ridge), (x, top + 4)], dark,
-          1.8, rims=2)
-    shape("roof", [(x - 3, top + 3), (x + 5, ridge), (right - 3, ridge), (right + 5, top + 3)], roof, 1.8, rims=2)
-
-
-def parapet(x, left, right, top, _wall, roof, _dark):
-    shape("parapet", [(left - 2, top + 4), (left - 2, top - 1), (x, top - 4), (right + 3, top - 4),
-                      (right + 3, top + 1), (x, top + 1)], roof, 1.5)
+def roof(kind, x, left, right, top):
+    """The dark and the light half of a gable, a hip roof or a parapet."""
+    middle, ridge, hip = (x + right) / 2, top - 0.34 * (right - x), top - 0.26 * (right - x)
+    return (([(left - 4, top + 4), (left + 0.42 * (right - x), ridge - 2), (middle, ridge - 4), (middle, ridge),
+              (x - 2, top + 3)],
+             [(middle - 2, ridge - 4.5), (right + 6, top + 2), (right + 3, top + 6), (middle - 1, ridge + 2),
+              (x - 1, top + 5), (x - 4, top + 2)]),
+            ([(left - 4, top + 5), (left + 8, hip), (x + 6, hip), (x, top + 4)],
+             [(x - 3, top + 4), (x + 5, hip), (right - 3, hip), (right + 5, top + 4)]),
+            ([(left - 2, top + 4), (left - 2, top - 1), (x, top - 4), (x, top + 2)],
+             rectangle(x - 1, top - 4, right + 3, top + 2)))[kind]
 
 
 def behind(x, foot, houses):
@@ -251,7 +254,7 @@ def behind(x, foot, houses):
 
 
 def windows(x, y, w, h, look, before, ground):
-    glass = DEEP if look % 3 else "#7a3b34"
+    panes, lit, sills, door = [], [], [], None
     columns, floors = max(2, round(w / 17)), max(1, round((h - 14) / 22))
     for f in range(floors):
         for c in range(columns):
@@ -260,59 +263,63 @@ def windows(x, y, w, h, look, before, ground):
             if behind(cx, y if is_door else foot, before):
                 continue
             if is_door:
-                opening("door", cx, y - 0.5, 3.8, 15, BRICK if look % 3 else DEEP, 1.2)
-                if ground:
-                    awning(cx, y - 19, CORAL if look % 2 else SEA)
-            elif (look * 7 + f * 5 + c * 3) % 11 < 9:
-                opening("window", cx, foot, 2.6, 9, GOLD if (look + f * 3 + c * 5) % 7 == 0 else glass)
+                door = cx
+            elif (look * 7 + f * 5 + c * 3) % 11 < 10:
+                (lit if (look + f * 3 + c * 5) % 7 == 0 else panes).append(opening(cx, foot, 2.6, 9))
+                sills.append(rectangle(cx - 3.8, foot, cx + 3.8, foot + 1.3))
+    for name, outlines, colour in (("windows", panes, ("#123c4c", "#2a6570") if look % 3 else ("#642c2b", "#8a4438")),
+                                   ("windows with light", lit, ("#ffdf86", "#f3b24e")),
+                                   ("sills", sills, "#fff2dc" if look % 7 in (1, 2, 4, 5, 6) else "#d2a78c")):
+        if outlines:
+            shapes(name, outlines, colour)
+    if door:
+        shape("door", opening(door, y, 3.8, 15), ("#8f3227", "#c4513a") if look % 3 else ("#163f50", SEA))
+        if ground:
+            awning(door, y - 19, CORAL if look % 2 else SEA)
 
 
 def awning(x, y, colour):
-    with p.group("awning"):
-        shape("cloth", [(x - 8.5, y - 4), (x + 8.5, y - 4), (x + 11, y + 4.5), (x - 11, y + 4.5)], CREAM, 1.1)
-        for k in range(3):
-            a = -8.5 + 6.8 * k
-            b = a + 3.4
-            shape("stripe", [(x + a, y - 4.3), (x + b, y - 4.3), (x + 1.3 * b, y + 5), (x + 1.3 * a, y + 5)],
-                  colour, 0.9)
+    shape("awning", [(x - 8.5, y - 4), (x + 8.5, y - 4), (x + 11, y + 4.5), (x - 11, y + 4.5)], ("#fff8ea", "#f0d9b8"))
+    ends = [(-8.5 + 6.8 * k, -5.1 + 6.8 * k) for k in range(3)]
+    shapes("stripes", [[(x + a, y - 4), (x + b, y - 4), (x + 1.3 * b, y + 4.5), (x + 1.3 * a, y + 4.5)]
+                       for a, b in ends], colour)
 
 
 def church(x, y):
+    sunny, shady = ("#fff8ea", "#f7dfc0"), ("#e0c9b2", "#bf9f90")
+    box = lambda a, b, c, d: rectangle(x + a, y + b, x + c, y + d)
     with p.group("church"):
-        shape("nave", rectangle(x - 70, y - 54, x + 4, y), "#ecd9c2", 2.6, rims=2)
+        shape("nave", box(-70, -54, 4, 0), ("#ecd5bc", "#cdae98"))
         shape("roof of the nave", [(x - 77, y - 52), (x - 62, y - 80), (x + 2, y - 80), (x + 2, y - 52)],
-              "#b54a38", 2.6, rims=2)
-        shape("tower in the shade", rectangle(x - 11, y - 127, x + 2, y), "#dcc6af", 2.4, rims=2)
-        shape("tower", rectangle(x, y - 128, x + 36, y), CREAM, 2.4, rims=2)
-        shape("cornice", rectangle(x - 15, y - 134, x + 40, y - 127), MUSTARD, 1.8)
-        shape("belfry in the shade", rectangle(x - 7, y - 158, x + 4, y - 134), "#dcc6af", 1.8, rims=2)
-        shape("belfry", rectangle(x + 2, y - 158, x + 32, y - 134), CREAM, 1.8, rims=2)
-        shape("ledge", rectangle(x - 11, y - 162, x + 36, y - 157), MUSTARD, 1.4)
-        shape("dome", ellipse(x + 12.5, y - 161, 20, 25, start=180, end=360), SEA, 2.2, rims=2)
-        mark("dome's light", [(x + 21, y - 166), (x + 23, y - 174), (x + 17, y - 181)], [0.1, 2.2, 0.1],
-             "#7fb5ad", spread=1.6)
-        mark("spire", [(x + 12.5, y - 208), (x + 12.5, y - 186)], [0.5, 1.9], NIGHT, step=3)
-        dot("ball", x + 12.5, y - 196, 2.8, NIGHT)
-        opening("bell window", x + 17, y - 138, 4.6, 15, DEEP, 1.3)
-        opening("window", x + 18, y - 92, 4.2, 19, DEEP, 1.3)
-        dot("clock", x + 18, y - 68, 8.5, MUSTARD)
-        dot("clock's face", x + 18, y - 68, 6.2, CREAM)
-        mark("clock's hands", [(x + 18, y - 73), (x + 18, y - 68), (x + 21.5, y - 66)], 0.7, NIGHT, smooth=False,
-             spread=0.6, step=1.5)
-        opening("window", x - 21, y - 26, 3.4, 15, "#8a5a4e", 1.2)
+              ("#c8563e", "#a94032"))
+        shapes("in the shade", [box(-11, -127, 2, 0), box(-7, -158, 4, -134)], shady)
+        shapes("tower", [box(0, -128, 36, 0), box(2, -158, 32, -134)], sunny)
+        shapes("shade of the ledges", [box(0, -127, 36, -122), box(2, -157, 32, -153)], "#a0605848")
+        shapes("ledges", [box(-15, -134, 40, -127), box(-11, -162, 36, -157)], ("#f7c15a", "#e09a3c"))
+        shape("dome", oval(x + 12.5, y - 162, 20, 25, start=180, end=360), ("#1f5b69", "#3c8890"), 20)
+        shape("dome's light", tapered([(x + 20, y - 165), (x + 24, y - 174), (x + 17, y - 182)], [0, 2.2, 0]),
+              "#a5d0c3")
+        shapes("spire", [[(x + 12, y - 209), (x + 13, y - 209), (x + 14, y - 186), (x + 11, y - 186)],
+                         oval(x + 12.5, y - 196, 2.8)], INK)
+        shapes("windows", [opening(x + 17, y - 138, 4.6, 15), opening(x + 18, y - 92, 4.2, 19),
+                           opening(x - 16, y - 32, 3, 13)], ("#123c4c", "#2f7480"))
+        shapes("clock's rim", [oval(x + 18, y - 68, 8.5), oval(x + 18, y - 68, 6.4)], ("#f7c15a", "#d9933a"),
+               rule="evenodd")
+        shape("clock's hands", [(x + 17.4, y - 73), (x + 18.6, y - 73), (x + 18.6, y - 68.3), (x + 22, y - 66.3),
+                                (x + 21.5, y - 65.3), (x + 17.4, y - 67.6)], INK)
 
 
 def town():
     with p.group("hill"):
-        shape("hill", curve([(-40, 232), (40, 222), (120, 240), (200, 280), (280, 344), (345, 420), (405, 500),
-                             (458, 574)], step=10) + [(458, 590), (-40, 590)], "#79a189", 8)
-        shape("hill's foot", curve([(-40, 400), (120, 404), (250, 440), (340, 500), (420, 570)], step=10)
-              + [(430, 590), (-40, 590)], "#568679", 8)
+        shape("hill", through([(-40, 232), (40, 222), (120, 240), (200, 280), (280, 344), (345, 420), (405, 500),
+                                (458, 574)]) + [(458, 590), (-40, 590)], ("#9dba94", "#4f8678"), 100)
+        shape("hill's foot", through([(-40, 400), (120, 404), (250, 440), (340, 500), (420, 570)])
+              + [(430, 590), (-40, 590)], ("#5a9080", "#2f6668"), 100)
     with p.group("town"):
         for x, y, h in ((18, 244, 66), (42, 236, 90), (68, 246, 60)):
-            cypress(x, y, h, "#24525a", "#3d7476")
+            cypress(x, y, h, "#1d4a55", "#4a857c")
         church(150, 330)
-        look = 3
+        look, rng = 3, random.Random(29)
         terraces = ((338, (18, 74), ((216, 0),)), (392, (20, 92, 158), ((250, 0),)),
                     (448, (14, 78, 150, 226), ((294, 0), (324, 1))), (508, (24, 102, 176, 246, 318), ((384, 2),)),
                     (572, (12, 80, 158, 230, 304, 376), ((440, 2),)))
@@ -329,7 +336,7 @@ def town():
                 house(x, foot, w, h, look, before, ground=y == 572 and look % 2 == 0)
             for x, kind in trees:
                 if kind == 0:
-                    cypress(x, y + 2, rng.uniform(58, 74), "#1f4f58", "#37757a")
+                    cypress(x, y + 2, rng.uniform(58, 74), "#184651", "#458079")
                 elif kind == 1:
                     tree(x, y, rng.uniform(14, 17))
                 else:
@@ -338,37 +345,32 @@ def town():
 
 def quay():
     with p.group("quay"):
-        for x, y, half, w, colour in ((90, 634, 60, 2.6, "#d9b48c"), (250, 632, 90, 2.4, "#e0a884"),
-                                      (400, 634, 66, 2.4, "#d9b48c"), (330, 643, 44, 2.2, "#f0c9a0"),
-                                      (446, 645, 26, 1.8, "#e0a884"), (180, 644, 40, 2.2, "#c98a70")):
-            glitter(x, y, half, w, colour)
-        shape("quay", [(-40, 570), (477, 570), (485, 577), (485, 596), (-40, 600)], "#e2c199", 3.4, rims=2)
-        shape("quay wall", [(-40, 589), (487, 589), (482, 624), (-40, 624)], "#936a59", 3.4, rims=2)
-        for k in range(17):
-            x, y = 10 + 29 * k, (600, 609, 617)[(k * 2) % 3]
-            mark("stone", [(x - 8, y), (x + 8, y)], 1.2, "#7b5549" if k % 2 else "#a67c68", smooth=False)
-        for x in (133, 213, 281, 354, 436):
-            with p.group("lamp"):
-                mark("post", [(x, 584), (x, 548)], 1.1, NIGHT, smooth=False)
-                mark("foot", [(x - 2, 584), (x + 2, 584)], 1.6, NIGHT, smooth=False, step=1)
-                dot("light", x, 543, 4.2, GOLD)
-        for x in (170, 245, 318, 394, 468):
-            mark("bollard", [(x, 590), (x, 585)], [2.2, 2.8], NIGHT, smooth=False)
-    dinghy(284, 645, 0.92, BRICK)
-    dinghy(386, 662, 1.0, CREAM)
+        glow("shade on the water", rectangle(-40, 622, 476, 636), ("#123c4cc0", "#123c4c50"), 6)
+        shapes("town on the water", [lens(x, y, half, w) for x, y, half, w in (
+            (90, 634, 60, 1.9), (250, 632, 90, 1.8), (400, 634, 66, 1.8), (330, 643, 44, 1.6), (446, 645, 26, 1.4),
+            (180, 644, 40, 1.6))], ("#f6c594d0", "#d98a70d0"))
+        shape("quay wall", [(-40, 589), (486, 589), (482, 624), (-40, 624)], ("#a97863", "#6d4b4b"))
+        shape("quay", [(-40, 570), (475, 570), (483, 573), (487, 580), (487, 592), (-40, 592)], ("#f3d9b0", "#d9b186"))
+        for colour, odd in (("#c08f78", 0), ("#6b4645", 1)):
+            shapes("stones", [rectangle(x - 8, y - 1.1, x + 8, y + 1.1) for x, y in
+                              ((10 + 29 * k, (601, 609, 617)[(k * 2) % 3]) for k in range(odd, 17, 2))], colour)
+        lamps = (133, 213, 281, 354, 436)
+        shapes("posts", [[(x - 3, 585), (x - 1, 582), (x - 0.9, 546), (x + 0.9, 546), (x + 1, 582), (x + 3, 585)]
+                         for x in lamps], INK)
+        shapes("light of the lamps", [oval(x, 543, 9) for x in lamps], "#fff6e0a0", style=SOFT, spread=5)
+        shapes("lamps", [oval(x, 543, 4.2) for x in lamps], ("#fff0b8", "#f6b84e"))
+        shapes("bollards", [[(x - 2.2, 591), (x - 2.8, 584)] + oval(x, 584, 2.8, 1.6, start=180, end=360)
+                            + [(x + 2.2, 591)] for x in (170, 245, 318, 394, 468)], INK)
+    dinghy(284, 645, 0.92, ("#cf5538", "#96352a"))
+    dinghy(386, 662, 1.0, ("#fff6e6", "#e0c3a2"))
 
 
 # ---------------------------------------------------------------- foreground
 
-def poppy(x, y, r, lean, colour, dark):
-    with p.group("poppy"):
-        foot = y + 46 + 20 * rng.random()
-        mark("stem", [(x - lean, foot), (x - 0.2 * lean, y + 20), (x, y + 2)], [1.2, 1.0, 0.9],
-             [NIGHT, "#2f6a72", "#3b7f82"], spread=1.0, step=5)
-        shape("far petal", ellipse(x, y - 0.35 * r, 0.86 * r, 0.62 * r), dark, 1.3)
-        half = [(0, 0.85), (0.8, 0.5), (1.1, -0.55), (0.45, -0.2), (0, -0.5)]
-        cup = [(x + r * a, y + r * b) for a, b in half] + [(x - r * a, y + r * b) for a, b in half[-2:0:-1]]
-        shape("cup", curve(cup, closed=True, step=1.5), colour, 1.3)
+def blade(x, y, h, lean):
+    tip = (x + lean, y - h)
+    return [[(x, y), (x - 2.4, y - 0.4 * h), (x + 0.2 * lean - 1.4, y - 0.7 * h), tip],
+            [tip, (x + 0.2 * lean + 1.6, y - 0.66 * h), (x + 2.2, y - 0.36 * h), (x, y)]]
 
 
 def foreground():
@@ -376,34 +378,37 @@ def foreground():
     top = lambda x: next(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]) for a, b in zip(land, land[1:]) if x <= b[0])
     with p.group("shore"):
         for x, h, fat in ((36, 218, 0.14), (92, 154, 0.15), (138, 102, 0.16)):
-            cypress(x, top(x) + 14, h, INK, "#215062", fat)
-        for k in range(26):
-            x = 150 + 11.5 * k + rng.uniform(-4, 4)
-            blade(x, top(x) + 12, rng.uniform(26, 46), rng.uniform(-14, 18), "#1b4656")
-        shape("shore", curve(land, step=10) + [(500, 820), (-40, 820)], NIGHT, 7)
-        for x, up, r, lean, look in ((186, 34, 7, 6, 0), (206, 18, 6, -3, 1), (246, 36, 7.5, 5, 0),
-                                     (268, 14, 5.5, 8, 2), (300, 34, 7, -4, 1), (322, 22, 6, 6, 0),
-                                     (362, 30, 6.5, 4, 2), (384, 16, 5.5, -3, 0)):
-            colour, dark = ((CORAL, "#c24a35"), (ROSE, "#d27a5e"), (GOLD, "#e0a646"))[look]
-            poppy(x, top(x) - up, r, lean, colour, dark)
-        for k in range(20):
-            x = 168 + 13 * k + rng.uniform(-5, 5)
-            blade(x, top(x) + rng.uniform(24, 52), rng.uniform(20, 34), rng.uniform(-12, 14),
-                  [NIGHT, "#245666", "#2a6070"])
-
-
-def blade(x, y, h, lean, colour):
-    mark("grass", [(x, y), (x + 0.25 * lean, y - 0.55 * h), (x + lean, y - h)], [1.6, 1.7, 0.1], colour,
-         spread=1.4, step=3)
+            cypress(x, top(x) + 14, h, "#0b2530", "#2a6470", fat)
+        tufts = [150 + 11.5 * k + rng.uniform(-4, 4) for k in range(26)]
+        shapes("grass at the edge", [blade(x, top(x) + 12, rng.uniform(26, 46), rng.uniform(-14, 18)) for x in tufts],
+               ("#2d6b74", "#164152"), 105)
+        shape("shore", through(land) + [(500, 820), (-40, 820)], ("#1f4c5b", "#0c2430"), 105)
+        poppies = [(x, top(x) - up, r, lean, look) for x, up, r, lean, look in (
+            (186, 34, 7, 6, 0), (206, 18, 6, -3, 1), (246, 36, 7.5, 5, 0), (268, 14, 5.5, 8, 2), (300, 34, 7, -4, 1),
+            (322, 22, 6, 6, 0), (362, 30, 6.5, 4, 2), (384, 16, 5.5, -3, 0))]
+        shapes("stems", [tapered([(x - lean, y + rng.uniform(46, 66)), (x - 0.2 * lean, y + 20), (x, y)], [0, 1.2, 0.9])
+                         for x, y, _, lean, _ in poppies], ("#8cc0a0", "#2a6068"), 105)
+        for x, y, r, _, look in poppies:
+            light, dark = (("#f58a64", "#c8452f"), ("#f9b796", "#d9765a"), ("#ffdd86", "#e0993a"))[look]
+            shape("far petal", oval(x, y - 0.35 * r, 0.86 * r, 0.62 * r), dark)
+            half = [(0, 0.85), (0.8, 0.5), (1.1, -0.55), (0.45, -0.2), (0, -0.5)]
+            cup = half + [(-a, b) for a, b in half[-2:0:-1]]
+            shape("cup", through(placed(cup, x, y, r), True), (light, dark))
+        tufts = [168 + 13 * k + rng.uniform(-5, 5) for k in range(20)]
+        shapes("grass", [blade(x, top(x) + rng.uniform(24, 52), rng.uniform(20, 34), rng.uniform(-12, 14))
+                         for x in tufts], ("#4a9290", "#205062"), 105)
 
 
 sky()
 hills()
 sea()
-boat("sailing boat, far", 890, 504, 0.42, (CREAM, SAND, SAND), BRICK)
-boat("sailing boat, small", 486, 516, 0.46, (GOLD, CREAM, MUSTARD), DEEP)
+boat("sailing boat, far", 890, 504, 0.42, (("#fff6e4", "#f6d8b0"), ("#fbe3c0", "#e9bd92"), ("#e6c6a2", "#f6dcb8")),
+     ("#c9553b", "#8d332b"))
+boat("sailing boat, small", 486, 516, 0.46, (("#fbd27a", "#e9a548"), ("#fff6e4", "#f3d6b2"), ("#dc9a40", "#f0b557")),
+     ("#2a6876", INK))
 town()
 quay()
-boat("sailing boat", 846, 648, 1.2, (CREAM, CORAL, "#f0dcc0"), NIGHT)
+boat("sailing boat", 846, 648, 1.2, (("#fffaf0", "#f8dcb8"), ("#f0805c", "#cf4a38"), ("#e3c8ae", "#f6e0c4")),
+     ("#235566", "#0d2733"))
 foreground()
 p.write(sys.argv[1] if len(sys.argv) > 1 else "flat.json")

@@ -8,6 +8,7 @@ import math
 import random
 
 SEGMENT_TIME = 1 / 60  # the hand's pace: a segment takes this long
+OUTLINE_TIME = 0.04    # a cubic of an outline takes this long
 PAUSE = 0.3            # between two strokes
 ROOT_PI = math.sqrt(math.pi)
 
@@ -217,6 +218,65 @@ def smoothed(nodes, closed=False):
     return out
 
 
+# ---------------------------------------------------------------- outlines: lists of cubics, and of points to go to
+
+def on_grid(point):
+    """Tenths of a unit: no eye sees more of an outline, and a file of them is a fifth smaller."""
+    return [round(v, 1) for v in point]
+
+
+def flat(outline):
+    """The points of an outline, in order."""
+    return [q for e in outline for q in ([e] if isinstance(e[0], (int, float)) else e)]
+
+
+def oval(cx, cy, rx, ry=None, turn=0.0, start=0.0, end=360.0):
+    """A circle, an ellipse or an arc of one: a cubic for each quarter."""
+    ry, n = ry or rx, math.ceil(abs(end - start) / 90)
+    pull = 4 / 3 * math.tan(math.radians((end - start) / n / 4))
+    out = []
+    for k in range(n):
+        a, b = (math.radians(lerp(start, end, i / n)) for i in (k, k + 1))
+        ends = [(math.cos(t), math.sin(t)) for t in (a, b)]
+        (ax, ay), (bx, by) = ends
+        unit = [ends[0], (ax - pull * ay, ay + pull * ax), (bx + pull * by, by - pull * bx), ends[1]]
+        out.append(placed([(rx * px, ry * py) for px, py in unit], cx, cy, 1.0, turn))
+    return out
+
+
+def across_box(outlines, angle, first, last):
+    """The colours of an area that run through the box of its outlines, in that direction (90: downwards)."""
+    xs, ys = zip(*[q for outline in outlines for q in flat(outline)])
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    reach = (abs(c) * (max(xs) - min(xs)) + abs(s) * (max(ys) - min(ys))) / 2
+    x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
+    return (x - reach * c, y - reach * s), (x + reach * c, y + reach * s), first, last
+
+
+def through(points, closed=False):
+    """The smooth outline through the points, rounded first: handles that follow from nodes take no room in a file."""
+    points = [on_grid(q) for q in points]
+    return smoothed(points + points[:1] if closed else points, closed)
+
+
+def lens(x, y, half, thick, rise=0.0):
+    """Pointed at both ends, `thick` to each side of its middle; its right end lies `rise` higher."""
+    a, b, bow = (x - half, y + rise / 2), (x + half, y - rise / 2), 4 / 3 * thick
+    return [[a, (x - half / 3, y - bow), (x + half / 3, y - bow), b],
+            [b, (x + half / 3, y + bow), (x - half / 3, y + bow), a]]
+
+
+def tapered(points, widths):
+    """The outline of a brush stroke through the points with such half-widths."""
+    sides = [], []
+    for k, ((x, y), w) in enumerate(zip(points, widths)):
+        (ax, ay), (bx, by) = points[max(0, k - 1)], points[min(len(points) - 1, k + 1)]
+        size = math.hypot(bx - ax, by - ay)
+        for side, sign in zip(sides, (w / size, -w / size)):
+            side.append((x + sign * (by - ay), y - sign * (bx - ax)))
+    return through(sides[0]) + through(sides[1][::-1])
+
+
 # ---------------------------------------------------------------- filling a shape with one stroke
 
 def crossings(outlines, y):
@@ -296,12 +356,45 @@ class Painting:
                         "granulation": granulation, "maxAge": 1, "born": round(self.clock, 6),
                         "colour": self.rounded(colour)})
             self.clock += SEGMENT_TIME
+        self.finish(name, out, style, mix)
+        self.clock += PAUSE
+
+    def finish(self, name, out, style, mix, **fill):
         if not out:
             raise ValueError(f"the stroke “{name}” is empty")
-        self.clock += PAUSE
         self.strokes.append({"id": len(self.strokes) + 1, "name": name,
                              "group": self.open_groups[-1] if self.open_groups else None,
-                             "visible": True, "locked": False, "style": style, "mix": mix, "segments": out})
+                             "visible": True, "locked": False, "style": style, "mix": mix, **fill, "segments": out})
+
+    def area(self, name, outlines, colour, spread=0.0, level=1.0, style=None, mix=COVER, granulation=1.0,
+             rule="nonzero"):
+        """What the outlines enclose, filled at once, `level` dense far inside; without a spread the edge is crisp.
+        colour: one, or (from, to, colour there, colour there), which runs evenly from point to point."""
+        out = []
+        for outline in outlines:
+            here = None
+            for e in outline:
+                piece = [on_grid(q) for q in ([e] if isinstance(e[0], (int, float)) else e)]
+                pieces = [piece] if len(piece) > 1 else []
+                if here and here != piece[0]:
+                    pieces.insert(0, [[round(lerp(a, b, k / 3), 1) for a, b in zip(here, piece[0])] for k in range(4)])
+                for bezier in pieces:
+                    out.append({"bezier": bezier, "diffusion": 1, "density": 0, "born": round(self.clock, 6)})
+                    self.clock += OUTLINE_TIME
+                here = piece[-1]
+        for before, after in zip([None] + out, out):
+            if before is None or before["bezier"][3] != after["bezier"][0]:
+                after["start"] = True
+        # Numbers of few bits make small files.
+        halves = lambda point: [round(2 * v) / 2 for v in point]
+        bytewise = lambda colour: [round(256 * min(1.0, max(0.0, v))) / 256 for v in colour]
+        fill = {"diffusion": round(spread * spread / 4, 3), "density": level, "granulation": granulation,
+                "born": round(self.clock, 6), "rule": rule}
+        if isinstance(colour[0], tuple):
+            start, end, colour, other = colour
+            fill["gradient"] = {"from": halves(start), "to": halves(end), "colour": bytewise(other)}
+        fill["colour"] = bytewise(colour)
+        self.finish(name, out, style or uniform(), mix, fill=fill)
 
     def line(self, name, points, width, colour, style=None, mix=COVER, spread=None, step=None, granulation=1.0,
              smooth=True, follow=False):
@@ -400,5 +493,6 @@ class Painting:
             head = {k: v for k, v in stroke.items() if k != "segments"}
             rows.append(line(head)[:-1] + ',"segments":[\n' + ",\n".join(map(line, stroke["segments"])) + "]}")
         with open(path, "w", encoding="utf-8") as out:
-            out.write('{"format":"suffuse-text","version":1,\n"canvas":' + line(self.canvas) + ',\n"groups":'
+            version = 2 if any("fill" in stroke for stroke in self.strokes) else 1
+            out.write(f'{{"format":"suffuse-text","version":{version},\n"canvas":' + line(self.canvas) + ',\n"groups":'
                       + line(self.groups) + ',\n"strokes":[\n' + ",\n".join(rows) + "]}\n")

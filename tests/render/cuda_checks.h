@@ -45,7 +45,8 @@ inline void compareWithOthers(Renderer &cuda, const PaintingPtr &p, const View &
             QStringLiteral("%1: %2/512 at %3, %4").arg(QLatin1String(what)).arg(w.difference * 512).arg(w.x).arg(w.y)));
 }
 
-/// How many strokes the device built, and how many segments those that it left to the host have.
+/// How many strokes the device built, and how many segments with paint those that it left to the host have. An outline
+/// without paint, as that of a fill, has no nodes, and so none that are left.
 struct BuiltByDevice {
     int strokes = 0, ofAll = 0;
     std::size_t segmentsLeft = 0;
@@ -64,7 +65,8 @@ inline BuiltByDevice checkNodesOf(cuda::DeviceNodes &device, const Painting &p, 
     BuiltByDevice counts{0, int(strokes.size()), 0};
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!built[i]) {
-            counts.segmentsLeft += strokes[i]->segments.size();
+            counts.segmentsLeft += std::size_t(
+                std::ranges::count_if(strokes[i]->segments, [](const Segment &s) { return s.density > 0; }));
             continue;
         }
         ++counts.strokes;
