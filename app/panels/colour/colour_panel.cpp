@@ -12,6 +12,7 @@
 #include "app/widgets/colour/mixing_pad.h"
 #include "app/widgets/colour/screen_colour_rows.h"
 #include "app/widgets/colour/swatch_grid.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/section.h"
 
 #include <QComboBox>
@@ -87,6 +88,11 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (change.draft && m_editor.document().draft())
             rememberUsed();
+    });
+    // A drag is about what was selected at the press. It ends when all know what is selected now.
+    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
+        if (change.selection)
+            QMetaObject::invokeMethod(this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
     });
     showRecent();
     refresh();

@@ -10,8 +10,8 @@
 #include "app/panels/inspector/underlay_section.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/compare_button.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/section.h"
-#include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "undo/edits.h"
@@ -84,9 +84,8 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
     // A drag is about what was selected at the press. It ends when all know what is selected now.
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
-        for (BarSlider *slider : findChildren<BarSlider *>())
-            if (change.selection && slider->isSliderDown())
-                QMetaObject::invokeMethod(slider, &BarSlider::letGo, Qt::QueuedConnection);
+        if (change.selection)
+            QMetaObject::invokeMethod(this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
     });
     refresh();
 }

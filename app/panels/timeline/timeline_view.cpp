@@ -320,7 +320,7 @@ bool TimelineView::event(QEvent *event)
     if (event->type() != QEvent::ShortcutOverride)
         return QAbstractScrollArea::event(event);
     auto *key = static_cast<QKeyEvent *>(event);
-    if (m_pointer.isBusy() && key->matches(QKeySequence::Undo)) { // Undo gives up the drag, as on the canvas.
+    if (m_pointer.isBusy() && key->key() != Qt::Key_Escape && givesUpDrag(*key)) {
         m_pointer.giveUp();
         key->accept();
     }

@@ -172,8 +172,7 @@ bool ColourWheel::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
         return QWidget::eventFilter(watched, event);
-    const auto &key = static_cast<const QKeyEvent &>(*event);
-    if (key.key() != Qt::Key_Escape && !key.matches(QKeySequence::Undo))
+    if (!givesUpDrag(static_cast<const QKeyEvent &>(*event)))
         return QWidget::eventFilter(watched, event);
     event->accept();
     if (event->type() == QEvent::KeyPress)

@@ -65,7 +65,7 @@ QPointF CurveField::fromWidget(QPointF at) const
 bool CurveField::event(QEvent *event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (!m_dragging || !isKey || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
+    if (!m_dragging || !isKey || !givesUpDrag(*static_cast<QKeyEvent *>(event)))
         return QWidget::event(event);
     event->accept(); // The dialog around the field stays open.
     if (event->type() == QEvent::KeyPress) {

@@ -41,6 +41,16 @@ public:
         return QObject::eventFilter(watched, event);
     }
 
+    void letGo()
+    {
+        if (!isHeld())
+            return;
+        QMouseEvent release(QEvent::MouseButtonRelease, m_at, m_onScreen, m_button, Qt::NoButton,
+                            QApplication::keyboardModifiers());
+        forget();
+        QApplication::sendEvent(&m_widget, &release);
+    }
+
 private:
     bool isHeld() const { return m_button != Qt::NoButton; }
 
@@ -70,14 +80,6 @@ private:
         qApp->removeEventFilter(this);
     }
 
-    void letGo()
-    {
-        QMouseEvent release(QEvent::MouseButtonRelease, m_at, m_onScreen, m_button, Qt::NoButton,
-                            QApplication::keyboardModifiers());
-        forget();
-        QApplication::sendEvent(&m_widget, &release);
-    }
-
     QWidget &m_widget;
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_at, m_onScreen;
@@ -88,6 +90,18 @@ private:
 void endDragsWhenCovered(QWidget &dragged)
 {
     new HeldButton(dragged); // belongs to the widget
+}
+
+void endDragsIn(const QWidget &panel)
+{
+    for (QObject *child : panel.findChildren<QObject *>())
+        if (auto *held = dynamic_cast<HeldButton *>(child))
+            held->letGo();
+}
+
+bool givesUpDrag(const QKeyEvent &key)
+{
+    return key.key() == Qt::Key_Escape || key.key() == Qt::Key_Delete || key.matches(QKeySequence::Undo);
 }
 
 } // namespace suffuse

@@ -1,5 +1,6 @@
 #pragma once
 
+class QKeyEvent;
 class QWidget;
 
 namespace suffuse {
@@ -8,5 +9,12 @@ namespace suffuse {
 /// mouse, and the release never comes: the widget then gets a release where the pointer was last. It also gets one when
 /// the pointer moves on without a button.
 void endDragsWhenCovered(QWidget &dragged);
+
+/// Ends what is dragged on such widgets in a panel, in the same way: after a command that selects something else, since a
+/// drag is about what was selected at the press.
+void endDragsIn(const QWidget &panel);
+
+/// Whether a key gives a drag up: Esc, Delete or undo, as on the canvas.
+bool givesUpDrag(const QKeyEvent &key);
 
 } // namespace suffuse

@@ -121,10 +121,7 @@ void BarSlider::letGo()
 bool BarSlider::eventFilter(QObject *watched, QEvent *event)
 {
     const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    const auto givesUp = [](const QKeyEvent &pressed) {
-        return pressed.key() == Qt::Key_Escape || pressed.matches(QKeySequence::Undo);
-    };
-    if (!key || !givesUp(*static_cast<QKeyEvent *>(event)))
+    if (!key || !givesUpDrag(*static_cast<QKeyEvent *>(event)))
         return QSlider::eventFilter(watched, event);
     event->accept();
     if (event->type() == QEvent::KeyPress) {

@@ -145,9 +145,12 @@ void NumberField::stepBy(double steps)
         emit steppedMixed(steps);
         return;
     }
-    const double step = m_step > 0 ? m_step : std::max(std::abs(*m_value) * 0.1, m_minimum);
-    const double sense = m_display.isReversed() ? -1 : 1; // up means up in the shown sense
-    const double value = std::clamp(*m_value + sense * steps * step, m_minimum, m_maximum);
+    const double up = m_display.isReversed() ? -steps : steps; // up means up in the shown sense
+    // By shares a number goes by factors, so that as many steps down as up come back to it.
+    const bool byFactors = !(m_step > 0) && *m_value != 0;
+    const double step = m_step > 0 ? m_step : m_minimum;
+    const double next = byFactors ? *m_value * std::pow(1.1, *m_value > 0 ? up : -up) : *m_value + up * step;
+    const double value = std::clamp(next, m_minimum, m_maximum);
     if (value == *m_value)
         return;
     m_value = value;

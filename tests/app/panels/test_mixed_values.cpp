@@ -271,23 +271,25 @@ private slots:
         QCOMPARE(bench.pen().segments[7].density, Segment{}.density);
     }
 
-    void escapeGivesTheDragUp()
+    void keysGiveTheDragUp()
     {
-        PenBench bench;
-        InspectorPanel panel(bench.editor);
-        showAt(panel);
-        const Stroke before = bench.pen();
-        SliderField *density = panel.segmentSection()->density();
-        BarSlider *slider = density->slider();
-        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
-        QTest::mouseMove(slider, sliderPoint(*slider, 0.8));
-        QVERIFY(!(bench.pen() == before));
-        QTest::keyClick(slider, Qt::Key_Escape);
-        QVERIFY(bench.pen() == before);
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.8));
-        QCOMPARE(bench.steps(), 0);
-        QTRY_COMPARE(slider->value(), BarSlider::steps / 2);
-        QCOMPARE(density->number()->text(), QString("—"));
+        for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_Delete}) {
+            PenBench bench;
+            InspectorPanel panel(bench.editor);
+            showAt(panel);
+            const Stroke before = bench.pen();
+            SliderField *density = panel.segmentSection()->density();
+            BarSlider *slider = density->slider();
+            QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+            QTest::mouseMove(slider, sliderPoint(*slider, 0.8));
+            QVERIFY(!(bench.pen() == before));
+            QTest::keyClick(slider, key);
+            QVERIFY(bench.pen() == before);
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.8));
+            QCOMPARE(bench.steps(), 0);
+            QTRY_COMPARE(slider->value(), BarSlider::steps / 2);
+            QCOMPARE(density->number()->text(), QString("—"));
+        }
     }
 
     void arrowKeysChangeEach()

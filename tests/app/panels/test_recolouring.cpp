@@ -124,6 +124,26 @@ private slots:
         QCOMPARE(header.text(), QString("Colour of 2 stroke(s)"));
     }
 
+    /// A drag is about what was selected at the press: what comes to be selected meanwhile keeps its colour.
+    void anotherSelectionEndsADrag()
+    {
+        TwoWaves s;
+        s.select({s.id});
+        ColourWheel &wheel = *s.panel.wheel();
+        QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
+        QTest::mouseMove(&wheel, s.ring(0.5));
+        const Colour dragged = s.colour(s.id), other = s.colour(s.second);
+        QVERIFY(!(dragged == waveColour));
+        const int steps = s.steps();
+        s.select({s.second});
+        QTRY_COMPARE(s.steps(), steps + 1); // what was dragged is a step of its own
+        QTest::mouseMove(&wheel, s.ring(0.8));
+        QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.8));
+        QCOMPARE(s.colour(s.id), dragged);
+        QCOMPARE(s.colour(s.second), other);
+        QCOMPARE(s.steps(), steps + 1);
+    }
+
     void theWheelColoursWhatIsSelected()
     {
         TwoWaves s;
@@ -140,6 +160,12 @@ private slots:
         QCOMPARE(s.steps(), steps);
         QTest::mouseMove(&wheel, s.ring(0.7)); // the button is still down
         QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.7));
+        QVERIFY(s.isAsBefore());
+        QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
+        QTest::mouseMove(&wheel, s.ring(0.5));
+        QTest::keyClick(&s.window, Qt::Key_Delete); // the drag goes, and not the stroke
+        QVERIFY(s.isAsBefore());
+        QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.5));
         QVERIFY(s.isAsBefore());
 
         QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
