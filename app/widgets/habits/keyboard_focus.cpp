@@ -20,6 +20,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTextEdit>
+#include <QTimer>
 #include <QToolBar>
 #include <QTreeView>
 
@@ -184,7 +185,10 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
     : QObject(&window), m_window(window), m_canvas(canvas)
 {
     qApp->installEventFilter(this);
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) {
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *old, QWidget *now) {
+        // What had the keyboard has gone, with its section for example, and Qt has given it to whatever came next.
+        if (old && now && !old->isVisible() && old->window() == &m_window && panelOf(now))
+            QTimer::singleShot(0, this, &KeyboardFocus::toCanvas);
         if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
             delete m_frame;
         if (m_told && now && panelOf(now) != m_told) { // not while the window is being closed

@@ -65,6 +65,24 @@ private slots:
 
     void init() { window_layout::reset(); }
 
+    /// A number that goes with what was selected leaves the keyboard to the canvas, not to whatever field comes next.
+    void whatGoesGivesTheKeyboardBack()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *inspector = s.window.findChild<QDockWidget *>("inspectorDock");
+        inspector->raise();
+        s.editor().laterChanges().flush();
+        QTRY_VERIFY(fieldCalled(*inspector, "Diffusion D"));
+        NumberField &number = *fieldCalled(*inspector, "Diffusion D");
+        number.setFocus();
+        QTRY_VERIFY(number.hasFocus());
+        s.editor().document().setSelection({});
+        s.editor().laterChanges().flush();
+        QTRY_VERIFY(!number.isVisible());
+        QTRY_VERIFY(s.canvas().hasFocus());
+    }
+
     /// As a tester typed it: a number, Tab, another number.
     void tabGoesFromNumberToNumber()
     {
