@@ -62,12 +62,6 @@ def across(x0, y0, x1, y1, stops):
     return lambda x, y: at(((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy))
 
 
-def around(cx, cy, rx, ry, stops):
-    """A field that runs through the stops from the centre (t = 0) outwards; t = 1 on the ellipse."""
-    at = ramp(*stops)
-    return lambda x, y: at(math.hypot((x - cx) / rx, (y - cy) / ry))
-
-
 # ---------------------------------------------------------------- styles and mixing
 
 def uniform(softness=0.05, cut=0.5):
@@ -230,9 +224,9 @@ def flat(outline):
     return [q for e in outline for q in ([e] if isinstance(e[0], (int, float)) else e)]
 
 
-def oval(cx, cy, rx, ry=None, turn=0.0, start=0.0, end=360.0):
-    """A circle, an ellipse or an arc of one: a cubic for each quarter."""
-    ry, n = ry or rx, math.ceil(abs(end - start) / 90)
+def oval(cx, cy, rx, ry=None, turn=0.0, start=0.0, end=360.0, step=90):
+    """A circle, an ellipse or an arc of one: a cubic for each `step` degrees."""
+    ry, n = ry or rx, math.ceil(abs(end - start) / step)
     pull = 4 / 3 * math.tan(math.radians((end - start) / n / 4))
     out = []
     for k in range(n):
@@ -259,9 +253,9 @@ def through(points, closed=False):
     return smoothed(points + points[:1] if closed else points, closed)
 
 
-def lens(x, y, half, thick, rise=0.0):
-    """Pointed at both ends, `thick` to each side of its middle; its right end lies `rise` higher."""
-    a, b, bow = (x - half, y + rise / 2), (x + half, y - rise / 2), 4 / 3 * thick
+def lens(x, y, half, thick):
+    """Level, pointed at both ends, `thick` to each side of its middle."""
+    a, b, bow = (x - half, y), (x + half, y), 4 / 3 * thick
     return [[a, (x - half / 3, y - bow), (x + half / 3, y - bow), b],
             [b, (x + half / 3, y + bow), (x - half / 3, y + bow), a]]
 
