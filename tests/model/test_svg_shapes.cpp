@@ -52,6 +52,9 @@ private slots:
         QVERIFY(near(nodesOf(paths[1]), {{0, 0}, {10, 0}, {10, 20}}));
         QVERIFY(near(nodesOf(paths[2]), {{0, 0}, {10, 0}, {10, 20}, {0, 0}}));
         QVERIFY(paths[0].stroke && !paths[2].stroke && paths[2].fill);
+        const auto odd = read("<polygon points='0,0 10,0 10 20 7' fill='none' stroke='red'/>");
+        QCOMPARE(odd.size(), std::size_t(1));
+        QVERIFY(near(nodesOf(odd[0]), {{0, 0}, {10, 0}, {10, 20}, {0, 0}})); // closed all the same
     }
 
     void rectangles()
@@ -73,14 +76,15 @@ private slots:
     void circlesAndEllipses()
     {
         const auto paths = read("<circle cx='5' cy='6' r='4'/><ellipse cx='5' cy='6' rx='4' ry='2'/><circle r='0'/>"
-                                "<ellipse rx='4' ry='0'/><ellipse rx='3'/>");
-        QCOMPARE(paths.size(), std::size_t(3));
+                                "<ellipse rx='4' ry='0'/><ellipse rx='3'/><ellipse rx='-1' ry='5'/>");
+        QCOMPARE(paths.size(), std::size_t(4));
         QVERIFY(near(nodesOf(paths[0]), {{9, 6}, {5, 10}, {1, 6}, {5, 2}, {9, 6}}));
         for (const Cubic &curve : paths[0].curves)
             for (double p = 0; p <= 1; p += 0.125)
                 QVERIFY(std::abs(length(curve.at(p) - Point{5, 6}) - 4) < 0.002);
         QVERIFY(near(nodesOf(paths[1]), {{9, 6}, {5, 8}, {1, 6}, {5, 4}, {9, 6}}));
         QVERIFY(near(nodesOf(paths[2])[1], {0, 3})); // one radius alone is both
+        QVERIFY(near(nodesOf(paths[3])[0], {5, 0})); // one below 0 is none
     }
 
     void uses()

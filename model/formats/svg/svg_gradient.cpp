@@ -1,6 +1,7 @@
 #include "model/formats/svg/svg_gradient.h"
 
 #include "model/area/offset_curve.h"
+#include "model/formats/svg/svg_outlines.h"
 #include "model/painting/ryb.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ public:
         const double determinant = m_whole.a * m_whole.d - m_whole.b * m_whole.c;
         if (determinant == 0 || !std::isfinite(determinant))
             return std::vector{evenly(m_stops.back().colour)};
-        if (!(isRadial ? radial() : linear()))
+        if (!(isRadial ? radial() : linear()) || !std::ranges::all_of(m_shades, isDrawable))
             return {};
         return std::move(m_shades);
     }
@@ -122,6 +123,15 @@ private:
             if (hops > deepestReference)
                 return true;
         return false;
+    }
+
+    static bool isDrawable(const SvgShade &shade)
+    {
+        bool isFine = isReckonable(shade.from) && isReckonable(shade.to);
+        for (const std::vector<Cubic> &loop : shade.within)
+            for (const Cubic &curve : loop)
+                isFine = isFine && std::ranges::all_of(curve.p, isReckonable);
+        return isFine;
     }
 
     SvgShade evenly(const SvgColour &colour) const { return {{}, {1, 0}, colour, colour, {}}; }

@@ -36,17 +36,23 @@ bool hasCorners(const PenLine &line)
 
 } // namespace
 
+bool isReckonable(Point p)
+{
+    constexpr double most = 1e15;
+    return std::abs(p.x) < most && std::abs(p.y) < most; // not so for what is no number
+}
+
 std::vector<PenLine> svgMapped(std::vector<PenLine> lines, const SvgMatrix &matrix)
 {
     std::erase_if(lines, [&matrix](PenLine &line) {
         line.point = matrix.map(line.point);
-        bool isFinite = std::isfinite(line.point.x) && std::isfinite(line.point.y);
+        bool isFine = isReckonable(line.point);
         for (Cubic &curve : line.curves)
             for (Point &p : curve.p) {
                 p = matrix.map(p);
-                isFinite = isFinite && std::isfinite(p.x) && std::isfinite(p.y);
+                isFine = isFine && isReckonable(p);
             }
-        return !isFinite;
+        return !isFine;
     });
     return lines;
 }
@@ -94,17 +100,16 @@ std::optional<Area> svgPenArea(const std::vector<PenLine> &lines, const SvgStyle
 {
     const SvgMatrix &m = style.matrix;
     // The pen is moved in user units, and what it covers is mapped.
-    const double stretch = std::max(std::hypot(m.a, m.b), std::hypot(m.c, m.d));
-    SvgLoops loops;
-    if (style.keepsWidth)
-        loops = penOutline(svgMapped(lines, m), style.pen, tolerance, &effort);
-    else if (stretch > 0 && std::isfinite(stretch))
-        loops = penOutline(lines, style.pen, tolerance / stretch, &effort);
+    const std::vector<PenLine> own = svgMapped(lines, style.keepsWidth ? m : SvgMatrix());
+    const double stretch = style.keepsWidth ? 1 : std::max(std::hypot(m.a, m.b), std::hypot(m.c, m.d));
+    if (own.size() != lines.size() || !isReckonable({style.pen.width, stretch}) || !(stretch > 1e-12))
+        return {};
+    SvgLoops loops = penOutline(own, style.pen, tolerance / stretch, &effort);
     for (std::vector<Cubic> &loop : loops)
         for (Cubic &curve : loop)
             for (Point &p : curve.p) {
                 p = style.keepsWidth ? p : m.map(p);
-                if (!std::isfinite(p.x) || !std::isfinite(p.y))
+                if (!isReckonable(p))
                     return {};
             }
     Area area = areaOf(loops, FillRule::NonZero, &effort);

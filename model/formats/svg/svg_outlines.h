@@ -14,9 +14,12 @@ using SvgLoops = std::vector<std::vector<Cubic>>;
 /// The subpaths of path data as lines for a pen: as parsePathData reads them, with those that are points, and with
 /// which of them were closed.
 std::vector<PenLine> svgLines(const QString &data);
-/// The subpaths under a matrix, without those that have no extent or are not finite.
+/// Whether one can reckon with a point: it is finite, and squares of its coordinates are far from overflowing.
+bool isReckonable(Point p);
+
+/// The subpaths under a matrix, without those that have no extent or cannot be reckoned with.
 SvgLoops svgLoops(const std::vector<PenLine> &lines, const SvgMatrix &matrix);
-/// The lines under a matrix, without those that are not finite.
+/// The lines under a matrix, without those that cannot be reckoned with.
 std::vector<PenLine> svgMapped(std::vector<PenLine> lines, const SvgMatrix &matrix);
 
 /// The same loops, each closed by a straight line.
@@ -29,7 +32,7 @@ Rect svgBox(const std::vector<PenLine> &lines);
 bool isRoundStroke(const std::vector<PenLine> &lines, const SvgStyle &style);
 
 /// The area that the pen of the style covers along lines in user units, in units of the document, within a tolerance of
-/// these. No value if the effort is spent.
+/// these. No value if the effort is spent, or one cannot reckon with them.
 std::optional<Area> svgPenArea(const std::vector<PenLine> &lines, const SvgStyle &style, double tolerance,
                                AreaEffort &effort);
 

@@ -1,5 +1,6 @@
 #include "model/formats/svg/svg_paths.h"
 
+#include "model/area/offset_curve.h"
 #include "model/formats/svg/svg_clip.h"
 #include "model/formats/svg/svg_frame.h"
 #include "model/formats/svg/svg_markers.h"
@@ -30,6 +31,13 @@ bool isOnlyDefined(const QString &element)
     static const std::set<QString> names{"defs",   "clipPath", "mask",  "pattern", "marker",
                                          "symbol", "metadata", "title", "desc",    "style"};
     return names.contains(element);
+}
+
+void close(PenLine &line)
+{
+    if (const auto &c = line.curves; !line.isClosed && !c.empty() && c.back().p[3] != c.front().p[0])
+        line.curves.push_back(straightCubic(c.back().p[3], c.front().p[0]));
+    line.isClosed = true;
 }
 
 /// Whether an element asks for no extension, and for no language but English.
@@ -297,6 +305,9 @@ private:
     {
         SvgShape shape{svgLines(data), style, place.clip, place.name.isEmpty() ? element.givenName() : place.name,
                        place.group};
+        if (element.name == QLatin1String("polygon")) // It is closed even where its points end in a mistake.
+            for (PenLine &line : shape.lines)
+                close(line);
         m_painter.paint(shape);
         if (mayHaveMarkers(element.name) && style.isVisible)
             drawMarkers(shape, data.contains(u'a', Qt::CaseInsensitive), place);

@@ -80,8 +80,10 @@ QString svgPathData(QStringView element, const QXmlStreamAttributes &attributes,
         return rectangle(n);
     if (is("circle"))
         return ellipse(n["cx"], n["cy"], n["r"], n["r"]);
-    if (is("ellipse"))
-        return ellipse(n["cx"], n["cy"], n.find("rx").value_or(n["ry"]), n.find("ry").value_or(n["rx"]));
+    if (is("ellipse")) { // A radius below 0 is none, and one alone is both.
+        const double rx = n["rx"], ry = n["ry"];
+        return ellipse(n["cx"], n["cy"], rx < 0 || !n.find("rx") ? ry : rx, ry < 0 || !n.find("ry") ? rx : ry);
+    }
     if (is("line"))
         return command("M", {n["x1"], n["y1"]}) + command("L", {n["x2"], n["y2"]});
     if (is("polyline") || is("polygon"))
