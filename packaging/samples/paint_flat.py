@@ -27,20 +27,12 @@ def mixed(colour, other, share):
 
 def shapes(name, outlines, colour, slant=90, style=CRISP, **more):
     """Outlines in one stroke. colour: one, or a pair that runs through the outlines' box, downwards or aslant."""
-    if isinstance(colour, tuple):
-        colour = across_box(outlines, slant, paint(colour[0]), paint(colour[1]))
-    else:
-        colour = paint(colour)
-    p.area(name, outlines, colour, style=style, **more)
+    runs = isinstance(colour, tuple)
+    p.area(name, outlines, across_box(outlines, slant, *map(paint, colour)) if runs else paint(colour), style=style, **more)
 
 
 def shape(name, outline, colour, slant=90, **more):
     shapes(name, [outline], colour, slant, **more)
-
-
-def glow(name, outline, colour, spread, slant=90):
-    """Soft light or shade."""
-    shape(name, outline, colour, slant, style=SOFT, spread=spread)
 
 
 # ---------------------------------------------------------------- sky and hills
@@ -108,8 +100,9 @@ def sea():
                 ("nearest water", [(-40, 698), (300, 714), (600, 698), (820, 714), (1064, 692)],
                  ("#1d5466c0", "#1d546680"))):
             shape(name, through(edge) + [(1064, 810), (-40, 810)], colours)
-        glow("light on the horizon", rectangle(380, 466, 900, 476), "#fbd3bcb0", 12)
-        glow("light on the water", [(516, 470), (764, 470), (700, 740), (590, 740)], ("#f8b8a4d0", "#f2a09c18"), 18)
+        shape("light on the horizon", rectangle(380, 466, 900, 476), "#fbd3bcb0", style=SOFT, spread=12)
+        shape("light on the water", [(516, 470), (764, 470), (700, 740), (590, 740)], ("#f8b8a4d0", "#f2a09c18"),
+              style=SOFT, spread=18)
     waves = []
     for x, y, k in ((452, 500, 0.6), (800, 520, 0.6), (960, 516, 0.7), (420, 560, 0.8), (930, 560, 0.8),
                     (990, 586, 0.9), (520, 652, 0.9), (790, 576, 0.7), (470, 684, 1.1), (960, 668, 1.1),
@@ -265,11 +258,11 @@ def windows(x, y, w, h, look, before, ground):
             if is_door:
                 door = cx
             elif (look * 7 + f * 5 + c * 3) % 11 < 10:
-                (lit if (look + f * 3 + c * 5) % 7 == 0 else panes).append(opening(cx, foot, 2.6, 9))
+                (panes if (look + f * 3 + c * 5) % 7 else lit).append(opening(cx, foot, 2.6, 9))
                 sills.append(rectangle(cx - 3.8, foot, cx + 3.8, foot + 1.3))
     for name, outlines, colour in (("windows", panes, ("#123c4c", "#2a6570") if look % 3 else ("#642c2b", "#8a4438")),
                                    ("windows with light", lit, ("#ffdf86", "#f3b24e")),
-                                   ("sills", sills, "#fff2dc" if look % 7 in (1, 2, 4, 5, 6) else "#d2a78c")):
+                                   ("sills", sills, "#d2a78c" if look % 7 in (0, 3) else "#fff2dc")):
         if outlines:
             shapes(name, outlines, colour)
     if door:
@@ -345,7 +338,7 @@ def town():
 
 def quay():
     with p.group("quay"):
-        glow("shade on the water", rectangle(-40, 622, 476, 636), ("#123c4cc0", "#123c4c50"), 6)
+        shape("shade on the water", rectangle(-40, 622, 476, 636), ("#123c4cc0", "#123c4c50"), style=SOFT, spread=6)
         shapes("town on the water", [lens(x, y, half, w) for x, y, half, w in (
             (90, 634, 60, 1.9), (250, 632, 90, 1.8), (400, 634, 66, 1.8), (330, 643, 44, 1.6), (446, 645, 26, 1.4),
             (180, 644, 40, 1.6))], ("#f6c594d0", "#d98a70d0"))
