@@ -6,7 +6,6 @@
 #include "model/painting/validate.h"
 #include "model/restyling/appearance.h"
 #include "model/shaping/chain_strokes.h"
-#include "model/shaping/simplify.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
 
@@ -256,7 +255,7 @@ Edit offsetAreas(const Document &document, double by, AreaProblem *problem)
 
 Edit linesToAreas(Document &document, AreaProblem *problem)
 {
-    constexpr double exactness = 0.02; // of the half-width
+    constexpr double step = 0.12, exactness = 0.04; // of the half-width
     if (problem)
         *problem = AreaProblem::None;
     const PaintingPtr painting = document.painting();
@@ -275,7 +274,7 @@ Edit linesToAreas(Document &document, AreaProblem *problem)
         Stroke line = *stroke;
         line.fill = fillOfLines(*stroke);
         layNoPaint(line);
-        const std::optional<Stroke> filled = withArea(line, *area);
+        const std::optional<Stroke> filled = withArea(line, drawnAnew(*area, step * half, exactness * half));
         if (!filled)
             return refused(AreaProblem::Empty, problem);
         std::vector<Stroke> strokes;
@@ -283,7 +282,7 @@ Edit linesToAreas(Document &document, AreaProblem *problem)
             strokes.push_back(*stroke);
             layNoPaint(strokes.back());
         }
-        strokes.push_back(simplified(*filled, {exactness * half}));
+        strokes.push_back(*filled);
         replacing.replace(stroke->id, std::move(strokes));
         any = true;
     }

@@ -70,28 +70,6 @@ private:
     std::vector<bool> m_walked; ///< of pixels whose upper side was walked along
 };
 
-/// The points of a closed way at which it turns sharply.
-std::vector<std::size_t> cornersOf(const std::vector<Point> &way)
-{
-    const std::size_t n = way.size();
-    std::vector<std::size_t> corners;
-    if (n < 4 * arm)
-        return corners;
-    std::vector<double> turns(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point in = way[i] - way[(i + n - arm) % n], out = way[(i + arm) % n] - way[i];
-        turns[i] = std::abs(std::atan2(cross(in, out), dot(in, out)));
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        bool isCorner = turns[i] > sharp;
-        for (std::size_t k = 1; k <= arm && isCorner; ++k) // Of neighbours that turn alike the first one counts.
-            isCorner = turns[i] >= turns[(i + k) % n] && turns[i] > turns[(i + n - k) % n];
-        if (isCorner)
-            corners.push_back(i);
-    }
-    return corners;
-}
-
 double enclosedBy(const std::vector<Point> &way)
 {
     double twice = 0;
@@ -135,7 +113,7 @@ std::vector<Point> withoutSteps(const std::vector<Point> &points, bool isClosed)
 std::vector<Cubic> smoothAlong(const std::vector<Point> &way)
 {
     const std::size_t n = way.size();
-    const std::vector<std::size_t> corners = cornersOf(way);
+    const std::vector<std::size_t> corners = cornersOfWay(way, arm, sharp);
     if (corners.empty()) {
         std::vector<Point> points(way.begin(), way.end());
         points.push_back(way.front());

@@ -3,9 +3,10 @@
 #include "model/area/outline.h"
 #include "model/painting/validate.h"
 #include "model/shaping/chains.h"
+#include "model/shaping/curve_fit.h"
 #include "model/shaping/split.h"
 
-#include <map>
+#include <numbers>
 
 namespace suffuse {
 
@@ -264,6 +265,48 @@ std::optional<std::vector<Area>> setOf(const std::vector<Area> &areas, AreaSet h
             result.resize(1);
     }
     std::erase_if(result, [](const Area &area) { return area.isEmpty(); });
+    return result;
+}
+
+Area drawnAnew(const Area &area, double step, double tolerance)
+{
+    constexpr double mostSteps = 100'000, sharp = 0.3 * std::numbers::pi;
+    constexpr std::size_t arm = 5;
+    Area result;
+    for (const Loop &loop : area.loops) {
+        double around = 0;
+        for (const Cubic &curve : loop)
+            around += polygonLength(curve);
+        if (!(around < mostSteps * step)) {
+            result.loops.push_back(loop);
+            continue;
+        }
+        std::vector<Point> way;
+        double next = 0, gone = 0; // along the outline
+        for (const Cubic &curve : loop) {
+            const int pieces = 1 + int(4 * polygonLength(curve) / step);
+            for (int i = 0; i < pieces; ++i) {
+                const Point a = curve.at(double(i) / pieces), b = curve.at(double(i + 1) / pieces);
+                const double length = suffuse::length(b - a);
+                for (; next < gone + length; next += step)
+                    way.push_back(a + ((next - gone) / length) * (b - a));
+                gone += length;
+            }
+        }
+        std::vector<std::size_t> corners = cornersOfWay(way, arm, sharp);
+        if (corners.empty())
+            corners.push_back(0);
+        Loop anew;
+        for (std::size_t c = 0; c < corners.size() && way.size() > 2 * arm; ++c) {
+            const std::size_t to = c + 1 < corners.size() ? corners[c + 1] : corners[0] + way.size();
+            std::vector<Point> points;
+            for (std::size_t i = corners[c]; i <= to; ++i)
+                points.push_back(way[i % way.size()]);
+            for (const Cubic &curve : cubicsThrough(points, {}, {}, tolerance))
+                anew.push_back(curve);
+        }
+        result.loops.push_back(anew.empty() ? loop : std::move(anew));
+    }
     return result;
 }
 

@@ -31,6 +31,10 @@ std::optional<std::vector<Area>> areasOf(const std::vector<StrokePtr> &strokes, 
 /// value where the sizes of what is computed do not add up.
 std::optional<std::vector<Area>> setOf(const std::vector<Area> &areas, AreaSet how, AreaEffort *effort = nullptr);
 
+/// The area with outlines of few nodes, none of which is farther away than `tolerance`. Corners are what turns by more
+/// than about 55° within a few steps; `step` is in the unit of the area. An outline of very many steps stays as it is.
+Area drawnAnew(const Area &area, double step, double tolerance);
+
 /// A filled stroke with another area, offsets from its origin. Its new segments have the means, by length, of the values
 /// of those that bounded it before; what takes paint away stays. No value where float32 leaves nothing of the area, or
 /// it reaches too far.

@@ -134,4 +134,25 @@ std::vector<Cubic> cubicsThrough(const std::vector<Point> &points, Point directi
     return cubics;
 }
 
+std::vector<std::size_t> cornersOfWay(const std::vector<Point> &way, std::size_t arm, double angle)
+{
+    const std::size_t n = way.size();
+    std::vector<std::size_t> corners;
+    if (n < 4 * arm)
+        return corners;
+    std::vector<double> turns(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point in = way[i] - way[(i + n - arm) % n], out = way[(i + arm) % n] - way[i];
+        turns[i] = std::abs(std::atan2(cross(in, out), dot(in, out)));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        bool isCorner = turns[i] > angle;
+        for (std::size_t k = 1; k <= arm && isCorner; ++k) // Of neighbours that turn alike the first one counts.
+            isCorner = turns[i] >= turns[(i + k) % n] && turns[i] > turns[(i + n - k) % n];
+        if (isCorner)
+            corners.push_back(i);
+    }
+    return corners;
+}
+
 } // namespace suffuse

@@ -45,4 +45,7 @@ Cubic fittedCubic(CurveFit &fit, Point direction, Point arrival, int rounds = 8)
 /// is taken.
 std::vector<Cubic> cubicsThrough(const std::vector<Point> &points, Point direction, Point arrival, double tolerance);
 
+/// The points of a closed way at which it turns by more than an angle, looked at so many points before and behind them.
+std::vector<std::size_t> cornersOfWay(const std::vector<Point> &way, std::size_t arm, double angle);
+
 } // namespace suffuse

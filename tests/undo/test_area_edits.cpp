@@ -433,6 +433,34 @@ private slots:
         QCOMPARE(problem, AreaProblem::TooFew);
     }
 
+    /// A line of many segments whose widths differ has an outline of few nodes.
+    void linesOfManyWidthsBecomeSmooth()
+    {
+        Stroke line;
+        Offset at{0, 0};
+        for (int k = 0; k < 200; ++k) {
+            const Offset to{float(2 * k + 2), float(40 * std::sin(0.03 * k))};
+            Segment segment;
+            segment.bezier = {at, {(2 * at.x + to.x) / 3, (2 * at.y + to.y) / 3},
+                              {(at.x + 2 * to.x) / 3, (at.y + 2 * to.y) / 3}, to};
+            segment.diffusion = float(4 + 3 * std::sin(0.05 * k));
+            segment.density = 20;
+            line.segments.push_back(segment);
+            at = to;
+        }
+        Work w({line});
+        double wanted = 0;
+        for (const Segment &segment : line.segments)
+            wanted += 2 * polygonLength(offsetsOf(segment)) *
+                      halfWidth(double(segment.diffusion), 20, 1, visibleCut(line.style));
+        Edit edit = linesToAreas(w.document);
+        w.document.exchange(edit);
+        QCOMPARE(chainsOf(w.only()).size(), std::size_t(1));
+        QVERIFY2(w.only().segments.size() < 40, qPrintable(QString::number(w.only().segments.size())));
+        QVERIFY2(std::abs(extentOf(w.only()) - wanted) < 0.05 * wanted,
+                 qPrintable(QStringLiteral("%1 of %2").arg(extentOf(w.only())).arg(wanted)));
+    }
+
     void filledLinesBecomeTwo()
     {
         Stroke both = square(0, 0, 100);
