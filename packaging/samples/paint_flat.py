@@ -27,8 +27,9 @@ def mixed(colour, other, share):
 
 def shapes(name, outlines, colour, slant=90, style=CRISP, **more):
     """Outlines in one stroke. colour: one, or a pair that runs through the outlines' box, downwards or aslant."""
-    runs = isinstance(colour, tuple)
-    p.area(name, outlines, across_box(outlines, slant, *map(paint, colour)) if runs else paint(colour), style=style, **more)
+    pair = isinstance(colour, tuple)
+    colour = across_box(outlines, slant, *map(paint, colour)) if pair else paint(colour)
+    p.area(name, outlines, colour, style=style, **more)
 
 
 def shape(name, outline, colour, slant=90, **more):
