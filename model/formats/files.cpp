@@ -250,7 +250,7 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:
-        return readSvg(bytes, fileName, brush ? *brush : svgPen(), &leftOut);
+        return readSvg(bytes, fileName, brush, &leftOut);
     case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;

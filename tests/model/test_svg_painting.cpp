@@ -402,6 +402,12 @@ private slots:
                 QVERIFY2(distance < 5 ? opacity > 0.99 : opacity < 0.01,
                          qPrintable(QStringLiteral("%1 at (%2, %3)").arg(opacity).arg(x).arg(y)));
             }
+        // So much paint takes long to draw where lines lie over each other again and again.
+        const Result<Painting> crowded =
+            readPainting(svg("viewBox='0 0 100 100'", "<g stroke-width='10' stroke-linecap='round' stroke='red'>" +
+                                                          QByteArray("<path d='M0 50h100'/>").repeated(50) + "</g>"),
+                         "a.svg");
+        QVERIFY(crowded && crowded->strokes[0]->style == builtinBrushes().front().style);
         // A brush that was chosen paints as it does elsewhere.
         const Brush brush = builtinBrushes().front();
         const Result<Painting> brushed = readPainting(svg("viewBox='0 0 100 100'", line), "a.svg", &brush);

@@ -41,6 +41,24 @@ Rect boundsOf(const std::vector<SvgPath> &paths)
     return box;
 }
 
+/// What is to be seen of a drawing.
+Rect seenArea(const SvgDrawing &drawing, const Brush &brush)
+{
+    return drawing.area.isEmpty() ? boundsOf(drawing.paths).grown(2 * brush.spread()) : drawing.area;
+}
+
+/// Whether lines cover the drawing several times over.
+bool isCrowded(const SvgDrawing &drawing)
+{
+    constexpr double often = 4;
+    const Rect area = seenArea(drawing, svgPen());
+    double covered = 0;
+    for (const SvgPath &path : drawing.paths)
+        for (const Cubic &curve : path.curves)
+            covered += path.stroke ? path.strokeWidth * polygonLength(curve) : 0;
+    return covered > often * area.width() * area.height();
+}
+
 /// The size in whole units, however it was rounded before.
 double wholeUnits(double size)
 {
@@ -149,7 +167,7 @@ Brush svgPen()
 
 Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microseconds born)
 {
-    const Rect area = drawing.area.isEmpty() ? boundsOf(drawing.paths).grown(2 * brush.spread()) : drawing.area;
+    const Rect area = seenArea(drawing, brush);
     Painting painting;
     painting.canvas.width = wholeUnits(area.width() * drawing.scale);
     painting.canvas.height = wholeUnits(area.height() * drawing.scale);
@@ -187,14 +205,18 @@ QString leftOutOf(const SvgDrawing &drawing)
     return sentences.join(' ');
 }
 
-Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush, QString *leftOut)
+Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString *leftOut)
 {
     if (bytes.size() > largestSvg)
         return fileError(fileName, FileMessages::tr("has more than 64 MB of XML; that is more than is read"));
     const Result<SvgDrawing> drawing = readSvgDrawing(bytes);
     if (!drawing)
         return fileError(fileName, drawing.error());
-    Painting painting = paintingAlong(*drawing, brush, 0);
+    Painting painting = paintingAlong(*drawing,
+                                      brush                 ? *brush
+                                      : isCrowded(*drawing) ? builtinBrushes().front()
+                                                            : svgPen(),
+                                      0);
     const Canvas &canvas = painting.canvas;
     if (!(canvas.width <= largestCanvas && canvas.height <= largestCanvas))
         return fileError(fileName,

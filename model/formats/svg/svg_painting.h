@@ -22,9 +22,15 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
 /// nothing.
 QString leftOutOf(const SvgDrawing &drawing);
 
-/// Reads a whole file and paints it like `paintingAlong`, at time 0. `leftOut` receives leftOutOf. Errors name the file
-/// and the line.
-Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush,
+/// Reads a whole file and paints it like `paintingAlong`, at time 0. Without a brush it is painted with svgPen, or with
+/// the first brush where lines lie over each other so often that it would take long to draw so much paint. `leftOut`
+/// receives leftOutOf. Errors name the file and the line.
+Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush *brush,
                          QString *leftOut = nullptr);
+inline Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush,
+                                QString *leftOut = nullptr)
+{
+    return readSvg(bytes, fileName, &brush, leftOut);
+}
 
 } // namespace suffuse
