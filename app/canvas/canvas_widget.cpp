@@ -95,6 +95,8 @@ void CanvasWidget::follow(const Change &change)
 
 void CanvasWidget::followMoment()
 {
+    if (m_aids.showErasures && !m_erasures.holds(m_editor.clock().time()))
+        updateOverlay();
     if (!m_selected.followMoment())
         return;
     emit begunChanged();
@@ -304,8 +306,8 @@ void CanvasWidget::paintErasures(QPainter &painter, double dpr)
     const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
     const bool ofSelected = selected && !showsAllErasures();
     if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
-        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), ofSelected ? &selection().strokes : nullptr,
-                         m_colours, dpr);
+        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), m_editor.clock().time(),
+                         ofSelected ? &selection().strokes : nullptr, m_colours, dpr);
 }
 
 bool CanvasWidget::showsAllErasures() const

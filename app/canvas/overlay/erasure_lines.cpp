@@ -1,5 +1,8 @@
 #include "app/canvas/overlay/erasure_lines.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace suffuse {
 
 namespace {
@@ -9,12 +12,12 @@ constexpr int manyPoints = 4000; ///< of a path from which on lines are quick on
 } // namespace
 
 void ErasureLines::paint(QPainter &painter, const View &view, const PaintingPtr &painting,
-                         const std::set<StrokeId> *only, const OverlayColours &colours, double dpr)
+                         Microseconds T, const std::set<StrokeId> *only, const OverlayColours &colours, double dpr)
 {
-    const bool isKept = painting == m_painting && view == m_view && m_only.has_value() == (only != nullptr) &&
+    const bool isKept = painting == m_painting && view == m_view && holds(T) && m_only.has_value() == (only != nullptr) &&
                         (!only || *only == *m_only);
     if (!isKept)
-        gather(view, painting, only);
+        gather(view, painting, T, only);
     if (m_path.isEmpty())
         return;
     painter.setBrush(Qt::NoBrush);
@@ -27,18 +30,28 @@ void ErasureLines::paint(QPainter &painter, const View &view, const PaintingPtr 
     }
 }
 
-void ErasureLines::gather(const View &view, const PaintingPtr &painting, const std::set<StrokeId> *only)
+void ErasureLines::gather(const View &view, const PaintingPtr &painting, Microseconds T,
+                          const std::set<StrokeId> *only)
 {
     m_painting = painting;
     m_view = view;
     m_only = only ? std::optional(*only) : std::nullopt;
+    m_from = std::numeric_limits<Microseconds>::min();
+    m_until = std::numeric_limits<Microseconds>::max();
     m_path = {};
     for (const StrokePtr &stroke : painting->strokes) {
         if ((only && !only->contains(stroke->id)) || !stroke->hasLift() || !painting->isVisible(*stroke))
             continue;
-        for (const Segment &segment : stroke->segments)
-            if (segment.lift)
-                addCurve(m_path, stroke->cubicOf(segment), view);
+        for (const Segment &segment : stroke->segments) {
+            if (!segment.lift)
+                continue;
+            if (segment.born > T) {
+                m_until = std::min(m_until, segment.born);
+                continue;
+            }
+            m_from = std::max(m_from, segment.born);
+            addCurve(m_path, stroke->cubicOf(segment), view);
+        }
     }
 }
 

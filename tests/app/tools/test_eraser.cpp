@@ -632,6 +632,30 @@ private slots:
         QCOMPARE(shown(), outlined);
     }
 
+    /// What is not begun has no line, as it has no outline.
+    void erasuresThatAreNotBegunAreNotShown()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Pan);
+        const auto shown = [&] {
+            while (!s.canvas().isUpToDate())
+                QTest::qWait(5);
+            return s.canvas().grab().toImage();
+        };
+        const Microseconds born = s.stroke().segments.back().born;
+        QVERIFY(s.stroke().segments.back().lift && born > 0);
+        s.editor().clock().setTime(0);
+        const QImage bare = shown();
+        s.use(Command::ShowErasures);
+        QCOMPARE(shown(), bare);
+        s.editor().clock().setTime(born);
+        const QImage lines = shown();
+        s.use(Command::ShowErasures);
+        QVERIFY(shown() != lines);
+    }
+
 private:
     QTemporaryDir m_folder;
 };
