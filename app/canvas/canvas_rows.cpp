@@ -58,9 +58,9 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
     using enum Command;
     Editor &editor = canvas.editor();
     const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
+    const auto inHand = [&canvas, &editor] { return editor.document().draft() || isBusy(canvas); };
     table.add(Undo, "undo", Commands::tr("&Undo"), "undo", keys(QKeySequence::Undo))
-        .when(
-            [&canvas, &editor] { return editor.document().draft() || isBusy(canvas) || editor.canUndo(); })
+        .when([inHand, &editor] { return inHand() || editor.canUndo(); })
         .named([&editor] {
             const bool strokeInHand = editor.document().draft() != nullptr;
             const QString step = strokeInHand ? QString() : editor.undoText();
@@ -73,18 +73,15 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
     table
         .add(Redo, "redo", Commands::tr("&Redo"), "redo",
              {QKeySequence(Commands::tr("Ctrl+Shift+Z")), QKeySequence(Commands::tr("Ctrl+Y"))})
-        .when([&editor] { return editor.canRedo(); })
+        .when([inHand, &editor] { return editor.canRedo() && !inHand(); })
         .named([&editor] {
             const QString step = editor.redoText();
             return step.isEmpty() ? Commands::tr("&Redo") : Commands::tr("&Redo: %1").arg(step);
         })
-        .runs([&canvas, &editor] {
-            if (!givesUp(canvas))
-                editor.redo();
-        });
+        .runs([&editor] { editor.redo(); });
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
-        .when(anySelected(editor))
+        .when([&canvas, selected = anySelected(editor)] { return isBusy(canvas) || selected(); })
         .runs([&canvas, &editor, &table] {
             if (givesUp(canvas) || canvas.tool()->deleteSelected())
                 return;

@@ -38,8 +38,9 @@ void EntryField::replaceText(const QString &text)
 {
     m_shown = text;
     const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == this->text();
+    const int caret = hasFocus() ? cursorPosition() : 0; // who saves while they type goes on where they were
     setText(text);
-    setCursorPosition(0);
+    setCursorPosition(caret);
     if (wasSelected) // the next typed text replaces all of it, also where the painting has just changed
         selectAll();
     setModified(false);

@@ -143,16 +143,33 @@ private slots:
         session.check();
     }
 
-    void undoDuringADragGivesItUp()
+    void commandsGiveADragUp()
     {
-        Undone session;
-        session.use(Command::Select);
-        session.drag({250, 320}, {300, 400}, {}, false);
-        QVERIFY(session.alters());
-        session.use(Command::Undo);
-        QVERIFY(!session.canvas().tool()->isBusy());
-        QTest::mouseRelease(&session.canvas(), Qt::LeftButton, {}, session.at({300, 400}));
-        session.check();
+        for (const Command tool : {Command::Select, Command::Brush})
+            for (const Command command : {Command::Undo, Command::Delete}) {
+                Undone session;
+                session.use(tool);
+                session.drag({250, 320}, {300, 400}, {}, false);
+                QVERIFY(session.canvas().tool()->isBusy());
+                session.use(command);
+                QVERIFY(!session.canvas().tool()->isBusy());
+                QTest::mouseRelease(&session.canvas(), Qt::LeftButton, {}, session.at({300, 400}));
+                session.check();
+            }
+    }
+
+    /// There is nothing to redo while something is in hand, and it stays there.
+    void redoLeavesADrag()
+    {
+        for (const Command tool : {Command::Select, Command::Brush}) {
+            Undone session;
+            session.use(tool);
+            session.drag({250, 320}, {300, 400}, {}, false);
+            session.use(Command::Redo);
+            QVERIFY(session.canvas().tool()->isBusy());
+            session.escape();
+            session.check();
+        }
     }
 
     void aDragBackToItsStart()

@@ -114,6 +114,27 @@ private slots:
         QVERIFY(s.canvas().hasFocus());
     }
 
+    /// Saving takes what is typed so far; who types on goes on where they were.
+    void savingLeavesTheCaret()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *inspector = s.window.findChild<QDockWidget *>("inspectorDock");
+        inspector->raise();
+        s.editor().laterChanges().flush();
+        QTRY_VERIFY(fieldCalled(*inspector, "Diffusion D"));
+        NumberField *field = fieldCalled(*inspector, "Red");
+        field->setFocus();
+        QCoreApplication::processEvents();
+        QTest::keyClicks(field, "5");
+        EntryField::takeTypedIn(s.window); // as saving does
+        s.editor().laterChanges().flush();
+        QCOMPARE(s.stroke().segments[0].colour.red, 0.05f);
+        QTest::keyClicks(field, "1");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(s.stroke().segments[0].colour.red, 0.51f);
+    }
+
     void escInANumberTakesBackWhatWasTyped()
     {
         WaveSession s;
