@@ -45,6 +45,13 @@ public:
     void setTool(Tool *tool);
     /// Ends what the tool has in hand as the release of the button would, before something else is done.
     void finishGesture() { m_input.finish(); }
+    /// Finishes what the tool holds between two presses, an outline for example, so that it belongs to the painting: before
+    /// a command that is about all that is seen.
+    void settleTool()
+    {
+        if (tool() && !isPressed())
+            tool()->settle();
+    }
     Tool *tool() const { return m_input.hand().tool(); }
     /// Whether the tool has seen a press and no release yet.
     bool isPressed() const { return m_input.hand().isPressed(); }

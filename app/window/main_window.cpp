@@ -271,6 +271,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     EntryField::takeTypedIn(*this); // What is typed or in hand is part of the work that is asked about.
     m_canvas->finishGesture();
+    m_canvas->settleTool();
     if (!m_saving->maySwitch()) {
         event->ignore();
         return;

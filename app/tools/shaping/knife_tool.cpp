@@ -32,6 +32,7 @@ void KnifeTool::press(const PointerEvent &event)
 {
     say({});
     m_busy = true;
+    m_selected = m_editor.document().selection().strokes;
     m_from = m_to = event.point;
     m_splits = event.modifiers & Qt::ShiftModifier;
 }
@@ -92,10 +93,10 @@ void KnifeTool::cut()
         //: what the knife did; %1: "3 nodes", %2: "2 strokes"
         say(tr("%1 inserted in %2").arg(tr("%n node(s)", nullptr, inserted), tr("%n stroke(s)", "in", crossed)));
     else
-        say(endsWithin ? tr("A fill is cut only where the line goes all the way through it.")
-            : crossed > 0                    ? tr("There are nodes already where the line crosses strokes.")
-            : document.selection().isEmpty() ? tr("The line crosses no stroke.")
-                                             : tr("The line crosses no selected stroke."));
+        say(endsWithin           ? tr("A fill is cut only where the line goes all the way through it.")
+            : crossed > 0        ? tr("There are nodes already where the line crosses strokes.")
+            : m_selected.empty() ? tr("The line crosses no stroke.")
+                                 : tr("The line crosses no selected stroke."));
 }
 
 void KnifeTool::say(const QString &text)
@@ -123,9 +124,8 @@ PlacesOfStrokes KnifeTool::cuts(bool *endsWithin) const
     line.include(m_from);
     line.include(m_to);
     const Painting &painting = *m_editor.document().painting();
-    const Selection &selection = m_editor.document().selection();
     for (const StrokePtr &stroke : painting.strokes) {
-        const bool isMeant = selection.isEmpty() || selection.strokes.contains(stroke->id);
+        const bool isMeant = m_selected.empty() || m_selected.contains(stroke->id);
         if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
             continue;
         const auto isNear = [&](const Segment &s) { return stroke->cubicOf(s).controlBox().intersects(line); };

@@ -29,7 +29,8 @@ private:
     PlacesOfStrokes cuts(bool *endsWithin = nullptr) const;
 
     bool m_busy = false;
-    Point m_from, m_to; ///< canvas units
+    std::set<StrokeId> m_selected; ///< when the drag began: what a command selects meanwhile is not meant
+    Point m_from, m_to;            ///< canvas units
     bool m_splits = false;
     QString m_said;
 };

@@ -66,6 +66,7 @@ void Exporting::sayWritten(const QString &path)
 
 void Exporting::exportTimelapse()
 {
+    m_place.canvas.settleTool();
     m_place.open.playback.pause();
     TimelapseDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
     if (dialog.exec() == QDialog::Accepted)
@@ -74,6 +75,7 @@ void Exporting::exportTimelapse()
 
 void Exporting::exportPicture()
 {
+    m_place.canvas.settleTool();
     ExportDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
     if (m_last)
         dialog.restore(*m_last);
@@ -89,6 +91,7 @@ void Exporting::exportAgain()
         exportPicture();
         return;
     }
+    m_place.canvas.settleTool();
     const Result<ExportOrder> order = exportOrder(*m_last, m_place.open.editor, shownArea(m_place.canvas.view()));
     if (!order) {
         showError(&m_place.window, order.error());

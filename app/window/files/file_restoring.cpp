@@ -34,6 +34,7 @@ FileRestoring::FileRestoring(const Workplace &place, FileSaving &saving, QObject
 
 void FileRestoring::giveUpWhatIsInHand()
 {
+    m_place.canvas.settleTool(); // Undo brings it back.
     if (Tool *tool = m_place.canvas.tool(); tool->isBusy())
         tool->cancel();
 }

@@ -109,6 +109,7 @@ bool FileSaving::startSavingAs()
 
 void FileSaving::startSavingCopy()
 {
+    m_canvas.settleTool();
     const QFileInfo origin(m_editor.suggestedPath().isEmpty() ? m_editor.displayName() + ".suffuse"
                                                               : m_editor.suggestedPath());
     //: name of the file that a copy is saved to, beside that of the painting
@@ -130,6 +131,7 @@ void FileSaving::startSavingCopy()
 void FileSaving::startSavingTo(const QString &path, bool whatever)
 {
     m_savingWorked = true;
+    m_canvas.settleTool();
     m_editor.extras().view = workspaceOf(m_canvas, m_editor);
     m_editor.startSaving(path, whatever);
     m_window.statusBar()->showMessage(tr("Saving “%1”…").arg(QFileInfo(path).fileName()));

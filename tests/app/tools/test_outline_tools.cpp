@@ -1,6 +1,7 @@
 // Outlines that are drawn node by node, and what is drawn around.
 #include "app/tools/shapes/lasso_fill_tool.h"
 #include "app/tools/shapes/pen_tool.h"
+#include "app/widgets/asking/messages.h"
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
 #include "model/painting/validate.h"
@@ -8,6 +9,7 @@
 #include "tests/app/session.h"
 
 #include <QComboBox>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -263,6 +265,36 @@ private slots:
         s.release({400, 400});
         QVERIFY(!s.editor().document().draft());
         QCOMPARE(s.steps(), 1);
+    }
+
+    /// What is held between two presses is seen, so it is saved and asked about like all else.
+    void whatIsInHandIsSavedAndAskedAbout()
+    {
+        QTemporaryDir folder;
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
+            Drawing s(tool);
+            const std::size_t before = s.painting().strokes.size();
+            for (const Point at : {Point{200, 200}, Point{300, 220}, Point{260, 320}})
+                s.click(at);
+            QVERIFY(s.isBusy());
+            QVERIFY(s.window.saveTo(folder.filePath("a.suffuse")));
+            QVERIFY(!s.isBusy());
+            QCOMPARE(s.painting().strokes.size(), before + 1);
+            QVERIFY(!s.editor().isModified());
+            for (const Point at : {Point{400, 200}, Point{500, 220}, Point{460, 320}})
+                s.click(at);
+            int asked = 0;
+            MessageHooks hooks;
+            hooks.unsaved = [&](const QString &) {
+                ++asked;
+                return SaveAnswer::Cancel;
+            };
+            setMessageHooks(hooks);
+            const auto back = qScopeGuard([] { setMessageHooks({}); });
+            QVERIFY(!s.window.close());
+            QCOMPARE(asked, 1);
+            QCOMPARE(s.painting().strokes.size(), before + 2);
+        }
     }
 
 private:

@@ -360,6 +360,20 @@ private slots:
         QVERIFY(SelectHints::ofKeys(Qt::ShiftModifier, true).contains("band"));
     }
 
+    /// The Knife keeps to what was selected at the press, also where a command takes that away in the middle.
+    void theKnifeKeepsToWhatWasSelected()
+    {
+        Selecting s({line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300})});
+        s.use(Command::Knife);
+        s.select({1});
+        s.drag({300, 100}, {300, 350}, {}, false);
+        s.select({});
+        const Painting before = s.painting();
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 350}));
+        QCOMPARE(nodeCount(*s.painting().find(2)), nodeCount(*before.find(2)));
+        QVERIFY(nodeCount(*s.painting().find(1)) > nodeCount(*before.find(1)));
+    }
+
     void renamingNamesTheGroup()
     {
         Selecting s(
