@@ -253,8 +253,26 @@ QItemSelectionModel::SelectionFlags StrokesView::selectionCommand(const QModelIn
     return QTreeView::selectionCommand(index, event);
 }
 
+/// The row that F2 renames: the current one, if it is seen and selected, or the first that is. Rows that were moved or
+/// have just come leave none or a hidden one current.
+QModelIndex StrokesView::rowToRename() const
+{
+    const auto isMeant = [this](const QModelIndex &index) {
+        return index.isValid() && !visualRect(index).isEmpty() &&
+               (selectionModel()->isSelected(index) || index.data(StrokesModel::WhollySelectedRole).toBool());
+    };
+    QModelIndex row = currentIndex().siblingAtColumn(StrokesModel::NameColumn);
+    if (!isMeant(row))
+        for (row = model()->index(0, StrokesModel::NameColumn); row.isValid() && !isMeant(row);)
+            row = indexBelow(row);
+    return row;
+}
+
 void StrokesView::keyPressEvent(QKeyEvent *event)
 {
+    if (const QModelIndex row = event->key() == Qt::Key_F2 && !event->modifiers() ? rowToRename() : QModelIndex();
+        row.isValid())
+        selectionModel()->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
     const bool plain = !(event->modifiers() & ~Qt::KeypadModifier), none = !selectionModel()->hasSelection();
     const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     const bool jumps = event->key() == Qt::Key_Home || event->key() == Qt::Key_End;

@@ -39,6 +39,7 @@ protected:
 private:
     static bool isGroup(const QModelIndex &index);
     QItemSelection wholeOf(const QModelIndex &group) const;
+    QModelIndex rowToRename() const;
 
     mutable bool m_ranging = false; ///< what the last event selected
 };

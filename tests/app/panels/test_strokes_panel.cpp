@@ -57,6 +57,31 @@ private slots:
         QCOMPARE(resets.count(), 0);
     }
 
+    /// F2 renames what looks selected, also where no row or a hidden one is current, as after a drag or a duplicate.
+    void theRenamedRowIsSelectedAndSeen()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        bench.select({1, 2});
+        bench.editor.push(groupSelection(bench.editor.document(), "Group"), "group");
+        QTreeView &view = *panel.view();
+        for (const bool hidden : {false, true}) {
+            view.collapseAll();
+            view.selectionModel()->setCurrentIndex(hidden ? panel.viewIndexOf(1) : QModelIndex(),
+                                                   QItemSelectionModel::NoUpdate);
+            view.collapseAll();
+            view.setFocus();
+            QTest::keyClick(&view, Qt::Key_F2);
+            QLineEdit *editor = nullptr;
+            QTRY_VERIFY((editor = view.viewport()->findChild<QLineEdit *>()));
+            QTest::keyClicks(editor, hidden ? "Hill" : "Sky");
+            QTest::keyClick(editor, Qt::Key_Return);
+            QCOMPARE(bench.editor.document().painting()->groups.at(0).name, QString(hidden ? "Hill" : "Sky"));
+            QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
+        }
+    }
+
     void eyesLocksAndNames()
     {
         Bench bench;
