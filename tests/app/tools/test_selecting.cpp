@@ -366,7 +366,8 @@ private slots:
         Selecting s({line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300})});
         s.use(Command::Knife);
         s.select({1});
-        s.drag({300, 100}, {300, 350}, {}, false);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({300, 100}));
+        QTest::mouseMove(&s.canvas(), s.at({300, 350}));
         s.select({});
         const Painting before = s.painting();
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 350}));
