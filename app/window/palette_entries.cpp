@@ -1,6 +1,6 @@
 #include "app/window/palette_entries.h"
 
-#include "app/session/commands/commands.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
@@ -58,7 +58,7 @@ std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, 
                            true,
                            [&editor, &table, name = brush.name] {
                                BrushLibrary::instance().use(editor, name);
-                               table[Command::Brush].setChecked(true);
+                               takeToPaint(table, editor);
                            }});
     for (const QString &path : settings::recentFiles())
         entries.push_back(

@@ -42,6 +42,7 @@ void ColourTarget::choose(Kind kind)
 
 void ColourTarget::useTool(ToolUse use)
 {
+    m_isToolPainting = use == ToolUse::Paints;
     if (use == ToolUse::Either || use == m_use)
         return;
     m_use = use;

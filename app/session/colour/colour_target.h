@@ -36,6 +36,8 @@ public:
     /// Brush or Selection, as the user chooses; holds until a tool of another use is taken.
     void choose(Kind kind);
     void useTool(ToolUse use);
+    /// The tool in use paints by itself. What was in use before `Either` does not count.
+    bool isToolPainting() const { return m_isToolPainting; }
     /// From now on this swatch is meant, until something else is chosen or selected, or it is gone.
     void editSwatch(std::size_t index);
     void endSwatch();
@@ -87,6 +89,7 @@ private:
 
     Editor &m_editor;
     ToolUse m_use = ToolUse::Paints;
+    bool m_isToolPainting = true;
     std::optional<Kind> m_chosen; ///< by the user, for this use
     std::optional<EditedSwatch> m_swatch;
     Mode m_mode;

@@ -1,6 +1,7 @@
 // Rows of the favourite brushes, a key each.
 #include "app/session/commands/session_rows.h"
 
+#include "app/session/colour/colour_target.h"
 #include "app/session/settings/brush_library.h"
 
 namespace suffuse {
@@ -14,6 +15,12 @@ QString favourite(int i)
 }
 
 } // namespace
+
+void takeToPaint(const Commands &table, Editor &editor)
+{
+    if (!editor.colourTarget().isToolPainting())
+        table[Command::Brush].setChecked(true);
+}
 
 void addBrushRows(Commands &table, OpenPainting &open)
 {
@@ -32,7 +39,7 @@ void addBrushRows(Commands &table, OpenPainting &open)
                 if (favourite(i).isEmpty())
                     return;
                 BrushLibrary::instance().use(editor, favourite(i));
-                table[Command::Brush].setChecked(true); // to paint with it
+                takeToPaint(table, editor);
             });
     QObject::connect(&BrushLibrary::instance(), &BrushLibrary::changed, &table, [&table] { table.update(); });
 }

@@ -19,6 +19,9 @@ void addAlignRows(Commands &table, OpenPainting &open);
 void addTimeRows(Commands &table, OpenPainting &open);
 void addBrushRows(Commands &table, OpenPainting &open);
 
+/// A brush was chosen, to paint with it: takes the Brush, unless the tool in use paints as well.
+void takeToPaint(const Commands &table, Editor &editor);
+
 /// Something is selected.
 CommandRow::Predicate anySelected(Editor &editor);
 /// The painting has a stroke.

@@ -3,7 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/colour/colour_target.h"
 #include "app/session/colour_convert.h"
-#include "app/session/commands/commands.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
@@ -141,9 +141,8 @@ QWidget *BrushPalette::makeNumbers()
     connect(m_size, &SliderField::edited, this,
             [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
-    connect(m_opacity, &SliderField::edited, &m_editor.colourTarget(), [this](double opacity, ValueEntry *entry) {
-        m_editor.colourTarget().setOpacity(float(opacity), entry);
-    });
+    connect(m_opacity, &SliderField::edited, &m_editor.colourTarget(),
+            [this](double opacity, ValueEntry *entry) { m_editor.colourTarget().setOpacity(float(opacity), entry); });
     connect(m_zoom, &SliderField::edited, this, [this](double scale) { m_canvas.setZoom(scale); });
     auto *hint = new HintLabel(part);
     column->addWidget(hint);
@@ -183,7 +182,7 @@ void BrushPalette::take(const QString &brush)
         return;
     if (brush != m_editor.brush().name)
         BrushLibrary::instance().use(m_editor, brush);
-    m_commands[Command::Brush].setChecked(true);
+    takeToPaint(m_commands, m_editor);
 }
 
 void BrushPalette::edit(const std::function<void(Brush &)> &change)

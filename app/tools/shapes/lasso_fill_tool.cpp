@@ -26,7 +26,12 @@ constexpr double wayTolerance = 0.7; ///< logical pixels by which the outline ma
 
 LassoFillTool::LassoFillTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("lassoFill")))
-{}
+{
+    connect(&m_editor, &Editor::brushChanged, this, [this] {
+        if (isBusy())
+            show();
+    });
+}
 
 QString LassoFillTool::hint() const
 {
@@ -122,8 +127,8 @@ void LassoFillTool::hover(const PointerEvent &event)
         return;
     const bool inSteps15 = event.modifiers & Qt::ShiftModifier;
     m_next = closesAt(event.pixel) ? m_parts.front().front()
-             : inSteps15 ? inSteps(m_parts.back().back(), event.point)
-                         : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+             : inSteps15           ? inSteps(m_parts.back().back(), event.point)
+                                   : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
     m_canvas.updateOverlay();
 }
 
@@ -165,9 +170,9 @@ void LassoFillTool::finish()
         return;
     const std::vector<Cubic> curves = outline();
     // Two points enclose nothing.
-    const StrokePtr stroke =
-        curves.size() > 2 || !isClick(m_parts.back()) ? paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint)
-                                                      : nullptr;
+    const StrokePtr stroke = curves.size() > 2 || !isClick(m_parts.back())
+                                 ? paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint)
+                                 : nullptr;
     cancel();
     if (stroke)
         m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Lasso fill"));

@@ -20,12 +20,18 @@ namespace suffuse {
 
 PenTool::PenTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("pen")))
-{}
+{
+    connect(&m_editor, &Editor::brushChanged, this, [this] {
+        if (isBusy())
+            show();
+    });
+}
 
 QString PenTool::hint() const
 {
     if (isBusy())
-        return tr("Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.");
+        return tr(
+            "Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.");
     if (m_nearEnd)
         return tr("Click or drag to go on with the selected stroke from its end.");
     return tr("Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.");
@@ -72,7 +78,8 @@ bool PenTool::closesAt(Point pixel) const
         if (!stroke || !end || *end == *m_extended || end->stroke != m_extended->stroke)
             return false;
         const NodeSides one = sidesOf(*stroke, end->node), other = sidesOf(*stroke, m_extended->node);
-        return chainAt(*stroke, std::max(one.before, one.after)) == chainAt(*stroke, std::max(other.before, other.after));
+        return chainAt(*stroke, std::max(one.before, one.after)) ==
+               chainAt(*stroke, std::max(other.before, other.after));
     }
     return m_nodes.size() > 1 && isNear(m_nodes.front().at, pixel);
 }
@@ -84,9 +91,9 @@ void PenTool::begin(const PointerEvent &event)
     m_id = m_editor.document().takeStrokeId();
     m_born = event.time;
     m_editor.clock().hold(true, event.late);
-    const Point from = m_extended ? nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
-                                                 m_extended->node)
-                                  : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+    const Point from = m_extended
+                           ? nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node)
+                           : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
     m_nodes.push_back(cornerAt(from));
 }
 
@@ -102,8 +109,9 @@ void PenTool::press(const PointerEvent &event)
     if (!isBusy())
         begin(event);
     else if (m_isClosing && m_extended)
-        m_nodes.push_back(cornerAt(nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
-                                                selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel)->node)));
+        m_nodes.push_back(
+            cornerAt(nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
+                                  selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel)->node)));
     else if (!m_isClosing)
         m_nodes.push_back(cornerAt(placeOf(event, m_nodes.back().at)));
     m_next.reset();

@@ -68,7 +68,13 @@ void store(const ShapeForm &form)
 
 } // namespace
 
-ShapeTool::ShapeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_form(storedForm()) {}
+ShapeTool::ShapeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_form(storedForm())
+{
+    connect(&m_editor, &Editor::brushChanged, this, [this] {
+        if (isBusy())
+            m_editor.document().setDraft(strokeBetween(m_a, m_b));
+    });
+}
 
 QString ShapeTool::hint() const
 {
@@ -130,8 +136,8 @@ QWidget *ShapeTool::options()
         row->addWidget(pair);
     };
     using enum ShapeKind;
-    FieldSpec radius{tr("Corner radius"), tr("Radius of the corners; half of the shorter side is the most"), lengthDisplay(),
-                     0, 1e6};
+    FieldSpec radius{tr("Corner radius"), tr("Radius of the corners; half of the shorter side is the most"),
+                     lengthDisplay(), 0, 1e6};
     FieldSpec corners{tr("Corners"),
                       tr("How many corners a polygon, or tips a star has"),
                       {},
@@ -144,8 +150,8 @@ QWidget *ShapeTool::options()
     const FieldSpec rounding = shareSpec(tr("Round"), tr("How much of each side is round"));
     FieldSpec from{tr("From"), tr("Where the arc begins, clockwise from the right"), angleDisplay(),
                    -2 * std::numbers::pi, 2 * std::numbers::pi};
-    FieldSpec sweep{tr("Arc"), tr("How far the arc goes round; 360° is the whole ellipse"), angleDisplay(),
-                    leastSweep, 2 * std::numbers::pi};
+    FieldSpec sweep{tr("Arc"), tr("How far the arc goes round; 360° is the whole ellipse"), angleDisplay(), leastSweep,
+                    2 * std::numbers::pi};
     add("radius", {Rectangle}, radius, &ShapeForm::radius);
     add("corners", {Polygon, Star}, corners, &ShapeForm::corners);
     add("inner", {Star}, inner, &ShapeForm::inner);

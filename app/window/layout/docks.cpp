@@ -110,7 +110,7 @@ void Docks::makeDocks()
         order->addAction(&commands[command]);
     m_strokes = new StrokesPanel(editor, {&commands[Command::Duplicate], &commands[Command::GroupStrokes],
                                           &commands[Command::UngroupStrokes], order->menuAction()});
-    connect(brushPanel, &BrushPanel::chosen, this, [this] { m_place.commands[Command::Brush].setChecked(true); });
+    connect(brushPanel, &BrushPanel::chosen, this, [this] { takeToPaint(m_place.commands, m_place.open.editor); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });
     addAlongRow(*inspectorPanel);

@@ -22,7 +22,6 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-
 using namespace suffuse;
 
 namespace {
@@ -344,6 +343,32 @@ private slots:
         QVERIFY(inHand(Command::Select));
         s.use(Command::Favourite1);
         QVERIFY(inHand(Command::Brush));
+    }
+
+    /// What paints by itself stays in hand, and paints with the brush that was chosen.
+    void choosingABrushKeepsAToolThatPaints()
+    {
+        Session s;
+        const QStringList names = BrushLibrary::instance().favourites();
+        auto &panel = *s.window.findChild<BrushPanel *>();
+        s.window.findChild<QDockWidget *>("brushesDock")->raise();
+        QTRY_VERIFY(panel.list()->isVisible());
+        for (const Command tool : {Command::Shapes, Command::OutlinePen, Command::LassoFill, Command::Bucket}) {
+            s.use(tool);
+            const bool second = s.editor().brush().name == names[0];
+            s.use(second ? Command::Favourite2 : Command::Favourite1);
+            QCOMPARE(s.editor().brush().name, names[second]);
+            QVERIFY(s.window.action(tool).isChecked());
+            panel.list()->scrollToItem(panel.itemOf("glow"));
+            QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {},
+                              panel.list()->visualItemRect(panel.itemOf("glow")).center());
+            QCOMPARE(s.editor().brush().name, QString("glow"));
+            QVERIFY(s.window.action(tool).isChecked());
+        }
+        // What only looks on between two tools does not paint.
+        s.use(Command::Eyedropper);
+        s.use(Command::Favourite1);
+        QVERIFY(s.window.action(Command::Brush).isChecked());
     }
 
 private:

@@ -1,4 +1,5 @@
 // Outlines that are drawn node by node, and what is drawn around.
+#include "app/session/settings/brush_library.h"
 #include "app/tools/shapes/lasso_fill_tool.h"
 #include "app/tools/shapes/pen_tool.h"
 #include "app/widgets/asking/messages.h"
@@ -109,6 +110,62 @@ private slots:
             QCOMPARE(nodeKind(s.last(), node), NodeKind::Corner);
         QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.last().id});
         QCOMPARE(s.last().fill->colour, s.editor().brush().colour);
+    }
+
+    /// What is in hand is painted with the brush in hand, and the place of its nodes stays.
+    void anotherBrushPaintsWhatIsInHand()
+    {
+        const auto looksLike = [](const Stroke &stroke, const Brush &brush) {
+            return stroke.style == brush.style && stroke.fill && stroke.fill->colour == brush.colour;
+        };
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill, Command::Shapes}) {
+            Drawing s(tool);
+            s.editor().setBrush(*findBrush("gouache"));
+            if (tool == Command::Shapes) {
+                s.press({300, 300});
+                s.move({500, 400}, Qt::LeftButton);
+            } else {
+                for (const Point corner : {Point{300, 300}, {500, 300}, {500, 400}})
+                    s.click(corner);
+            }
+            const StrokePtr before = s.editor().document().draft();
+            QVERIFY(before && looksLike(*before, *findBrush("gouache")));
+            Brush other = *findBrush("watercolour-edge");
+            other.colour = {0.25f, 0.5f, 0.75f, 0.5f};
+            QVERIFY(!looksLike(*before, other));
+            s.editor().setBrush(other);
+            const StrokePtr after = s.editor().document().draft();
+            QVERIFY(after && looksLike(*after, other));
+            QCOMPARE(after->segments.size(), before->segments.size());
+            QCOMPARE(after->id, before->id);
+            QVERIFY(s.isBusy());
+            if (tool == Command::Shapes)
+                s.release({500, 400});
+            else
+                s.key(Qt::Key_Return);
+            QVERIFY(looksLike(s.last(), other));
+            QCOMPARE(s.steps(), 1);
+        }
+    }
+
+    /// A key of a brush takes the brush and leaves the outline in hand.
+    void keysOfBrushesLeaveTheOutlineInHand()
+    {
+        Drawing s(Command::OutlinePen);
+        s.click({300, 300});
+        s.click({500, 300});
+        s.click({500, 400});
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const QStringList names = BrushLibrary::instance().favourites();
+        QVERIFY(names.size() >= 3 && s.editor().brush().name != names[2]);
+        s.key(Qt::Key_3);
+        QCOMPARE(s.editor().brush().name, names[2]);
+        QVERIFY(s.isBusy() && s.window.action(Command::OutlinePen).isChecked());
+        s.key(Qt::Key_Return);
+        QCOMPARE(s.last().style, findBrush(names[2].toUtf8().constData())->style);
+        QCOMPARE(s.steps(), 1);
     }
 
     void dragsSetSmoothNodesAndAltBreaksThem()
