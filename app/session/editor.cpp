@@ -87,6 +87,8 @@ void Editor::tellModified()
 void Editor::followDocument(const Change &change)
 {
     setCompared(nullptr);
+    if (change.draft || change.reset)
+        m_clock.setDraftEnd(m_document.draft() ? m_document.draft()->driesAt() : 0);
     if (!altersPainting(change))
         return;
     const Painting &painting = *m_document.painting();

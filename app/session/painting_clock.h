@@ -20,12 +20,14 @@ class PaintingClock : public QObject {
 public:
     using QObject::QObject;
 
-    /// The moment that is looked at. It is never after the end, from which on the picture stays the same, except while a
-    /// stroke is drawn. When the newest strokes are undone, it is that of the new end, where the next stroke then begins.
-    /// The clock remembers where it was, so that a redo brings them back as dry as they were.
+    /// The moment that is looked at. It is never after the end, from which on the picture stays the same, except while
+    /// a stroke is drawn. When the newest strokes are undone, it is that of the new end, where the next stroke then
+    /// begins. The clock remembers where it was, so that a redo brings them back as dry as they were.
     Microseconds time() const { return m_drawing || m_manual ? reached() : std::min(reached(), m_end); }
-    /// The same, and not after the end where a manual clock is.
-    Microseconds shown() const { return m_drawing ? time() : std::min(time(), m_end); }
+    /// The same, and not after the end where a manual clock is, or a stroke in hand that waits and has dried.
+    Microseconds shown() const { return std::min(time(), end()); }
+    /// When all has dried, the stroke in hand included.
+    Microseconds end() const { return m_drawing ? std::max(m_end, m_draftEnd) : m_end; }
     bool isRunning() const { return m_running; }
     /// The moment that was `late` ago. While the clock stands still, this is the present moment.
     Microseconds momentBefore(Microseconds late) const
@@ -53,6 +55,8 @@ public:
     void reset(Microseconds end);
     /// Call it after an edit: all paint has dried by `end`.
     void setEnd(Microseconds end);
+    /// Call it for the stroke in hand: its paint has dried by `end`.
+    void setDraftEnd(Microseconds end) { m_draftEnd = end; }
     /// Runs until all has dried, from now on or, if that is later, from `earliest`.
     void runFrom(Microseconds earliest);
     /// Call it for a segment that was painted into the past: the clock runs until it has dried.
@@ -75,9 +79,10 @@ private:
     /// The moment at which the clock stops by itself.
     Microseconds runsUntil() const { return m_inPast ? m_dryAt : m_end; }
 
-    Microseconds m_time = 0; ///< the time when it stood still last
-    Microseconds m_end = 0;  ///< when all has dried
-    QElapsedTimer m_since;   ///< real time since then, while the clock runs
+    Microseconds m_time = 0;     ///< the time when it stood still last
+    Microseconds m_end = 0;      ///< when all has dried
+    Microseconds m_draftEnd = 0; ///< when the stroke in hand has dried; 0: there is none
+    QElapsedTimer m_since;       ///< real time since then, while the clock runs
     bool m_running = false;
     bool m_drawing = false;
     bool m_manual = false;

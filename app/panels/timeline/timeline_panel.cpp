@@ -122,8 +122,8 @@ void TimelinePanel::showTime()
 {
     if (!isVisible())
         return;
-    const Microseconds shown = m_editor.clock().shown();
-    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(shown), clockText(m_playback.end())));
+    const PaintingClock &clock = m_editor.clock();
+    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(clock.shown()), clockText(clock.end())));
 }
 
 void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)

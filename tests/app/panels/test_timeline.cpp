@@ -1,5 +1,6 @@
 // Time in the window: playing, painting in the past, drying.
 #include "app/panels/inspector/rewet_rows.h"
+#include "app/widgets/numbers/time_text.h"
 #include "tests/app/timed.h"
 #include "undo/time_edits.h"
 
@@ -158,6 +159,40 @@ private slots:
         s.use(Command::Delete);
         QCOMPARE(s.editor().clock().shown(), 0);
         QTRY_VERIFY_WITH_TIMEOUT(says("0:00.000 / 0:00.000"), waitMs);
+    }
+
+    /// The end is that of the stroke in hand, too. An outline that waits for its next node dries, and then the picture,
+    /// and with it the moment, stays.
+    void theMomentShownIsNeverAfterTheEndOfWhatIsInHand()
+    {
+        Timed s;
+        s.playback().seek(s.playback().end());
+        const Microseconds painted = s.playback().end();
+        const auto says = [&](Microseconds shown, Microseconds end) {
+            const auto labels = s.panel->findChildren<QLabel *>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel *l) { return l->text() == clockText(shown) + " / " + clockText(end); });
+        };
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
+            s.use(tool);
+            for (const Point corner : {Point{250, 300}, {550, 300}, {550, 400}})
+                QTest::mouseClick(&s.canvas(), Qt::LeftButton, {}, s.at(corner), 1000);
+            const Microseconds dry = s.editor().document().draft()->driesAt();
+            QVERIFY(dry > painted);
+            s.advance(100'000);
+            const Microseconds now = s.editor().clock().time();
+            QVERIFY(now < dry);
+            QVERIFY(says(now, dry));
+            s.advance(100 * second);
+            QCOMPARE(s.editor().clock().shown(), dry);
+            QVERIFY(says(dry, dry));
+            s.use(Command::Undo); // gives the outline up
+            if (s.canvas().tool()->isBusy())
+                s.canvas().tool()->cancel();
+            QCOMPARE(s.editor().clock().shown(), painted);
+            s.advance(0);
+            QVERIFY(says(painted, painted));
+        }
     }
 
     void paintsInThePast()
