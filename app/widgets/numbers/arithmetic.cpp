@@ -178,12 +178,25 @@ bool assigns(const QString &compacted)
     return compacted.size() > 1 && compacted[1] == '=' && QString("+-*/").contains(compacted[0]);
 }
 
+bool worksOnCurrent(const QString &compacted)
+{
+    return !compacted.isEmpty() && (assigns(compacted) || QString("+*/").contains(compacted[0]));
+}
+
+/// Whether the unit at the end is per cent of what a length is now. Where shares are shown, per cent is the unit
+/// itself.
+bool isShareOfLength(const QString &name, const QString &field)
+{
+    const QString length = plainUnit(field);
+    return name == QLatin1String("%") && (length == QLatin1String("u") || length == QLatin1String("px"));
+}
+
 } // namespace
 
-bool isRelative(const QString &text)
+bool isRelative(const QString &text, const QString &unit)
 {
     const QString t = compact(text);
-    return !t.isEmpty() && (assigns(t) || QString("+*/").contains(t[0]));
+    return worksOnCurrent(t) || isShareOfLength(t.mid(unitStart(t)), unit);
 }
 
 QString foreignUnit(const QString &text, const QString &unit)
@@ -191,19 +204,23 @@ QString foreignUnit(const QString &text, const QString &unit)
     const QString t = compact(text);
     const QString name = t.mid(unitStart(t));
     const bool letters = !name.isEmpty() && (name[0].isLetter() || QString("%°\"'").contains(name[0]));
-    return letters && unitStart(t) > 0 && worthOf(name, unit) == 0 ? name : QString();
+    const bool isKnown = worthOf(name, unit) != 0 || isShareOfLength(name, unit);
+    return letters && unitStart(t) > 0 && !isKnown ? name : QString();
 }
 
 std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit)
 {
     const QString whole = compact(text);
     const qsizetype end = unitStart(whole);
-    const double worth = worthOf(whole.mid(end), unit);
     const std::optional<QString> plain = withPlainNumbers(whole.left(end));
-    if (!plain || plain->isEmpty() || worth == 0)
+    const bool isShare = isShareOfLength(whole.mid(end), unit);
+    if (!plain || plain->isEmpty() || (isShare && !current))
+        return std::nullopt;
+    const double worth = isShare ? *current / 100 : worthOf(whole.mid(end), unit);
+    if (worth == 0 && !isShare)
         return std::nullopt;
     QString t = *plain;
-    if (!isRelative(t)) {
+    if (!worksOnCurrent(t)) {
         const std::optional<double> value = Parser(t).whole();
         return value ? std::optional(*value * worth) : std::nullopt;
     }
@@ -211,9 +228,10 @@ std::optional<double> evaluateArithmetic(const QString &text, std::optional<doub
         return std::nullopt;
     if (assigns(t))
         t.remove(1, 1);
-    const bool sum = t[0] == '+' || t[0] == '-'; // a summand has the unit, a factor has none
-    if (sum && worth != 1)
-        t = t[0] + ("(" + t.mid(1) + ")*" + QString::number(worth, 'g', 17));
+    const bool sum = t[0] == '+' || t[0] == '-'; // a summand has the unit, a factor only per cent
+    const double by = sum ? worth : isShare ? 0.01 : 1;
+    if (by != 1)
+        t = t[0] + ("((" + t.mid(1) + ")*(" + QString::number(by, 'g', 17) + "))");
     return Parser("(" + QString::number(*current, 'g', 17) + ")" + t).whole();
 }
 

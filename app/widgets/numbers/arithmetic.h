@@ -10,12 +10,13 @@ namespace suffuse {
 /// point. Groups of thousands are read as the language writes them: "1,536" is 1536 in English and 1.536 in German.
 /// What is grouped in another way ("1,53,600") is not read at all. A leading + * or / works on `current`, if there is
 /// one ("+2", "*1.5"). A leading − is a sign, and "−=2" takes 2 away. `unit`, or one that converts to it (ms to s, rad
-/// to °), may stand at the end, as the interface or as this comment writes it. Returns nothing if the text cannot be
-/// read or its value is not finite.
+/// to °), may stand at the end, as the interface or as this comment writes it. Where the unit is a length, "50%" is
+/// half of `current` and "+10%" a tenth more, as in Inkscape. Returns nothing if the text cannot be read or its value
+/// is not finite.
 std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit = {});
 
-/// Whether the text works on the current value: "+2", "*1.5", "/2", "−=2".
-bool isRelative(const QString &text);
+/// Whether the text works on the current value: "+2", "*1.5", "/2", "−=2", of lengths also "50%".
+bool isRelative(const QString &text, const QString &unit = {});
 
 /// The letters at the end of the text if they are no unit that `evaluateArithmetic` knows; else empty.
 QString foreignUnit(const QString &text, const QString &unit);

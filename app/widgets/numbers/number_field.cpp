@@ -109,7 +109,7 @@ QString NumberField::rangeHint(double value) const
 void NumberField::take(const QString &typedText)
 {
     const QString unit = m_display.unit.trimmed();
-    if (!m_value && isRelative(typedText) && evaluateArithmetic(typedText, 1.0, unit)) {
+    if (!m_value && isRelative(typedText, unit) && evaluateArithmetic(typedText, 1.0, unit)) {
         show(m_value);
         complain({});
         const auto map = [typedText, unit, display = m_display](double value) -> std::optional<double> {

@@ -51,8 +51,8 @@ private slots:
         s.window.resize(1366, 700);
         const auto isSeen = [](const QWidget *hint) {
             return hint && QTest::qWaitFor([hint] {
-                return hint->isVisible() && hint->visibleRegion().boundingRect().height() >= hint->height();
-            });
+                       return hint->isVisible() && hint->visibleRegion().boundingRect().height() >= hint->height();
+                   });
         };
         auto *colour = s.window.findChild<ColourPanel *>();
         s.window.findChild<QDockWidget *>("colourDock")->raise();
@@ -88,6 +88,27 @@ private slots:
         }
     }
 
+    /// Where several lengths are meant, each becomes its own share.
+    void lengthsTakePerCentOfWhatTheyAre()
+    {
+        NumberField field;
+        field.setRange(0, 1000);
+        field.setDisplay(lengthDisplay());
+        field.setValue(80);
+        QSignalSpy entered(&field, &NumberField::entered), refused(&field, &NumberField::refused);
+        type(field, "50%");
+        QCOMPARE(field.value(), std::optional(40.0));
+        QCOMPARE(entered.size(), 1);
+        QCOMPARE(refused.last().first().toString(), QString());
+        field.setValue(std::nullopt);
+        ValueMap map;
+        connect(&field, &NumberField::enteredRelative, &field, [&map](const ValueMap &given) { map = given; });
+        type(field, "25%");
+        QVERIFY(map);
+        QCOMPARE(map(80).value(), 20.0);
+        QCOMPARE(map(8).value(), 2.0);
+    }
+
     void unitsConvertOrAreRefused()
     {
         QCOMPARE(evaluateArithmetic("500 ms", {}, "s").value(), 0.5);
@@ -99,6 +120,20 @@ private slots:
         QVERIFY(std::abs(evaluateArithmetic("1 rad", {}, "°").value() - 57.2957795) < 1e-6);
         for (const char *bad : {"12 mm", "3 px²", "5 %", "1 u²/s s", "ms"})
             QVERIFY2(!evaluateArithmetic(bad, {}, "s"), bad);
+        // Of a length, per cent of what it is now, as in Inkscape.
+        QCOMPARE(evaluateArithmetic("50%", 80.0, "u").value(), 40.0);
+        QCOMPARE(evaluateArithmetic("(2*60) %", 80.0, "px").value(), 96.0);
+        QCOMPARE(evaluateArithmetic("50%", -80.0, "u").value(), -40.0);
+        QCOMPARE(evaluateArithmetic("50%", 0.0, "u").value(), 0.0);
+        QCOMPARE(evaluateArithmetic("+10%", 80.0, "u").value(), 88.0);
+        QCOMPARE(evaluateArithmetic("−=10 %", 80.0, "u").value(), 72.0);
+        QCOMPARE(evaluateArithmetic("*150%", 80.0, "u").value(), 120.0);
+        QCOMPARE(evaluateArithmetic("/50%", 80.0, "u").value(), 160.0);
+        QCOMPARE(evaluateArithmetic("50%", 0.2, "%").value(), 50.0); // shares have it as their unit
+        QVERIFY(!evaluateArithmetic("50%", {}, "u") && !evaluateArithmetic("%", 80.0, "u"));
+        QVERIFY(isRelative("50%", "u") && !isRelative("50%", "%") && !isRelative("50 u", "u"));
+        QCOMPARE(foreignUnit("50%", "u"), QString());
+        QCOMPARE(foreignUnit("50%", "s"), QString("%"));
         QCOMPARE(foreignUnit("12 mm", "u"), QString("mm"));
         QCOMPARE(foreignUnit("12 s", "s"), QString());
         QCOMPARE(foreignUnit("12+", "s"), QString());
