@@ -3395,6 +3395,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Andockfenster aus&amp;blenden</translation>
     </message>
     <message>
+        <source>Reset La&amp;yout</source>
+        <translation>Anordn&amp;ung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Docks and tool bars go back to where they stand at the first start</source>
+        <translation>Andockfenster und Werkzeugleisten kehren dorthin zurück, wo sie beim ersten Start stehen</translation>
+    </message>
+    <message>
         <source>Full S&amp;creen</source>
         <translation>&amp;Vollbild</translation>
     </message>

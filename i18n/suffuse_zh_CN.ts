@@ -3379,6 +3379,14 @@ Arrow keys work too.</source>
         <translation>隐藏面板(&amp;H)</translation>
     </message>
     <message>
+        <source>Reset La&amp;yout</source>
+        <translation>重置布局(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Docks and tool bars go back to where they stand at the first start</source>
+        <translation>面板和工具栏回到首次启动时的位置</translation>
+    </message>
+    <message>
         <source>Full S&amp;creen</source>
         <translation>全屏(&amp;W)</translation>
     </message>

@@ -15,23 +15,23 @@
 #include "app/widgets/habits/house_rules.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/icons.h"
-#include "app/window/pointer/at_pointer.h"
 #include "app/window/dialog_rows.h"
-#include "app/window/layout/docks.h"
 #include "app/window/files/exporting.h"
 #include "app/window/files/file_opening.h"
 #include "app/window/files/file_restoring.h"
 #include "app/window/files/file_saving.h"
-#include "app/window/free_hand.h"
 #include "app/window/files/importing.h"
-#include "app/window/menus.h"
-#include "app/window/palette_entries.h"
 #include "app/window/files/pasting.h"
-#include "app/window/rebuilt_windows.h"
+#include "app/window/free_hand.h"
+#include "app/window/layout/docks.h"
 #include "app/window/layout/status_line.h"
 #include "app/window/layout/tool_rack.h"
 #include "app/window/layout/window_layout.h"
 #include "app/window/layout/workspace_view.h"
+#include "app/window/menus.h"
+#include "app/window/palette_entries.h"
+#include "app/window/pointer/at_pointer.h"
+#include "app/window/rebuilt_windows.h"
 #include "model/journal/recovery.h"
 
 #include <QApplication>
@@ -184,6 +184,10 @@ void MainWindow::addRows()
             });
         });
     m_commands
+        ->add(ResetLayout, "resetLayout", Commands::tr("Reset La&yout"), "", {},
+              Commands::tr("Docks and tool bars go back to where they stand at the first start"))
+        .runs([this] { whenHandIsFree(*m_canvas, *this, [this] { resetLayout(); }); });
+    m_commands
         ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},
               Commands::tr("Commands, brushes, docks and recent files by their names"))
         .runs([this] { CommandPalette::ask(paletteEntries(), *m_canvas); });
@@ -197,9 +201,8 @@ void MainWindow::showRows()
 {
     addActions(m_commands->all()); // keys work with the menu bar hidden, too
     applyStoredShortcuts(m_commands->all());
-    QToolBar *tools = makeToolBar(*m_commands, this);
-    addToolBar(Qt::LeftToolBarArea, tools);
-    addToolBar(Qt::TopToolBarArea, m_toolOptions);
+    m_tools = makeToolBar(*m_commands, this);
+    placeToolBars();
     const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
     connect(menus.recent, &QMenu::aboutToShow, m_opening,
             [this, menu = menus.recent] { m_opening->fillRecentMenu(*menu); });
@@ -207,8 +210,22 @@ void MainWindow::showRows()
     for (QDockWidget *dock : m_docks->all())
         m_docksMenu->addAction(dock->toggleViewAction());
     m_docksMenu->addSeparator();
-    m_docksMenu->addAction(tools->toggleViewAction());
+    m_docksMenu->addAction(m_tools->toggleViewAction());
     m_docksMenu->addAction(m_toolOptions->toggleViewAction());
+}
+
+void MainWindow::placeToolBars()
+{
+    addToolBar(Qt::LeftToolBarArea, m_tools);
+    addToolBar(Qt::TopToolBarArea, m_toolOptions);
+}
+
+void MainWindow::resetLayout()
+{
+    m_docks->arrangeAnew();
+    placeToolBars();
+    for (QToolBar *bar : {m_tools, static_cast<QToolBar *>(m_toolOptions)})
+        bar->show();
 }
 
 std::vector<PaletteEntry> MainWindow::paletteEntries()

@@ -71,6 +71,8 @@ private:
     void makeParts(const Workplace &place);
     void addRows();
     void showRows();
+    void placeToolBars();
+    void resetLayout();
     void changeSettings();
     void updateTitle();
 
@@ -80,6 +82,7 @@ private:
     CanvasWidget *m_canvas = nullptr;
     Commands *m_commands = nullptr; ///< null: the painting is gone
     QObject *m_parts = nullptr;     ///< owns the parts, those below too
+    QToolBar *m_tools = nullptr;
     ToolOptionsBar *m_toolOptions = nullptr;
     KeptBrush *m_brush = nullptr;
     FileSaving *m_saving = nullptr;

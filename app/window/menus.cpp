@@ -71,13 +71,14 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
 
 QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
 {
-    QMenu *view = addMenu(bar, Commands::tr("&View"), table,
-                          {{ZoomIn, ZoomOut, Zoom100, Fit},
-                           {RotateLeft, RotateRight, ResetRotation, Mirror},
-                           {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond, ShowUnderlay}});
+    QMenu *view =
+        addMenu(bar, Commands::tr("&View"), table,
+                {{ZoomIn, ZoomOut, Zoom100, Fit},
+                 {RotateLeft, RotateRight, ResetRotation, Mirror},
+                 {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond, ShowUnderlay}});
     view->addSeparator();
     QMenu *docks = view->addMenu(Commands::tr("&Docks"));
-    for (const Command command : {HideDocks, NextPanel, PreviousPanel, FullScreen})
+    for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
         view->addAction(&table[command]);
     return docks;
 }
@@ -122,7 +123,8 @@ void addTimeMenu(QMenuBar &bar, const Commands &table)
 void addToolsMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
-                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
+                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife,
+                             Eraser, AttributeBrush, Eyedropper, Pan}});
     Group favourites;
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
@@ -155,7 +157,8 @@ QToolBar *makeToolBar(const Commands &table, QWidget *parent)
     bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
-           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
+           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser,
+             AttributeBrush, Eyedropper, Pan},
             {Undo, Redo},
             {ZoomIn, ZoomOut, Fit}});
     for (auto *button : bar->findChildren<QToolButton *>())

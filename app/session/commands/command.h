@@ -177,6 +177,7 @@ enum class Command {
     ResetRotation,
     Mirror,
     HideDocks,
+    ResetLayout,
     NextPanel,
     PreviousPanel,
     FullScreen,

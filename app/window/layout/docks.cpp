@@ -114,25 +114,25 @@ void Docks::makeDocks()
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });
     addAlongRow(*inspectorPanel);
-    QDockWidget *colour = add("colourDock", tr("Colour"), new ColourPanel(editor));
-    QDockWidget *brushes = add("brushesDock", tr("Brushes"), brushPanel);
-    QDockWidget *inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
-    QDockWidget *strokes = add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
-    QDockWidget *history = add("historyDock", tr("History"), new HistoryPanel(editor));
+    add("colourDock", tr("Colour"), new ColourPanel(editor));
+    m_brushes = add("brushesDock", tr("Brushes"), brushPanel);
+    m_inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
+    add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
+    add("historyDock", tr("History"), new HistoryPanel(editor));
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    m_brushes = brushes;
-    m_inspector = inspector;
-    QDockWidget *probe = makeProbe(), *timeline = makeTimeline();
+    m_probe = makeProbe();
+    m_timeline = makeTimeline();
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    arrange({colour, brushes, inspector, strokes}, {history, probe}, timeline);
+    arrange();
     connect(&m_place.canvas, &CanvasWidget::toolChanged, this, &Docks::followTool);
 }
 
 /// Colour and brushes stand together on any screen, and the canvas gets what room there is. What has no place of its
 /// own on the screen stands behind something else: `rest` always.
-void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget *> &rest, QDockWidget *timeline)
+void Docks::arrange()
 {
     QMainWindow &window = m_place.window;
+    const QList<QDockWidget *> column = m_docks.mid(0, 4), rest = m_docks.mid(4, 2);
     QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
     const int height = window.screen()->availableSize().height();
     const bool low = height < mediumScreen, high = height >= highScreen;
@@ -142,7 +142,7 @@ void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget 
         window.tabifyDockWidget(inspector, strokes);
     window.tabifyDockWidget(low ? colour : strokes, rest[0]);
     window.tabifyDockWidget(rest[0], rest[1]);
-    window.resizeDocks({timeline}, {low ? 118 : 150}, Qt::Vertical);
+    window.resizeDocks({m_timeline}, {low ? 118 : 150}, Qt::Vertical);
     window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
     if (low)
         window.resizeDocks({colour, brushes}, {332, 308}, Qt::Vertical);
@@ -152,6 +152,18 @@ void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget 
         window.resizeDocks(column, {420, 300, 380, 260}, Qt::Vertical);
     colour->raise();
     (low ? brushes : high ? strokes : inspector)->raise();
+}
+
+void Docks::arrangeAnew()
+{
+    if (QAction &hides = m_place.commands[Command::HideDocks]; hides.isChecked())
+        hides.trigger();
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        dock->setFloating(false);
+        m_place.window.addDockWidget(dock == m_timeline ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, dock);
+        dock->setVisible(dock != m_probe);
+    }
+    arrange();
 }
 
 /// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought

@@ -26,12 +26,14 @@ public:
 
     /// In the order of their menu.
     const QList<QDockWidget *> &all() const { return m_docks; }
+    /// Puts them where they stand at the first start.
+    void arrangeAnew();
 
 private:
     /// Keys of a scope are the panel's as much as the canvas'.
     QDockWidget *add(const char *name, const QString &title, QWidget *panel, CommandScope scope = CommandScope::Window);
     void makeDocks();
-    void arrange(const QList<QDockWidget *> &column, const QList<QDockWidget *> &rest, QDockWidget *timeline);
+    void arrange();
     void followTool();
     QDockWidget *makeTimeline();
     QDockWidget *makeProbe();
@@ -44,6 +46,8 @@ private:
     StrokesPanel *m_strokes = nullptr;
     QDockWidget *m_brushes = nullptr;
     QDockWidget *m_inspector = nullptr;
+    QDockWidget *m_probe = nullptr;
+    QDockWidget *m_timeline = nullptr;
     QList<QDockWidget *> m_docks;
     QByteArray m_layout; ///< while they are hidden
     bool m_hidden = false;

@@ -111,7 +111,8 @@ private slots:
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
                 "exportAgain close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
                 "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound "
-                "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes outlinePen lassoFill bucket "
+                "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes "
+                "outlinePen lassoFill bucket "
                 "knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
@@ -131,7 +132,7 @@ private slots:
                 "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
                 "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
                 "holdToHideOutlines zoomIn zoomOut zoom100 fit rotateLeft rotateRight resetRotation mirror hideDocks "
-                "nextPanel previousPanel fullScreen findCommand shortcuts about")
+                "resetLayout nextPanel previousPanel fullScreen findCommand shortcuts about")
                 .split(' ');
         QStringList ids;
         for (const QAction *action : tableOf(s).all())

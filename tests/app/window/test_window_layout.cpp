@@ -19,6 +19,7 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QTemporaryDir>
+#include <QToolBar>
 #include <QTreeView>
 
 #include <zlib.h>
@@ -294,6 +295,52 @@ private slots:
         s.use(Command::Select);
         s.use(Command::Brush);
         QVERIFY(seen("strokesDock"));
+    }
+
+    /// Whatever was done to docks and tool bars, one command puts them back.
+    void resetLayoutPutsAllBack()
+    {
+        Session s;
+        s.window.resize(1366, 738);
+        QTest::qWait(50);
+        const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
+        const auto bar = [&](const char *name) { return s.window.findChild<QToolBar *>(name); };
+        const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
+        using Place = std::tuple<Qt::DockWidgetArea, bool, bool, bool, QSet<QDockWidget *>>;
+        const auto places = [&] {
+            QList<Place> list;
+            for (QDockWidget *d : docks) {
+                const QList<QDockWidget *> tabs = s.window.tabifiedDockWidgets(d);
+                list << Place{s.window.dockWidgetArea(d), d->isFloating(), d->isHidden(), d->visibleRegion().isEmpty(),
+                              QSet(tabs.begin(), tabs.end())};
+            }
+            return list;
+        };
+        const QList<Place> before = places();
+        const int width = dock("colourDock")->width(), height = dock("timelineDock")->height();
+        for (const bool hidden : {false, true}) {
+            dock("colourDock")->setFloating(true);
+            s.window.addDockWidget(Qt::LeftDockWidgetArea, dock("inspectorDock"));
+            s.window.resizeDocks({dock("brushesDock")}, {500}, Qt::Horizontal);
+            dock("timelineDock")->hide();
+            dock("probeDock")->show();
+            s.window.addToolBar(Qt::RightToolBarArea, bar("tools"));
+            bar("toolOptions")->hide();
+            if (hidden)
+                s.use(Command::HideDocks);
+            QTest::qWait(20);
+            QVERIFY(places() != before);
+            s.use(Command::ResetLayout);
+            QTest::qWait(50);
+            QVERIFY(places() == before);
+            QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+            QVERIFY(std::abs(dock("colourDock")->width() - width) <= 2);
+            QVERIFY(std::abs(dock("timelineDock")->height() - height) <= 2);
+            QCOMPARE(s.window.toolBarArea(bar("tools")), Qt::LeftToolBarArea);
+            QCOMPARE(s.window.toolBarArea(bar("toolOptions")), Qt::TopToolBarArea);
+            QVERIFY(bar("tools")->isVisible() && bar("toolOptions")->isVisible());
+        }
+        QCOMPARE(s.editor().undoStack().count(), 0);
     }
 
     /// A layout that was stored is put back as it was, whatever the first start looks like now.
