@@ -6601,6 +6601,14 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::NodeCommands</name>
     <message>
+        <source>The joined stroke has the upper one&apos;s fill. Undo brings the other back.</source>
+        <translation>Der verbundene Strich hat die Füllung des oberen. Rückgängig bringt die andere zurück.</translation>
+    </message>
+    <message>
+        <source>The joined stroke has no fill, as the upper one had none. Undo brings the lower one&apos;s back.</source>
+        <translation>Der verbundene Strich hat keine Füllung, da der obere keine hatte. Rückgängig bringt die des unteren zurück.</translation>
+    </message>
+    <message>
         <source>Smooth nodes</source>
         <translation>Knoten glätten</translation>
     </message>

@@ -6559,6 +6559,14 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::NodeCommands</name>
     <message>
+        <source>The joined stroke has the upper one&apos;s fill. Undo brings the other back.</source>
+        <translation>连接后的笔画沿用上层笔画的填充。撤销可恢复另一个填充。</translation>
+    </message>
+    <message>
+        <source>The joined stroke has no fill, as the upper one had none. Undo brings the lower one&apos;s back.</source>
+        <translation>连接后的笔画没有填充，因为上层笔画没有填充。撤销可恢复下层笔画的填充。</translation>
+    </message>
+    <message>
         <source>Smooth nodes</source>
         <translation>平滑节点</translation>
     </message>

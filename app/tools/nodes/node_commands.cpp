@@ -35,6 +35,26 @@ bool isEnd(const Painting &painting, const NodeRef &node)
     return stroke && node.node < nodeCount(*stroke) && !isInnerNode(*stroke, node.node);
 }
 
+/// Empty, or what is to be said of the fills of two strokes that become one: the lower one's goes where it is another.
+QString lostFillOf(const Painting &painting, StrokeId a, StrokeId b)
+{
+    StrokePtr upper = painting.find(a), lower = painting.find(b);
+    if (!upper || !lower || upper == lower)
+        return {};
+    if (painting.indexOf(a) < painting.indexOf(b))
+        std::swap(upper, lower);
+    if (!lower->fill)
+        return {};
+    if (!upper->fill)
+        return NodeCommands::tr(
+            "The joined stroke has no fill, as the upper one had none. Undo brings the lower one's back.");
+    Fill kept = *upper->fill, other = *lower->fill;
+    other.born = kept.born;
+    const bool alike = kept == other && upper->style == lower->style;
+    return alike ? QString()
+                 : NodeCommands::tr("The joined stroke has the upper one's fill. Undo brings the other back.");
+}
+
 } // namespace
 
 NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands &table, const Tool &tool,
@@ -73,7 +93,8 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
     add(JoinNodes, "joinNodes", Commands::tr("&Join Nodes"), "node-join", Commands::tr("Shift+J"),
         Commands::tr("Join two selected end nodes"), twoEnds, [this] { join(); });
     add(DeleteSegments, "deleteSegments", Commands::tr("&Delete Segments"), "segment-delete", Commands::tr("Ctrl+Del"),
-        Commands::tr("Delete the selected segments, which leaves gaps in strokes"), anySegments, [this] { deleteSegments(); });
+        Commands::tr("Delete the selected segments, which leaves gaps in strokes"), anySegments,
+        [this] { deleteSegments(); });
     add(BridgeSegments, "bridgeSegments", Commands::tr("Brid&ge Segments"), "bridge", Commands::tr("Alt+Del"),
         Commands::tr("Replace selected segments by one that goes on smoothly"), anySegments, [this] { bridge(); });
     add(ReverseStrokes, "reverseStrokes", Commands::tr("&Reverse"), "reverse", Commands::tr("Shift+R"),
@@ -139,8 +160,8 @@ void NodeCommands::insertBetween()
         const Stroke split = withNodes(*stroke, inStroke, &sources);
         for (int k = 0; k < nodeCount(split); ++k) {
             const bool isNew = k > 0 && k < int(sources.size()) && sources[k] == sources[k - 1];
-            const int old = k < int(sources.size()) ? sources[k]
-                                                    : k - int(sources.size()) + int(stroke->segments.size());
+            const int old =
+                k < int(sources.size()) ? sources[k] : k - int(sources.size()) + int(stroke->segments.size());
             if (isNew || m_nodes.contains({id, old}))
                 nodes.insert({id, k});
         }
@@ -164,8 +185,11 @@ void NodeCommands::join()
     const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
     if (edit.isEmpty())
         return;
+    const QString lost = lostFillOf(*m_editor.document().painting(), a.stroke, b.stroke);
     emit chosen({});
     m_editor.push(edit, tr("Join nodes"));
+    if (!lost.isEmpty())
+        emit m_table.said(lost, 8000);
 }
 
 void NodeCommands::reverse()

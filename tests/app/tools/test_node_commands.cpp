@@ -1,6 +1,10 @@
 // Commands and keys of the Segments tool, and the brush that goes on with a stroke.
+#include "app/session/commands/commands.h"
 #include "tests/app/nodes.h"
+#include "undo/edits.h"
+#include "undo/fill_edits.h"
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -132,6 +136,44 @@ private slots:
         for (const Stroke *part : {&before, &otherBefore})
             for (int k = 0; k < nodeCount(*part); ++k)
                 QVERIFY(isThere(nodePosition(*part, k)));
+    }
+
+    /// One stroke has one fill, and the status bar says whose was kept.
+    void aJoinSaysWhichFillIsKept()
+    {
+        const auto joined = [](const std::optional<Colour> &lower, const std::optional<Colour> &upper) {
+            NodeSession s;
+            const StrokeId other = s.addWave(700, 300, false);
+            const auto fill = [&s](StrokeId id, const std::optional<Colour> &colour) {
+                if (colour)
+                    s.editor().push(changeStrokes(s.editor().document(), {id},
+                                                  [&](Stroke &stroke) {
+                                                      Fill with = usualFill(stroke);
+                                                      with.diffusion = 4;
+                                                      with.density = 3;
+                                                      with.colour = *colour;
+                                                      stroke.fill = with;
+                                                  }),
+                                    "fill");
+            };
+            fill(s.id, lower);
+            fill(other, upper);
+            s.canvas().panBy({-250, 0});
+            s.editor().document().setSelection({{s.id, other}, {}});
+            s.click(nodeAt[4]);
+            s.click({700, 300}, Qt::ShiftModifier);
+            QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
+            s.use(Command::JoinNodes);
+            const bool isOne = s.painting().strokes.size() == 1;
+            return isOne ? said.isEmpty() ? QString("nothing") : said.first().first().toString()
+                         : QString("not joined");
+        };
+        const Colour red{1, 0, 0, 1}, blue{0, 0, 1, 1};
+        QVERIFY(joined(red, blue).contains("the upper one's fill"));
+        QVERIFY(joined(red, {}).contains("no fill"));
+        QCOMPARE(joined(red, red), QString("nothing"));
+        QCOMPARE(joined({}, blue), QString("nothing"));
+        QCOMPARE(joined({}, {}), QString("nothing"));
     }
 
     /// Who has begun with segments goes on with them, also where a node lies under the pointer.
