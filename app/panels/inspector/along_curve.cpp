@@ -4,11 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse {
 
+void ValueAxis::include(double value)
+{
+    constexpr double below = 0.5; // by this factor `low` stands below the values, so that none of them is taken for 0
+    const bool isZero = logarithmic && value <= 0;
+    if (isZero && !std::exchange(endsInZero, true))
+        low *= below;
+    else if (!isZero && endsInZero && value <= low)
+        low = below * value;
+    else if (!isZero)
+        low = std::min(low, value);
+    high = std::max(high, value);
+}
+
 double ValueAxis::toShare(double value) const
 {
+    if (endsInZero && value <= 0)
+        return reversed ? 1 : 0;
     const double v = std::clamp(value, low, high);
     const double share = logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
     return reversed ? 1 - share : share;
@@ -17,6 +33,8 @@ double ValueAxis::toShare(double value) const
 double ValueAxis::toValue(double place) const
 {
     const double share = reversed ? 1 - place : place;
+    if (endsInZero && share <= 0)
+        return 0;
     return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
 }
 
@@ -25,7 +43,8 @@ double CurveAlong::valueAt(double place, double old) const
     constexpr double least = 1e-9; // Curves that differ by rounding are the same.
     const double now = curve.at(place), drawn = from ? curve.drawnAt(place) : 1;
     const double change = from ? now - from->at(place) : 0;
-    if (drawn == 0 && std::abs(change) < least)
+    const bool multiplies = axis.logarithmic && drawn == 0; // which leaves a 0
+    if (drawn == 0 && (std::abs(change) < least || (multiplies && old <= 0)))
         return old;
     return axis.toValue(std::lerp(axis.toShare(old) + change, now, drawn));
 }
@@ -47,9 +66,7 @@ bool CurveAlong::varies() const
 void CurveAlong::growAxis(double value)
 {
     ValueAxis grown = axis;
-    if (value > 0 || !grown.logarithmic)
-        grown.low = std::min(grown.low, value);
-    grown.high = std::max(grown.high, value);
+    grown.include(value);
     const auto move = [&](PlaceCurve &moved) {
         for (double &k : moved.knots)
             k = grown.toShare(axis.toValue(k));

@@ -12,7 +12,10 @@ namespace suffuse {
 struct ValueAxis {
     double low = 0, high = 1;
     bool logarithmic = false;
-    bool reversed = false; ///< whether the shown number falls while the value grows
+    bool reversed = false;   ///< whether the shown number falls while the value grows
+    bool endsInZero = false; ///< of a logarithmic one, whether its end stands for 0 and not for `low`
+    /// Makes the axis longer where the value lies beyond it.
+    void include(double value);
     double toShare(double value) const;
     double toValue(double place) const;
 };

@@ -171,12 +171,8 @@ ValueAxis AlongDialog::axisOf(Quantity quantity) const
     const FieldSpec spec = specOf(quantity);
     ValueAxis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic, spec.display.isReversed()};
     for (const auto &[id, run] : m_runs)
-        for (const RunPlace &p : run.places) {
-            const double value = valueOf(run.stroke->segments[std::size_t(p.segment)], quantity);
-            if (value > 0 || !axis.logarithmic)
-                axis.low = std::min(axis.low, value);
-            axis.high = std::max(axis.high, value);
-        }
+        for (const RunPlace &p : run.places)
+            axis.include(double(valueOf(run.stroke->segments[std::size_t(p.segment)], quantity)));
     return axis;
 }
 

@@ -184,6 +184,57 @@ private slots:
         QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
     }
 
+    /// The axis of densities goes by ratios, and yet a fill alone, whose segments have density 0, shows that.
+    void aDensityOfZeroIsShownAndKept()
+    {
+        Bench bench;
+        const auto setDensity = [&](StrokeId id, const std::vector<float> &densities) {
+            bench.editor.push(changeStrokes(bench.editor.document(), {id},
+                                            [&](Stroke &s) {
+                                                for (std::size_t k = 0; k < s.segments.size(); ++k)
+                                                    s.segments[k].density = densities[k % densities.size()];
+                                            }),
+                              "density");
+        };
+        setDensity(1, {0});
+        setDensity(2, {0, 0, 0.05f, 8});
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        QCOMPARE(dialog->start()->value(), std::optional(0.0));
+        QCOMPARE(dialog->end()->value(), std::optional(0.0));
+        type(*dialog->scale(), "3");
+        for (const Segment &s : bench.stroke(1).segments)
+            QCOMPARE(s.density, 0.0f);
+        dialog->choose(AlongDialog::Ramp);
+        type(*dialog->end(), "4");
+        QCOMPARE(dialog->start()->value(), std::optional(0.0));
+        QCOMPARE(dialog->end()->value().value(), 4.0);
+        QVERIFY(bench.stroke(1).segments.back().density > 3);
+        type(*dialog->end(), "0");
+        QCOMPARE(dialog->end()->value(), std::optional(0.0));
+        for (const Segment &s : bench.stroke(1).segments)
+            QCOMPARE(s.density, 0.0f);
+        // Where only a part has none, that part has none after a scale.
+        bench.select({2});
+        QCOMPARE(dialog->start()->value(), std::optional(0.0));
+        QVERIFY(std::abs(dialog->end()->value().value() - 8) < 0.1);
+        type(*dialog->scale(), "2");
+        for (const Segment &s : bench.stroke(2).segments)
+            if (s.bezier[3].x <= 40)
+                QCOMPARE(s.density, 0.0f);
+        QVERIFY(std::abs(bench.stroke(2).segments.back().density - 16) < 0.1f);
+        // A constant of 0 can be typed where something else was.
+        bench.select({3});
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "0");
+        QCOMPARE(dialog->start()->value(), std::optional(0.0));
+        for (const Segment &s : bench.stroke(3).segments)
+            QCOMPARE(s.density, 0.0f);
+    }
+
     void cancelTakesAllBack()
     {
         Bench bench;
