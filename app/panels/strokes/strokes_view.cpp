@@ -94,6 +94,31 @@ public:
         return field;
     }
 
+    /// Return takes the text at once. Qt would take it a second time later, from a field that is closed by then. After
+    /// Esc there is nothing to be taken when the keyboard leaves the field.
+    bool eventFilter(QObject *object, QEvent *event) override
+    {
+        const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent *>(event)->key() : 0;
+        auto *field = qobject_cast<EntryField *>(object);
+        if (field && key == Qt::Key_Escape)
+            field->setModified(false);
+        if (!field || (key != Qt::Key_Return && key != Qt::Key_Enter))
+            return QStyledItemDelegate::eventFilter(object, event);
+        emit commitData(field);
+        emit closeEditor(field);
+        event->ignore(); // as a field does, so that the key can mean something to the panel
+        return true;
+    }
+
+    /// What was taken is not typed any more: else the field would say so when the keyboard leaves it, which belongs to
+    /// no view by then.
+    void setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::setModelData(editor, model, index);
+        if (auto *field = qobject_cast<EntryField *>(editor))
+            field->setModified(false);
+    }
+
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
         QSize size = QStyledItemDelegate::sizeHint(option, index);

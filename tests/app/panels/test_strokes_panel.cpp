@@ -2,6 +2,7 @@
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/widgets/habits/entry_field.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/shapes.h"
@@ -15,6 +16,10 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTreeView>
+#include <QVBoxLayout>
+
+#include <functional>
+#include <map>
 
 using namespace suffuse;
 
@@ -80,6 +85,56 @@ private slots:
             QCOMPARE(bench.editor.document().painting()->groups.at(0).name, QString(hidden ? "Hill" : "Sky"));
             QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
         }
+    }
+
+    /// However a name that is typed is ended, it is taken once, and Qt has nothing to complain of.
+    void aNameThatIsTypedIsTakenOnce()
+    {
+        QTest::failOnWarning(QRegularExpression("does not belong to this view"));
+        Bench bench;
+        QWidget window;
+        auto *column = new QVBoxLayout(&window);
+        auto *panel = new StrokesPanel(bench.editor);
+        auto *elsewhere = new QLineEdit;
+        column->addWidget(panel);
+        column->addWidget(elsewhere);
+        showAt(window, {280, 400});
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QTreeView &view = *panel->view();
+        const std::map<QString, std::function<void(QLineEdit &)>> ends{
+            {"click", [&](QLineEdit &) { elsewhere->setFocus(Qt::MouseFocusReason); }},
+            {"return", [](QLineEdit &field) { QTest::keyClick(&field, Qt::Key_Return); }},
+            {"", [](QLineEdit &field) { QTest::keyClick(&field, Qt::Key_Return); }}, // takes the name away
+            {"save", [&](QLineEdit &) { EntryField::takeTypedIn(window); }}};
+        bench.editor.push(changeStrokes(bench.editor.document(), {2}, [](Stroke &s) { s.name = "before"; }), "name");
+        int steps = 1;
+        for (const auto &[name, end] : ends) {
+            bench.select({2});
+            view.setFocus();
+            view.setCurrentIndex(panel->viewIndexOf(2));
+            QTest::keyClick(&view, Qt::Key_F2);
+            QLineEdit *field = nullptr;
+            QTRY_VERIFY((field = view.viewport()->findChild<QLineEdit *>()));
+            QTRY_VERIFY(field->hasFocus());
+            QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClick(field, Qt::Key_Delete);
+            QTest::keyClicks(field, name);
+            end(*field);
+            QTRY_COMPARE(bench.stroke(2).name, name);
+            QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
+            QCOMPARE(bench.steps(), ++steps);
+        }
+        // Esc takes back what was typed.
+        view.setFocus();
+        view.setCurrentIndex(panel->viewIndexOf(2));
+        QTest::keyClick(&view, Qt::Key_F2);
+        QLineEdit *field = nullptr;
+        QTRY_VERIFY((field = view.viewport()->findChild<QLineEdit *>()));
+        QTest::keyClicks(field, "given up");
+        QTest::keyClick(field, Qt::Key_Escape);
+        QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
+        QCOMPARE(bench.steps(), steps);
     }
 
     void eyesLocksAndNames()
@@ -287,9 +342,7 @@ private slots:
         Bench bench;
         StrokesPanel panel(bench.editor);
         showAt(panel, {280, 300});
-        const auto saidOf = [&](StrokeId id, int role) {
-            return panel.model()->indexOf(id).data(role).toString();
-        };
+        const auto saidOf = [&](StrokeId id, int role) { return panel.model()->indexOf(id).data(role).toString(); };
         QVERIFY(saidOf(2, StrokesModel::MakeUpRole).isEmpty());
         const QString before = saidOf(2, Qt::ToolTipRole);
         QVERIFY(!before.contains('\n'));
