@@ -123,17 +123,18 @@ void Docks::makeDocks()
     m_probe = makeProbe();
     m_timeline = makeTimeline();
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    arrange();
+    stack();
+    shareRoom();
     connect(&m_place.canvas, &CanvasWidget::toolChanged, this, &Docks::followTool);
 }
 
 /// Colour and brushes stand together on any screen, and the canvas gets what room there is. What has no place of its
 /// own on the screen stands behind something else: `rest` always.
-void Docks::arrange()
+void Docks::stack()
 {
     QMainWindow &window = m_place.window;
-    const QList<QDockWidget *> column = m_docks.mid(0, 4), rest = m_docks.mid(4, 2);
-    QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
+    const QList<QDockWidget *> rest = m_docks.mid(4, 2);
+    QDockWidget *colour = m_docks[0], *brushes = m_docks[1], *inspector = m_docks[2], *strokes = m_docks[3];
     const int height = window.screen()->availableSize().height();
     const bool low = height < mediumScreen, high = height >= highScreen;
     if (low)
@@ -142,6 +143,16 @@ void Docks::arrange()
         window.tabifyDockWidget(inspector, strokes);
     window.tabifyDockWidget(low ? colour : strokes, rest[0]);
     window.tabifyDockWidget(rest[0], rest[1]);
+}
+
+/// Gives stacked docks their sizes, and brings to the front what is to be seen.
+void Docks::shareRoom()
+{
+    QMainWindow &window = m_place.window;
+    const QList<QDockWidget *> column = m_docks.mid(0, 4);
+    QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
+    const int height = window.screen()->availableSize().height();
+    const bool low = height < mediumScreen, high = height >= highScreen;
     window.resizeDocks({m_timeline}, {low ? 118 : 150}, Qt::Vertical);
     window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
     if (low)
@@ -158,12 +169,17 @@ void Docks::arrangeAnew()
 {
     if (QAction &hides = m_place.commands[Command::HideDocks]; hides.isChecked())
         hides.trigger();
+    // Seen one below the other all docks need more than many a screen has, and the window would grow.
+    for (QDockWidget *dock : std::as_const(m_docks))
+        dock->hide();
     for (QDockWidget *dock : std::as_const(m_docks)) {
         dock->setFloating(false);
         m_place.window.addDockWidget(dock == m_timeline ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, dock);
-        dock->setVisible(dock != m_probe);
     }
-    arrange();
+    stack();
+    for (QDockWidget *dock : std::as_const(m_docks))
+        dock->setVisible(dock != m_probe);
+    shareRoom();
 }
 
 /// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought

@@ -33,7 +33,8 @@ private:
     /// Keys of a scope are the panel's as much as the canvas'.
     QDockWidget *add(const char *name, const QString &title, QWidget *panel, CommandScope scope = CommandScope::Window);
     void makeDocks();
-    void arrange();
+    void stack();
+    void shareRoom();
     void followTool();
     QDockWidget *makeTimeline();
     QDockWidget *makeProbe();

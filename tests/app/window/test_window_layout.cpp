@@ -301,7 +301,7 @@ private slots:
     void resetLayoutPutsAllBack()
     {
         Session s;
-        s.window.resize(1366, 738);
+        s.window.resize(1000, 480); // lower than all docks one below the other
         QTest::qWait(50);
         const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
         const auto bar = [&](const char *name) { return s.window.findChild<QToolBar *>(name); };
@@ -331,6 +331,7 @@ private slots:
             QTest::qWait(20);
             QVERIFY(places() != before);
             s.use(Command::ResetLayout);
+        const QSize size = s.window.size();
             QTest::qWait(50);
             QVERIFY(places() == before);
             QVERIFY(!s.window.action(Command::HideDocks).isChecked());
@@ -361,6 +362,7 @@ private slots:
             dock("timelineDock")->hide();
             QTest::qWait(20);
             for (const char *name : names)
+            QCOMPARE(s.window.size(), size);
                 before[name] = place(s.window, name);
             window_layout::save(s.window);
         }
