@@ -6,6 +6,7 @@
 #include "app/session/playback.h"
 #include "app/widgets/habits/entry_field.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/row_scroll.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/time_text.h"
 
@@ -48,7 +49,8 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    auto *row = new QHBoxLayout;
+    auto *head = new QWidget(this);
+    auto *row = new QHBoxLayout(head);
     row->setContentsMargins(8, 3, 8, 3);
     row->setSpacing(2);
     for (const Command command :
@@ -87,7 +89,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     fit->setToolTip(tr("Show all of the time (0). Ctrl+wheel zooms."));
     fit->setAccessibleName(tr("Show all of the time"));
     row->addWidget(fit);
-    column->addLayout(row);
+    column->addWidget(new RowScroll(head));
     m_view = new TimelineView(editor, playback, this);
     column->addWidget(m_view, 1);
 
