@@ -3655,8 +3655,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>L</translation>
     </message>
     <message>
-        <source>Select what is drawn around</source>
-        <translation>Auswählen, was umfahren wird</translation>
+        <source>Select what is drawn around; with Shift from paint, too</source>
+        <translation>Auswählen, was umfahren wird; mit Umschalt auch von Farbe aus</translation>
     </message>
     <message>
         <source>&amp;Touch</source>

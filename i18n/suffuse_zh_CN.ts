@@ -3639,8 +3639,8 @@ Arrow keys work too.</source>
         <translation>L</translation>
     </message>
     <message>
-        <source>Select what is drawn around</source>
-        <translation>选择圈住的内容</translation>
+        <source>Select what is drawn around; with Shift from paint, too</source>
+        <translation>选择圈住的内容；按住 Shift 也可从颜料上开始</translation>
     </message>
     <message>
         <source>&amp;Touch</source>

@@ -70,7 +70,7 @@ void addSelectingRows(Commands &table, Editor &editor)
         .runs([&editor] { commands::selectSameAs(editor, Same::Name); });
     table
         .add(Lasso, "lasso", Commands::tr("&Lasso"), "lasso", key(Commands::tr("L")),
-             Commands::tr("Select what is drawn around"))
+             Commands::tr("Select what is drawn around; with Shift from paint, too"))
         .switches();
     table
         .add(TouchPath, "touchPath", Commands::tr("&Touch"), "touch-path", {},

@@ -179,6 +179,31 @@ private slots:
         QCOMPARE(s.selected(), std::set<StrokeId>{3});
     }
 
+    /// Where paint covers all of the canvas no press is on empty paper, and a drag moves what lies there. With Shift
+    /// the lasso begins on paint, and after Esc what it goes around is all that is selected.
+    void lassoBeginsOnPaintWithShift()
+    {
+        Selecting s(
+            {line(1, {-100, 250}, {900, 250}), line(2, {300, 250}, {360, 250}), line(3, {500, 250}, {560, 250})});
+        auto ground = std::make_shared<Stroke>(s.stroke(1));
+        for (Segment &segment : ground->segments) {
+            segment.diffusion = 10'000;
+            segment.density = 1000;
+        }
+        auto covered = std::make_shared<Painting>(s.painting());
+        covered->strokes = {ground, covered->find(2), covered->find(3)};
+        s.editor().document().reset(covered);
+        s.editor().clock().setTime(s.painting().end());
+        s.use(Command::Lasso);
+        const std::vector<Point> around{{270, 220}, {390, 220}, {390, 280}, {270, 280}, {270, 225}};
+        QVERIFY(pickTopmost(s.painting(), s.painting().end(), around.front(), 1));
+        s.select({3});
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        s.drag(around, shift);
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        QCOMPARE(s.steps(), 0); // nothing was moved
+    }
+
     void touchPathSelectsVisiblePaint()
     {
         Selecting s(
@@ -345,8 +370,8 @@ private slots:
         for (const bool selected : {false, true})
             for (const Command tool :
                  {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
-              Command::LassoFill, Command::Bucket, Command::Redraw, Command::Push, Command::Knife,
-                  Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+                  Command::LassoFill, Command::Bucket, Command::Redraw, Command::Push, Command::Knife, Command::Eraser,
+                  Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
                 s.use(tool);
                 s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
                 check();
