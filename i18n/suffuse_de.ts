@@ -1854,6 +1854,22 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2</source>
         <translation>style.xi[1]: %1 ist mehr als das 2^(1/3)-Fache von xi[0], das %2 ist</translation>
     </message>
+    <message>
+        <source>there is no such alignment</source>
+        <translation>diese Ausrichtung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it is no valid Unicode</source>
+        <translation>das ist kein gültiges Unicode</translation>
+    </message>
+    <message>
+        <source>%1: %2 characters are more than %3</source>
+        <translation>%1: %2 Zeichen sind mehr als %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 curves are more than %3</source>
+        <translation>%1: %2 Kurven sind mehr als %3</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>

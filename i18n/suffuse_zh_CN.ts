@@ -1843,6 +1843,22 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2</source>
         <translation>style.xi[1]：%1 大于 xi[0] 的 2^(1/3) 倍，而 xi[0] 为 %2</translation>
     </message>
+    <message>
+        <source>there is no such alignment</source>
+        <translation>没有此对齐方式</translation>
+    </message>
+    <message>
+        <source>it is no valid Unicode</source>
+        <translation>这不是有效的 Unicode</translation>
+    </message>
+    <message>
+        <source>%1: %2 characters are more than %3</source>
+        <translation>%1：%2 个字符超过了 %3 个</translation>
+    </message>
+    <message>
+        <source>%1: %2 curves are more than %3</source>
+        <translation>%1：%2 条曲线超过了 %3 条</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>

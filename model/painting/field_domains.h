@@ -74,6 +74,9 @@ public:
         });
     }
 
+    /// Checks a text, and that it is no longer than texts may be.
+    void checkText(const Text &text, const FieldPath &path);
+
 private:
     template <class Value>
     void check(const Value &value, const FieldTraits &traits, const FieldPath &path)
@@ -126,6 +129,13 @@ private:
         if (fill)
             checkFields(*fill, path);
     }
+    void checkParts(const SharedText &text, const FieldTraits &, const FieldPath &path)
+    {
+        if (text)
+            checkText(*text, path);
+    }
+    void checkParts(const Affine &map, const FieldTraits &traits, const FieldPath &path);
+    void checkParts(const std::vector<Cubic> &curves, const FieldTraits &traits, const FieldPath &path);
     void checkParts(const std::vector<Segment> &, const FieldTraits &, const FieldPath &) {}
     void checkParts(const QString &, const FieldTraits &, const FieldPath &) {}
     void checkParts(const EncodedImage &, const FieldTraits &, const FieldPath &) {}
@@ -137,6 +147,7 @@ private:
     static const char *noSuch(FillRule);
     static const char *noSuch(PaperKind);
     static const char *noSuch(PaperGrain);
+    static const char *noSuch(TextAlignment);
     void require(bool inDomain, const FieldPath &path, double value, const Domain &domain)
     {
         if (!inDomain)

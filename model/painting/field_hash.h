@@ -72,6 +72,9 @@ public:
             put(*value);
     }
     void put(const SharedFill &fill) { put(*fill); } // It is put only where there is one.
+    void put(const SharedText &text) { put(*text); } // So is this.
+    void put(const Affine &map) { put(map.a), put(map.b), put(map.c), put(map.d), put(map.offset); }
+    void put(const Cubic &cubic) { put(cubic.p); }
     /// Fields of later versions count only where they differ from their defaults, so that earlier paintings keep their
     /// hashes.
     template <HasFields T>

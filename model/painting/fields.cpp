@@ -76,6 +76,8 @@ int versionNeededBy(const Painting &painting)
         for (const Segment &segment : stroke->segments)
             version = std::max(version, versionNeededBy(segment));
     }
+    for (const Group &group : painting.groups)
+        version = std::max(version, versionNeededBy(group));
     for (const Swatch &swatch : painting.swatches)
         version = std::max(version, versionNeededBy(swatch));
     return version;

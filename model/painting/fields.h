@@ -134,6 +134,10 @@ struct WordsOf<FillRule> {
     static constexpr std::array<std::string_view, 2> list{"nonzero", "evenodd"};
 };
 template <>
+struct WordsOf<TextAlignment> {
+    static constexpr std::array<std::string_view, 3> list{"start", "centre", "end"};
+};
+template <>
 struct WordsOf<PaperKind> {
     static constexpr std::array<std::string_view, 3> list{"none", "procedural", "image"};
 };
@@ -216,8 +220,7 @@ struct FieldsOf<Gradient> {
     static constexpr std::tuple list{
         field("from", &Gradient::from, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
         field("to", &Gradient::to, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
-        field("colour", &Gradient::colour,
-              {.unit = Unit::Share, .domain = share, .presence = Presence::Required})};
+        field("colour", &Gradient::colour, {.unit = Unit::Share, .domain = share, .presence = Presence::Required})};
 };
 
 template <>
@@ -233,8 +236,7 @@ struct FieldsOf<Fill> {
         field("rule", &Fill::rule),
         field("gradient", &Fill::gradient, {.presence = Presence::Unusual}),
         field("anisotropy.ratio", &Fill::anisotropyRatio, {.domain = {1e-6, 1e6}, .presence = Presence::Unusual}),
-        field("anisotropy.angle", &Fill::anisotropyAngle,
-              {.unit = Unit::Radians, .presence = Presence::Unusual})};
+        field("anisotropy.angle", &Fill::anisotropyAngle, {.unit = Unit::Radians, .presence = Presence::Unusual})};
 };
 
 template <>
@@ -272,10 +274,29 @@ struct FieldsOf<Canvas> {
 };
 
 template <>
+struct FieldsOf<Text> {
+    static constexpr std::tuple list{
+        field("string", &Text::string, {.presence = Presence::Required}),
+        field("family", &Text::family, {.presence = Presence::Required}),
+        field("weight", &Text::weight, {.domain = {1, 1000}}),
+        field("italic", &Text::italic, {.presence = Presence::Unusual}),
+        field("size", &Text::size, {.unit = Unit::Length, .domain = {0, 1e6, true}, .presence = Presence::Required}),
+        field("letterSpacing", &Text::letterSpacing, {.domain = {-10, 100}, .presence = Presence::Unusual}),
+        field("lineHeight", &Text::lineHeight, {.domain = {-100, 100}}),
+        field("alignment", &Text::alignment),
+        field("vertical", &Text::vertical, {.presence = Presence::Unusual}),
+        field("place", &Text::place, {.domain = coordinate}),
+        field("curve", &Text::curve, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual})};
+};
+
+template <>
 struct FieldsOf<Group> {
     static constexpr std::tuple list{field("id", &Group::id, {.domain = identity, .presence = Presence::Required}),
-                                     field("name", &Group::name), field("parent", &Group::parent, {.nullable = true}),
-                                     field("visible", &Group::visible), field("locked", &Group::locked)};
+                                     field("name", &Group::name),
+                                     field("parent", &Group::parent, {.nullable = true}),
+                                     field("visible", &Group::visible),
+                                     field("locked", &Group::locked),
+                                     field("text", &Group::text, {.presence = Presence::Unusual, .since = 2})};
 };
 
 template <>
@@ -402,7 +423,7 @@ int versionNeededBy(const T &value)
     });
     return version;
 }
-/// The same for all strokes, segments and swatches of a painting.
+/// The same for all strokes, segments, groups and swatches of a painting.
 int versionNeededBy(const Painting &painting);
 
 /// The description of a segment's number, given as a member; the member must be one of its numbers.

@@ -18,9 +18,18 @@ struct Point {
     friend Point operator*(double k, Point a) { return {k * a.x, k * a.y}; }
 };
 
-inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-inline double length(Point a) { return std::hypot(a.x, a.y); }
+inline double dot(Point a, Point b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+inline double cross(Point a, Point b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+inline double length(Point a)
+{
+    return std::hypot(a.x, a.y);
+}
 
 /// The offset of a control point from its stroke's origin in float32, as files store it.
 struct Offset {
@@ -29,8 +38,14 @@ struct Offset {
     friend bool operator==(const Offset &, const Offset &) = default;
 };
 
-inline Point operator+(Point origin, Offset o) { return {origin.x + double(o.x), origin.y + double(o.y)}; }
-inline Offset toOffset(Point p, Point origin) { return {float(p.x - origin.x), float(p.y - origin.y)}; }
+inline Point operator+(Point origin, Offset o)
+{
+    return {origin.x + double(o.x), origin.y + double(o.y)};
+}
+inline Offset toOffset(Point p, Point origin)
+{
+    return {float(p.x - origin.x), float(p.y - origin.y)};
+}
 
 /// An axis-aligned rectangle. The default is empty; `united` ignores empty ones.
 struct Rect {
@@ -67,6 +82,8 @@ struct Rect {
 /// A cubic Bézier curve c(p), p in [0, 1], in double precision.
 struct Cubic {
     std::array<Point, 4> p;
+
+    friend bool operator==(const Cubic &, const Cubic &) = default;
 
     Point at(double t) const
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/painting/stroke_list.h"
+#include "model/painting/text.h"
 
 #include <QByteArray>
 
@@ -46,6 +47,7 @@ struct Group {
     GroupId parent = 0;  ///< the group that it is in; 0: none
     bool visible = true; ///< whether it and all in it are visible
     bool locked = false; ///< whether it and all in it are locked: seen, but not changed by tools
+    SharedText text{};   ///< what its strokes, a letter each, were made from; none: they are no text
     friend bool operator==(const Group &, const Group &) = default;
 };
 

@@ -112,6 +112,47 @@ const char *DomainCheck::noSuch(PaperGrain)
     return QT_TRANSLATE_NOOP("Validate", "there is no such grain of paper");
 }
 
+const char *DomainCheck::noSuch(TextAlignment)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such alignment");
+}
+
+void DomainCheck::checkText(const Text &text, const FieldPath &path)
+{
+    const auto checkLength = [&](const QString &string, const char *name, int most) {
+        const FieldPath place{&path, name};
+        if (!string.isValidUtf16())
+            failText(place, QT_TRANSLATE_NOOP("Validate", "it is no valid Unicode"));
+        else if (string.size() > most)
+            m_problem = QCoreApplication::translate("Validate", "%1: %2 characters are more than %3")
+                            .arg(place.text())
+                            .arg(string.size())
+                            .arg(most);
+    };
+    checkLength(text.string, "string", Text::mostCharacters);
+    if (ok())
+        checkLength(text.family, "family", Text::mostFamily);
+    if (ok() && text.curve.size() > std::size_t(Text::mostCurves))
+        m_problem = QCoreApplication::translate("Validate", "%1: %2 curves are more than %3")
+                        .arg(FieldPath{&path, "curve"}.text())
+                        .arg(text.curve.size())
+                        .arg(Text::mostCurves);
+    if (ok())
+        checkFields(text, path);
+}
+
+void DomainCheck::checkParts(const Affine &map, const FieldTraits &traits, const FieldPath &path)
+{
+    const std::array<double, 6> numbers{map.a, map.b, map.c, map.d, map.offset.x, map.offset.y};
+    check(numbers, traits, path);
+}
+
+void DomainCheck::checkParts(const std::vector<Cubic> &curves, const FieldTraits &traits, const FieldPath &path)
+{
+    for (std::size_t i = 0; i < curves.size() && ok(); ++i)
+        check(curves[i].p, traits, FieldPath{&path, nullptr, int(i)});
+}
+
 void DomainCheck::checkParts(const std::vector<Rewet> &list, const FieldTraits &, const FieldPath &path)
 {
     for (std::size_t i = 0; i < list.size() && ok(); ++i) {
@@ -230,6 +271,13 @@ QString problemOf(const Canvas &canvas)
     return {};
 }
 
+QString problemOf(const Text &text)
+{
+    DomainCheck check;
+    check.checkText(text, FieldPath{nullptr, "text"});
+    return check.problem();
+}
+
 /// Checks that the members of a group, including those of its subgroups, stand together in the order.
 QString problemOfMembership(const Painting &painting)
 {
@@ -271,6 +319,10 @@ QString problemOf(const Painting &painting)
         return problem;
     if (const QString problem = problemOfGroups(painting.groups); !problem.isEmpty())
         return problem;
+    for (std::size_t i = 0; i < painting.groups.size(); ++i)
+        if (painting.groups[i].text)
+            if (const QString problem = problemOf(*painting.groups[i].text); !problem.isEmpty())
+                return QStringLiteral("groups[%1].").arg(i) + problem;
     std::unordered_set<StrokeId> ids;
     ids.reserve(painting.strokes.size());
     for (std::size_t j = 0; j < painting.strokes.size(); ++j) {

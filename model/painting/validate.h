@@ -16,6 +16,8 @@ QString problemOf(const Colour &colour);
 /// start with "segments[k].".
 QString problemOf(const Stroke &stroke);
 QString problemOf(const Canvas &canvas);
+/// Also checks that it is no longer than texts may be, and valid Unicode. Paths start with "text.".
+QString problemOf(const Text &text);
 QString problemOf(const Underlay &underlay);
 /// Also checks that ids are unique and not 0, that groups exist, that no group is within itself, and that the members
 /// of a group stand together. Paths start with "strokes[j].".

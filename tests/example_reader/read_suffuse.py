@@ -231,6 +231,11 @@ def read(data):
         underlay["area"] = [left, top, right - left, bottom - top]
     for group in out.get("groups", []):
         group["parent"] = group["parent"] or None
+        if text := group.get("text"):
+            text["alignment"] = ["start", "centre", "end"][text["alignment"]]
+            numbers = text.pop("curve", [])
+            points = [numbers[k:k + 2] for k in range(0, len(numbers), 2)]
+            text["curve"] = [points[k:k + 4] for k in range(0, len(points), 4)]
     return out
 
 

@@ -19,8 +19,11 @@ public:
         Painting p;
         p.canvas = canvas();
         if (chance(2))
-            p.groups = {{7, QStringLiteral("Gruppe \"ä\\\n\t\x01 😀"), 0, false, true},
-                        {9, QStringLiteral("in"), 7, true, false}};
+            p.groups = {{7, QStringLiteral("Gruppe \"ä\\\n\t\x01 😀"), 0, false, true, {}},
+                        {9, QStringLiteral("in"), 7, true, false, {}}};
+        for (Group &group : p.groups)
+            if (chance(2))
+                group.text = text();
         for (int k = 0; k < strokes; ++k)
             p.strokes.push_back(
                 stroke(StrokeId(k * 3 + 1), 1 + below(segments), p.groups.empty() || k > strokes / 2 ? 0 : 9));
@@ -147,6 +150,24 @@ private:
             f.anisotropyAngle = float(coordinate(7));
         }
         return f;
+    }
+    Text text()
+    {
+        Text t;
+        t.string = chance(3) ? QString() : QStringLiteral("Zwölf\n\"\u6c34\"\u0301 \U0001F3A8 %1").arg(below(100));
+        t.family = chance(3) ? QString() : QStringLiteral("DejaVu Sans");
+        t.weight = float(1 + below(1000));
+        t.italic = chance(2);
+        t.size = chance(3) ? 1e6 : unit() + 1e-300;
+        t.letterSpacing = chance(2) ? 0 : float(unit() - 0.5);
+        t.lineHeight = float(coordinate(100));
+        t.alignment = TextAlignment(below(3));
+        t.vertical = chance(2);
+        if (chance(2))
+            t.place = {unit(), -unit(), 1e-7, 3, {coordinate(1e10), -0.0}};
+        for (quint32 k = below(4); chance(2) && k > 0; --k)
+            t.curve.push_back({{Point{coordinate(1e10), 0.1}, {unit(), -0.0}, {1, 2}, {1e12, -1e12}}});
+        return t;
     }
     StrokePtr stroke(StrokeId id, quint32 segments, GroupId group)
     {

@@ -11,15 +11,15 @@ namespace suffuse {
 
 namespace {
 
-struct Text {
+struct QuantityText {
     // These texts were the inspector's first.
     Q_DECLARE_TR_FUNCTIONS(suffuse::SegmentSection)
 };
 
 FieldSpec diffusionSpec()
 {
-    return {.name = Text::tr("Diffusion D"),
-            .toolTip = Text::tr("How fast the paint spreads: the spread grows with the root of D times time."),
+    return {.name = QuantityText::tr("Diffusion D"),
+            .toolTip = QuantityText::tr("How fast the paint spreads: the spread grows with the root of D times time."),
             .display = diffusionDisplay(),
             .sliderMinimum = 0.1,
             .sliderMaximum = 10000,
@@ -28,8 +28,8 @@ FieldSpec diffusionSpec()
 
 FieldSpec densitySpec()
 {
-    return {.name = Text::tr("Density φ"),
-            .toolTip = Text::tr("How much paint the segment gives off along its length."),
+    return {.name = QuantityText::tr("Density φ"),
+            .toolTip = QuantityText::tr("How much paint the segment gives off along its length."),
             .display = lengthDisplay(),
             .sliderMinimum = 0.1,
             .sliderMaximum = 1000,
@@ -39,8 +39,8 @@ FieldSpec densitySpec()
 FieldSpec granulationSpec()
 {
     // The stored number is ω, which hides the paper; people think of the grain that they see.
-    return {.name = Text::tr("Granulation"),
-            .toolTip = Text::tr("How much of the paper's grain shows: 0 % is smooth, 100 % shows all of it. Files and "
+    return {.name = QuantityText::tr("Granulation"),
+            .toolTip = QuantityText::tr("How much of the paper's grain shows: 0 % is smooth, 100 % shows all of it. Files and "
                                 "scripts hold ω, which is 1 where this is 0 %."),
             .display = grainDisplay(),
             .step = 0.01,
@@ -49,8 +49,8 @@ FieldSpec granulationSpec()
 
 FieldSpec maxAgeSpec()
 {
-    return {.name = Text::tr("Drying time"),
-            .toolTip = Text::tr("t_max: how long the paint spreads after it was laid down."),
+    return {.name = QuantityText::tr("Drying time"),
+            .toolTip = QuantityText::tr("t_max: how long the paint spreads after it was laid down."),
             .display = timeDisplay(),
             .sliderMinimum = 0.01,
             .sliderMaximum = 100,
@@ -59,8 +59,8 @@ FieldSpec maxAgeSpec()
 
 FieldSpec anisotropySpec()
 {
-    return {.name = Text::tr("Anisotropy"),
-            .toolTip = Text::tr("How many times D along the angle is D across it; 1 spreads evenly."),
+    return {.name = QuantityText::tr("Anisotropy"),
+            .toolTip = QuantityText::tr("How many times D along the angle is D across it; 1 spreads evenly."),
             .sliderMinimum = 0.01,
             .sliderMaximum = 100,
             .logarithmic = true};
@@ -69,8 +69,8 @@ FieldSpec anisotropySpec()
 FieldSpec angleSpec()
 {
     const Display display = angleDisplay();
-    return {.name = Text::tr("Angle"),
-            .toolTip = Text::tr("Direction of the anisotropy, clockwise from the horizontal."),
+    return {.name = QuantityText::tr("Angle"),
+            .toolTip = QuantityText::tr("Direction of the anisotropy, clockwise from the horizontal."),
             .display = display,
             .sliderMinimum = display.toValue(-90), // after a half turn the tip is the same again
             .sliderMaximum = display.toValue(90),
@@ -80,8 +80,8 @@ FieldSpec angleSpec()
 
 FieldSpec sizeSpec()
 {
-    return {.name = Text::tr("Size"),
-            .toolTip = Text::tr("How far the paint spreads, in units; sets the diffusion."),
+    return {.name = QuantityText::tr("Size"),
+            .toolTip = QuantityText::tr("How far the paint spreads, in units; sets the diffusion."),
             .display = lengthDisplay(),
             .minimum = 1e-7,
             .maximum = 1e5,
@@ -93,8 +93,8 @@ FieldSpec sizeSpec()
 
 FieldSpec flowSpec()
 {
-    return {.name = Text::tr("Flow"),
-            .toolTip = Text::tr("Density in the middle of the stroke at full pressure."),
+    return {.name = QuantityText::tr("Flow"),
+            .toolTip = QuantityText::tr("Density in the middle of the stroke at full pressure."),
             .minimum = 0.001,
             .maximum = 1e6,
             .sliderMinimum = 0.1,
@@ -105,8 +105,8 @@ FieldSpec flowSpec()
 
 FieldSpec stringSpec()
 {
-    return {.name = Text::tr("String"),
-            .toolTip = Text::tr("Its length on the screen"),
+    return {.name = QuantityText::tr("String"),
+            .toolTip = QuantityText::tr("Its length on the screen"),
             .display = screenDisplay(),
             .maximum = 1000,
             .sliderMaximum = 200,
@@ -126,28 +126,28 @@ FieldSpec wordsOf(Quantity quantity)
     case Quantity::MaxAge:
         return maxAgeSpec();
     case Quantity::Opacity:
-        return shareSpec(Text::tr("Opacity"), Text::tr("How much the paint covers at full density"));
+        return shareSpec(QuantityText::tr("Opacity"), QuantityText::tr("How much the paint covers at full density"));
     case Quantity::Red:
-        return shareSpec(Text::tr("Red"), Text::tr("Share of red pigment"));
+        return shareSpec(QuantityText::tr("Red"), QuantityText::tr("Share of red pigment"));
     case Quantity::Yellow:
-        return shareSpec(Text::tr("Yellow"), Text::tr("Share of yellow pigment"));
+        return shareSpec(QuantityText::tr("Yellow"), QuantityText::tr("Share of yellow pigment"));
     case Quantity::Blue:
-        return shareSpec(Text::tr("Blue"), Text::tr("Share of blue pigment"));
+        return shareSpec(QuantityText::tr("Blue"), QuantityText::tr("Share of blue pigment"));
     case Quantity::Anisotropy:
         return anisotropySpec();
     case Quantity::Angle:
         return angleSpec();
     case Quantity::Beta:
-        return shareSpec(Text::tr("Pigment β"),
-                         Text::tr("Share of the colour below that stays: 0 % covers, 100 % adds."), 0.5);
+        return shareSpec(QuantityText::tr("Pigment β"),
+                         QuantityText::tr("Share of the colour below that stays: 0 % covers, 100 % adds."), 0.5);
     case Quantity::Size:
         return sizeSpec();
     case Quantity::Flow:
         return flowSpec();
     case Quantity::PaperStrength:
-        return shareSpec(Text::tr("Strength"), Text::tr("How deep the grain goes."), Paper{}.strength);
+        return shareSpec(QuantityText::tr("Strength"), QuantityText::tr("How deep the grain goes."), Paper{}.strength);
     case Quantity::SmoothingStrength:
-        return shareSpec(Text::tr("Strength"), Text::tr("How far the stroke lags behind"), 0);
+        return shareSpec(QuantityText::tr("Strength"), QuantityText::tr("How far the stroke lags behind"), 0);
     case Quantity::SmoothingString:
         return stringSpec();
     }
@@ -251,18 +251,18 @@ FieldSpec plainSpec(const char *name, const FieldTraits &traits, float usual)
 
 FieldSpec xiSpec(StyleKind kind, int index)
 {
-    const QString unused = Text::tr("Parameter of the style");
+    const QString unused = QuantityText::tr("Parameter of the style");
     const std::array<std::array<QString, 3>, 3> names{
-        {{Text::tr("Threshold ξ1"), Text::tr("Softness ξ2"), QStringLiteral("ξ3")},
-         {Text::tr("Full at ξ1"), Text::tr("Steepness ξ2"), QStringLiteral("ξ3")},
-         {Text::tr("Edge ξ1"), Text::tr("Lightening ξ2"), Text::tr("Strength ξ3")}}};
+        {{QuantityText::tr("Threshold ξ1"), QuantityText::tr("Softness ξ2"), QStringLiteral("ξ3")},
+         {QuantityText::tr("Full at ξ1"), QuantityText::tr("Steepness ξ2"), QStringLiteral("ξ3")},
+         {QuantityText::tr("Edge ξ1"), QuantityText::tr("Lightening ξ2"), QuantityText::tr("Strength ξ3")}}};
     const std::array<std::array<QString, 3>, 3> tips{
-        {{Text::tr("Density at which the stroke covers by half."), Text::tr("How gently the edge fades."), unused},
-         {Text::tr("Density from which the stroke covers fully."), Text::tr("How steeply coverage grows with density."),
+        {{QuantityText::tr("Density at which the stroke covers by half."), QuantityText::tr("How gently the edge fades."), unused},
+         {QuantityText::tr("Density from which the stroke covers fully."), QuantityText::tr("How steeply coverage grows with density."),
           unused},
-         {Text::tr("Density at which the dark rim stands."),
-          Text::tr("How much the inside is lighter than the rim; at most 1.26·ξ1."),
-          Text::tr("Coverage far inside the stroke.")}}};
+         {QuantityText::tr("Density at which the dark rim stands."),
+          QuantityText::tr("How much the inside is lighter than the rim; at most 1.26·ξ1."),
+          QuantityText::tr("Coverage far inside the stroke.")}}};
     const Domain domain = index < xiCount(kind) ? domainOfXi(kind, index) : positive;
     return {.name = names[std::size_t(kind)][std::size_t(index)],
             .toolTip = tips[std::size_t(kind)][std::size_t(index)],
@@ -276,12 +276,12 @@ FieldSpec xiSpec(StyleKind kind, int index)
 
 QStringList styleNames()
 {
-    return {Text::tr("Uniform"), Text::tr("Feathering"), Text::tr("Dark edges")};
+    return {QuantityText::tr("Uniform"), QuantityText::tr("Feathering"), QuantityText::tr("Dark edges")};
 }
 
 QStringList mixingNames()
 {
-    return {Text::tr("Covering (alpha)"), Text::tr("Pigment (β)")};
+    return {QuantityText::tr("Covering (alpha)"), QuantityText::tr("Pigment (β)")};
 }
 
 float &valueOf(Segment &segment, Quantity quantity)

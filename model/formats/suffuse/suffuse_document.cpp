@@ -32,6 +32,24 @@ int placeOfImage(const EncodedImage &image, std::vector<EncodedImage> &images)
 
 using Images = std::vector<EncodedImage>;
 
+/// The numbers of a map of the plane: its matrix by rows, then its offset.
+QCborArray toCbor(const Affine &map)
+{
+    return {map.a, map.b, map.c, map.d, map.offset.x, map.offset.y};
+}
+
+/// Eight numbers for each curve: x and y of its points.
+QCborArray toCbor(const std::vector<Cubic> &curves)
+{
+    QCborArray numbers;
+    for (const Cubic &curve : curves)
+        for (const Point p : curve.p) {
+            numbers.append(p.x);
+            numbers.append(p.y);
+        }
+    return numbers;
+}
+
 template <HasFields T>
 QCborMap toCbor(const T &value, Images &images);
 
@@ -48,8 +66,11 @@ QCborValue cborOf(const Value &value, Images &images)
         return double(value);
     else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
         return toCbor(std::uint64_t(value));
-    else if constexpr (std::is_same_v<Value, Colour>)
+    else if constexpr (std::is_same_v<Value, Colour> || std::is_same_v<Value, Affine> ||
+                       std::is_same_v<Value, std::vector<Cubic>>)
         return toCbor(value);
+    else if constexpr (std::is_same_v<Value, SharedText>)
+        return toCbor(*value, images); // It is written only where there is one.
     else if constexpr (HasFields<Value>)
         return toCbor(value, images);
     else
@@ -79,6 +100,28 @@ QCborMap toCbor(const T &value, Images &images)
     return map;
 }
 
+void readNumbers(const QCborValue &value, Affine &map, bool &ok)
+{
+    const QCborArray n = value.toArray();
+    ok = ok && n.size() == 6;
+    map = {n.at(0).toDouble(),
+           n.at(1).toDouble(),
+           n.at(2).toDouble(),
+           n.at(3).toDouble(),
+           {n.at(4).toDouble(), n.at(5).toDouble()}};
+}
+
+void readNumbers(const QCborValue &value, std::vector<Cubic> &curves, bool &ok)
+{
+    const QCborArray numbers = value.toArray();
+    ok = ok && value.isArray() && numbers.size() % 8 == 0;
+    for (qsizetype k = 0; k + 8 <= numbers.size(); k += 8) {
+        Cubic &curve = curves.emplace_back();
+        for (qsizetype i = 0; i < 4; ++i)
+            curve.p[std::size_t(i)] = {numbers.at(k + 2 * i).toDouble(), numbers.at(k + 2 * i + 1).toDouble()};
+    }
+}
+
 template <HasFields T>
 void readMap(const QCborValue &value, const Images &images, T &target, bool &ok);
 
@@ -100,6 +143,15 @@ void readMember(const MapReader &in, const FieldTraits &traits, const char *name
         member = {area.at(0).toDouble(), area.at(1).toDouble(), area.at(2).toDouble(), area.at(3).toDouble()};
     } else if constexpr (std::is_same_v<Value, EncodedImage>) {
         in.read(name, member, images);
+    } else if constexpr (std::is_same_v<Value, Affine> || std::is_same_v<Value, std::vector<Cubic>>) {
+        if (const QCborValue numbers = in.take(name); !numbers.isUndefined())
+            readNumbers(numbers, member, ok);
+    } else if constexpr (std::is_same_v<Value, SharedText>) {
+        if (const QCborValue text = in.take(name); !text.isUndefined()) {
+            Text own;
+            readMap(text, images, own, ok);
+            member = std::move(own);
+        }
     } else if constexpr (HasFields<Value> && !std::is_same_v<Value, Colour>) {
         readMap(in.take(name), images, member, ok);
     } else {

@@ -54,6 +54,28 @@ void readOffset(JsonReader &json, Offset &offset)
     offset = {xy[0], xy[1]};
 }
 
+void readMatrix(JsonReader &json, Affine &map)
+{
+    std::array<double, 6> n{};
+    json.readAll(n);
+    map = {n[0], n[1], n[2], n[3], {n[4], n[5]}};
+}
+
+void readCurves(JsonReader &json, std::vector<Cubic> &curves)
+{
+    json.array([&](std::size_t) {
+        Cubic &curve = curves.emplace_back();
+        const std::size_t count = json.array([&](std::size_t i) {
+            std::array<double, 2> xy{};
+            json.readAll(xy);
+            if (i < 4)
+                curve.p[i] = {xy[0], xy[1]};
+        });
+        if (json.ok() && count != 4)
+            json.fail(FileMessages::tr("has %1 points instead of 4").arg(count));
+    });
+}
+
 void readRewet(JsonReader &json, std::vector<Rewet> &list)
 {
     json.array([&](std::size_t) {
@@ -97,6 +119,14 @@ void appendArea(QByteArray &out, const Rect &area)
     appendNumber(out.append(','), area.top);
     appendNumber(out.append(','), extentTo(area.left, area.right));
     appendNumber(out.append(','), extentTo(area.top, area.bottom));
+    out.append(']');
+}
+
+void appendMatrix(QByteArray &out, const Affine &map)
+{
+    const std::array<double, 6> numbers{map.a, map.b, map.c, map.d, map.offset.x, map.offset.y};
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        appendNumber(out.append(k ? ',' : '['), numbers[k]);
     out.append(']');
 }
 

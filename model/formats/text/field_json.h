@@ -83,10 +83,14 @@ void readRewet(JsonReader &json, std::vector<Rewet> &list);
 void readArea(JsonReader &json, Rect &area);
 void readSeed(JsonReader &json, std::uint32_t &seed);
 void readOffset(JsonReader &json, Offset &offset);
+void readMatrix(JsonReader &json, Affine &map);
+void readCurves(JsonReader &json, std::vector<Cubic> &curves);
 
 void appendImage(QByteArray &out, const EncodedImage &image);
 /// Writes [left, top, width, height] with extents from which right and bottom follow to the last bit.
 void appendArea(QByteArray &out, const Rect &area);
+/// Writes a map of the plane as the rows of its matrix and its offset: [a,b,c,d,x,y].
+void appendMatrix(QByteArray &out, const Affine &map);
 
 /// Reads an object. Returns which members it has, as bits of the fields' heads in their order. It fails if a required
 /// member is missing.
@@ -130,6 +134,14 @@ void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
         Fill fill;
         readObject(json, fill);
         value = fill;
+    } else if constexpr (std::is_same_v<Value, SharedText>) {
+        Text text;
+        readObject(json, text);
+        value = std::move(text);
+    } else if constexpr (std::is_same_v<Value, Affine>) {
+        readMatrix(json, value);
+    } else if constexpr (std::is_same_v<Value, std::vector<Cubic>>) {
+        readCurves(json, value);
     } else if constexpr (std::is_same_v<Value, std::vector<Rewet>>) {
         readRewet(json, value);
     } else if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
@@ -179,7 +191,18 @@ void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits
             appendJson(out, *value);
         else
             out.append("null");
-    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, SharedFill>) {
+    } else if constexpr (std::is_same_v<Value, Affine>) {
+        appendMatrix(out, value);
+    } else if constexpr (std::is_same_v<Value, std::vector<Cubic>>) {
+        out.append('[');
+        for (std::size_t k = 0; k < value.size(); ++k)
+            for (std::size_t i = 0; i < 4; ++i) {
+                appendMember(out.append(i ? "," : k ? ",[" : "["), value[k].p[i], traits);
+                out.append(i == 3 ? "]" : "");
+            }
+        out.append(']');
+    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, SharedFill> ||
+                         std::is_same_v<Value, SharedText>) {
         if (value)
             appendObject(out, *value);
         else
@@ -302,6 +325,10 @@ FieldTexts fieldTextsOf(const T &value)
             return;
         } else if constexpr (std::is_same_v<Value, SharedFill>) {
             for (const auto &[part, partText] : fieldTextsOf(member ? *member : Fill()))
+                out.emplace_back(name + '.' + part, member ? partText : QByteArray("null"));
+            return;
+        } else if constexpr (std::is_same_v<Value, SharedText>) {
+            for (const auto &[part, partText] : fieldTextsOf(member ? *member : Text()))
                 out.emplace_back(name + '.' + part, member ? partText : QByteArray("null"));
             return;
         } else if constexpr (std::is_same_v<Value, EncodedImage>) {
