@@ -39,6 +39,8 @@ const QList<Rule> &rules()
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
+        // Sets texts, and knows nothing of edits.
+        {"undo/lettering/", {"model/", "undo/lettering/"}, {"QtCore", "QtGui"}, {}},
         {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}, backends},
         {"render/backends", {"model/", "render/"}, {"QtCore"}, {}},
         {"render/fallback_renderer", {"render/replaced_renderer.h", "render/fallback_renderer.h"}, {"QtCore"}, {}},

@@ -1,0 +1,27 @@
+// Sets a text: which letter stands where.
+#pragma once
+
+#include "undo/lettering/laid_text.h"
+#include "undo/lettering/shaped_line.h"
+
+namespace suffuse {
+
+/// Sets texts by the fonts that are installed: shaped, with kerning and ligatures, in both directions, with other fonts
+/// where one lacks a letter. It is a pure function of the text and the fonts, and quick where most lines are those of
+/// the text before. It needs a QGuiApplication, and the thread of that.
+///
+/// Vertical lines have Chinese, Japanese and Korean letters upright, and all others turned by 90°. Qt does not reach
+/// the vertical forms of a font (OpenType's `vert`), so brackets and dashes are turned, too, and commas and full stops
+/// are put into the other corner of their square.
+///
+/// Along a curve, the middle of each letter stands at its length along the curve, turned as the curve is there. What
+/// runs past its ends goes straight on. Further lines lie beside it.
+class TextLayout {
+public:
+    LaidText lay(const Text &text);
+
+private:
+    LineShaper m_shaper;
+};
+
+} // namespace suffuse
