@@ -24,6 +24,8 @@ Edit changeSegmentsSince(const Document &document, const Painting &before, const
 Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
                    const std::function<void(Stroke &)> &change);
 
+/// A text that lies elsewhere, or none where there is none.
+SharedText moved(const SharedText &text, Point by);
 /// Adds strokes on top, and selects them if `select`. Their ids must have been taken from the document.
 Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes, bool select);
 /// What becomes of a stroke when something in its middle is removed.

@@ -36,6 +36,7 @@ struct Copies {
             Group group = *std::ranges::find(painting.groups, sibling.group, &Group::id);
             group.id = document.takeGroupId();
             group.parent = around;
+            group.text = moved(group.text, offset);
             groups.push_back(group);
             for (const Sibling &member : sibling.members)
                 add(member, group.id);
@@ -174,6 +175,15 @@ Edit copiesOf(Document &document, const std::set<StrokeId> &selected,
 }
 
 } // namespace
+
+SharedText moved(const SharedText &text, Point by)
+{
+    if (!text)
+        return {};
+    Text copy = *text;
+    copy.place.offset = copy.place.offset + by;
+    return copy;
+}
 
 Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
                    const std::function<void(Stroke &)> &change)

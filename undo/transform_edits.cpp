@@ -4,6 +4,7 @@
 #include "model/painting/validate.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
+#include "undo/text_edits.h"
 
 namespace suffuse {
 
@@ -124,6 +125,8 @@ Edit transformSelection(const Document &document, const Painting &before, const 
     }
     if (!edit.strokes.empty() && after != document.selection())
         edit.selection = std::move(after);
+    edit.groups = withTextsMapped(*document.painting(),
+                                  wholeTexts(before, [&edit](StrokeId id) { return edit.strokes.contains(id); }), map);
     return edit;
 }
 

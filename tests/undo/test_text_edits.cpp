@@ -1,0 +1,410 @@
+// Texts as they are typed in: what stays of their letters, and that every step has its way back.
+#include "model/painting/validate.h"
+#include "tests/undo/steps.h"
+#include "undo/group_edits.h"
+#include "undo/lettering/text_layout.h"
+#include "undo/text_edits.h"
+#include "undo/transform_edits.h"
+
+#include <QGuiApplication>
+#include <QRandomGenerator>
+#include <QTest>
+#include <QUndoStack>
+
+using namespace suffuse;
+
+namespace {
+
+/// A document in which texts are set as the program does it.
+struct Page {
+    Document document;
+    QUndoStack stack;
+    TextLayout layout;
+
+    Page() { document.reset(std::make_shared<const Painting>()); }
+    const Painting &painting() const { return *document.painting(); }
+    GroupId put(const Text &text)
+    {
+        const GroupId group = document.takeGroupId();
+        const LaidText after = layout.lay(text);
+        push(setText(document, group, text, nullptr, after, change({})));
+        return group;
+    }
+    void set(GroupId group, const Text &text, std::optional<qsizetype> at = {})
+    {
+        const LaidText before = layout.lay(*textOf(painting(), group)), after = layout.lay(text);
+        push(setText(document, group, text, &before, after, change(at)));
+    }
+    void retype(GroupId group, const QString &string, std::optional<qsizetype> at = {})
+    {
+        Text text = *textOf(painting(), group);
+        text.string = string;
+        set(group, text, at);
+    }
+    void push(Edit edit)
+    {
+        followTexts(painting(), edit);
+        if (!edit.isEmpty())
+            pushStep(stack, document, std::move(edit));
+    }
+    TextChange change(std::optional<qsizetype> at)
+    {
+        Brush brush;
+        brush.colour = {0.5f, 0.25f, 0, 1};
+        return {at, letterWith(brush, 100, ++born), true};
+    }
+    QString names() const
+    {
+        QString all;
+        for (const StrokePtr &stroke : painting().strokes)
+            all += stroke->name;
+        return all;
+    }
+    StrokePtr letter(int index) const { return painting().strokes[std::size_t(index)]; }
+    void select(int index) { document.setSelection({{letter(index)->id}, {}}); }
+    void recolour(int index, const Colour &colour)
+    {
+        push(changeStrokes(document, {letter(index)->id}, [&](Stroke &stroke) {
+            Fill fill = *stroke.fill;
+            fill.colour = colour;
+            stroke.fill = fill;
+        }));
+    }
+
+    Microseconds born = 0;
+};
+
+Text plain(const QString &string)
+{
+    Text text;
+    text.string = string;
+    text.family = QStringLiteral("DejaVu Sans");
+    text.size = 100;
+    text.place = Affine::translation({50, 200});
+    return text;
+}
+
+const Colour red{1, 0.2f, 0, 1};
+
+double farthest(const Stroke &a, const Stroke &b)
+{
+    if (a.segments.size() != b.segments.size())
+        return 1e9;
+    double most = 0;
+    for (std::size_t k = 0; k < a.segments.size(); ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            most = std::max(most, length(a.origin + a.segments[k].bezier[i] - (b.origin + b.segments[k].bezier[i])));
+    return most;
+}
+
+} // namespace
+
+class TestTextEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!LineShaper::hasFamily(QStringLiteral("DejaVu Sans")))
+            QSKIP("DejaVu Sans is not installed");
+    }
+
+    void aTextIsAGroupOfFills()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("Oi b")));
+        QCOMPARE(page.names(), QStringLiteral("Oib"));
+        QCOMPARE(page.painting().groups.size(), std::size_t(1));
+        QCOMPARE(textOf(page.painting(), group)->string, QStringLiteral("Oi b"));
+        QCOMPARE(problemOf(page.painting()), QString());
+        for (const StrokePtr &stroke : page.painting().strokes) {
+            QCOMPARE(stroke->group, group);
+            QVERIFY(stroke->fill && stroke->fill->rule == FillRule::NonZero);
+            QCOMPARE(stroke->fill->colour, (Colour{0.5f, 0.25f, 0, 1}));
+            for (const Segment &segment : stroke->segments)
+                QCOMPARE(segment.density, 0.0f);
+        }
+        const auto chains = [&](int letter) {
+            int count = 0;
+            for (std::size_t k = 0; k < page.letter(letter)->segments.size(); ++k)
+                count += page.letter(letter)->beginsChain(k);
+            return count;
+        };
+        QCOMPARE(chains(0), 2); // O
+        QCOMPARE(chains(1), 2); // i
+        page.stack.undo();
+        QVERIFY(page.painting().strokes.empty() && page.painting().groups.empty());
+    }
+
+    void lettersThatStayKeepTheirValues()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        page.recolour(1, red);
+        const std::vector<StrokeId> before = orderOf(page.painting());
+        const StrokePtr first = page.letter(0), last = page.letter(2);
+        page.retype(group, QStringLiteral("axbc"), 1);
+        QCOMPARE(page.names(), QStringLiteral("axbc"));
+        QCOMPARE(page.letter(0), first); // the very same
+        QCOMPARE(page.letter(2)->id, before[1]);
+        QCOMPARE(page.letter(2)->fill->colour, red);
+        QCOMPARE(page.letter(3)->id, before[2]);
+        QVERIFY(page.letter(3)->origin.x > last->origin.x + 10);
+        QCOMPARE(page.letter(3)->segments, last->segments);
+        QCOMPARE(page.letter(1)->fill->colour, first->fill->colour); // like the one before it
+        QVERIFY(page.letter(1)->born() > first->born());
+        page.retype(group, QStringLiteral("axbbc"), 3);
+        QCOMPARE(page.letter(3)->fill->colour, red); // so is this
+        page.stack.undo();
+        page.stack.undo();
+        QCOMPARE(orderOf(page.painting()), before);
+        QCOMPARE(page.letter(0), first);
+        QCOMPARE(page.letter(2), last);
+    }
+
+    void whereItWasTypedCounts()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("aaa")));
+        page.recolour(0, red);
+        page.retype(group, QStringLiteral("aaaa"), 0); // in front of the first
+        QCOMPARE(page.letter(1)->fill->colour, red);
+        page.retype(group, QStringLiteral("aaa"), 1); // without the second
+        QCOMPARE(page.letter(0)->fill->colour, red);  // the new one, which looks like its neighbour
+        QVERIFY(!(page.letter(1)->fill->colour == red));
+    }
+
+    void anotherFontKeepsThem()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        page.recolour(1, red);
+        const StrokePtr b = page.letter(1);
+        Text text = *textOf(page.painting(), group);
+        text.weight = 700;
+        text.size = 50;
+        page.set(group, text);
+        QCOMPARE(page.letter(1)->id, b->id);
+        QCOMPARE(page.letter(1)->fill->colour, red);
+        QCOMPARE(page.letter(1)->born(), b->born());
+        QVERIFY(farthest(*page.letter(1), *b) > 1);
+        QCOMPARE(problemOf(page.painting()), QString());
+    }
+
+    void emptiedTextsGo()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        page.retype(group, QStringLiteral("  "));
+        QVERIFY(page.painting().strokes.empty() && page.painting().groups.empty());
+        page.stack.undo();
+        QCOMPARE(page.names(), QStringLiteral("ab"));
+        Page other;
+        other.put(plain(QString()));
+        QCOMPARE(other.stack.count(), 0);
+    }
+
+    void theOrderStays()
+    {
+        Page page;
+        const GroupId below = page.put(plain(QStringLiteral("ab")));
+        page.put(plain(QStringLiteral("cd")));
+        page.retype(below, QStringLiteral("xaby"));
+        QCOMPARE(page.names(), QStringLiteral("xabycd"));
+        QCOMPARE(problemOf(page.painting()), QString());
+    }
+
+    void whatElseStandsInTheGroupStays()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        auto stroke = std::make_shared<Stroke>(*page.letter(0));
+        stroke->id = page.document.takeStrokeId();
+        stroke->name = QStringLiteral("flourish");
+        page.push(addStrokes(page.document, {stroke}, false));
+        page.retype(group, QStringLiteral("abc"));
+        QCOMPARE(page.names(), QStringLiteral("abcflourish"));
+        page.retype(group, QString());
+        QCOMPARE(page.names(), QStringLiteral("flourish"));
+    }
+
+    void deletedLettersStayDeleted()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        page.select(1);
+        page.push(deleteSelection(page.document));
+        page.retype(group, QStringLiteral("abcd"), 3);
+        QCOMPARE(page.names(), QStringLiteral("acd"));
+    }
+
+    void textsFollowTheirLetters_data()
+    {
+        QTest::addColumn<Affine>("map");
+        QTest::newRow("moved") << Affine::translation({12.5, -300});
+        QTest::newRow("turned") << Affine::rotation({100, 100}, 0.7);
+        QTest::newRow("scaled") << Affine::scaling({3, 4}, 2, 0.5);
+        QTest::newRow("skewed and mirrored") << Affine::skew({0, 0}, 0.3, 0) * Affine::scaling({0, 0}, -1, 1);
+    }
+    void textsFollowTheirLetters()
+    {
+        QFETCH(Affine, map);
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("map me")));
+        const Affine place = textOf(page.painting(), group)->place;
+        const PaintingPtr before = page.document.painting();
+        page.document.setSelection({strokesWithin(page.painting(), group), {}});
+        page.push(transformSelection(page.document, map, SpreadRule::Scales));
+        const Affine now = textOf(page.painting(), group)->place, wanted = map * place;
+        for (const Point p : {Point{0, 0}, Point{500, 0}, Point{0, 100}})
+            QVERIFY(length(now(p) - wanted(p)) < 1e-6);
+        // What is typed then goes on from there, and nothing else moves.
+        const StrokePtr last = page.letter(4);
+        page.retype(group, QStringLiteral("map me!"));
+        QCOMPARE(page.letter(4), last);
+        Page fresh;
+        Text text = plain(QStringLiteral("map me!"));
+        text.place = wanted;
+        fresh.put(text);
+        QVERIFY(farthest(*page.letter(5), *fresh.letter(5)) < 2e-3);
+        page.stack.undo();
+        page.stack.undo();
+        QVERIFY(page.painting() == *before);
+    }
+
+    void aLetterThatIsMovedAlone()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        page.select(1);
+        page.push(transformSelection(page.document, Affine::translation({0, 30}), SpreadRule::Scales));
+        QCOMPARE(textOf(page.painting(), group)->place, plain({}).place);
+        const StrokePtr moved = page.letter(1);
+        page.retype(group, QStringLiteral("abcd"));
+        QCOMPARE(page.letter(1), moved); // Nothing before it has changed.
+    }
+
+    void aMissingFontLeavesTheOutlines()
+    {
+        Page page;
+        Text text = plain(QStringLiteral("abc"));
+        const GroupId group = page.put(text);
+        // As if the file came from a machine that had it.
+        auto other = std::make_shared<Painting>(page.painting());
+        text.family = QStringLiteral("No Such Family At All");
+        other->groups[0].text = text;
+        page.document.reset(other);
+        const StrokePtr c = page.letter(2);
+        page.retype(group, QStringLiteral("abXc"), 2);
+        QCOMPARE(page.names(), QStringLiteral("abXc"));
+        QCOMPARE(page.letter(3)->id, c->id);
+        QCOMPARE(page.letter(3)->segments, c->segments);
+        QVERIFY(page.letter(3)->origin.x > c->origin.x);
+    }
+
+    void plainStrokes()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        QVERIFY(!canTurnTexts(page.document));
+        page.select(0);
+        QVERIFY(canTurnTexts(page.document));
+        QCOMPARE(selectedText(page.document), group);
+        page.push(textsToStrokes(page.document));
+        QVERIFY(!textOf(page.painting(), group));
+        QCOMPARE(page.names(), QStringLiteral("abc"));
+        QVERIFY(!canTurnTexts(page.document));
+        page.stack.undo();
+        QVERIFY(textOf(page.painting(), group));
+        page.push(ungroup(page.document, group));
+        QVERIFY(page.painting().groups.empty());
+    }
+
+    void copiesAreTexts()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        page.document.setSelection({strokesWithin(page.painting(), group), {}});
+        page.push(duplicateSelection(page.document, {10, 20}));
+        QCOMPARE(page.painting().groups.size(), std::size_t(2));
+        const Group &copy = page.painting().groups[1];
+        QVERIFY(copy.id != group);
+        QCOMPARE(copy.text->place, Affine::translation({60, 220}));
+        page.retype(copy.id, QStringLiteral("abc"));
+        QVERIFY(length(page.letter(2)->origin - page.letter(0)->origin - Point{10, 20}) < 1e-9);
+    }
+
+    void lockedTextsStay()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        page.push(setGroupLocked(page.document, group, true));
+        const int steps = page.stack.count();
+        page.retype(group, QStringLiteral("abc"));
+        QCOMPARE(page.stack.count(), steps);
+    }
+
+    /// Whatever is typed in whatever order: the painting is sound, the letters are those of the text, and undo leads
+    /// back.
+    void randomWalk()
+    {
+        QRandomGenerator random(7);
+        const QStringList pieces{QStringLiteral("a"),
+                                 QStringLiteral("ffi"),
+                                 QStringLiteral(" "),
+                                 QStringLiteral("\n"),
+                                 QStringLiteral("\u6c34"),
+                                 QStringLiteral("e\u0301"),
+                                 QStringLiteral("\u05d0\u05d1"),
+                                 QStringLiteral("W.")};
+        for (int walk = 0; walk < 12; ++walk) {
+            Page page;
+            const GroupId group = page.put(plain(QStringLiteral("start")));
+            std::vector<PaintingPtr> states{page.document.painting()};
+            for (int step = 0; step < 40; ++step) {
+                const SharedText now = textOf(page.painting(), group);
+                if (!now)
+                    break;
+                Text text = *now;
+                const qsizetype from = random.bounded(int(text.string.size()) + 1);
+                switch (random.bounded(7)) {
+                case 0:
+                    text.string.remove(from, random.bounded(4));
+                    break;
+                case 1:
+                    text.vertical = !text.vertical;
+                    break;
+                case 2:
+                    text.letterSpacing = float(random.bounded(3)) / 10;
+                    break;
+                case 3:
+                    page.document.setSelection({strokesWithin(page.painting(), group), {}});
+                    page.push(transformSelection(page.document, Affine::rotation({0, 0}, random.generateDouble()),
+                                                 SpreadRule::Stays));
+                    break;
+                default:
+                    text.string.insert(from, pieces[random.bounded(int(pieces.size()))]);
+                }
+                if (!text.string.isValidUtf16())
+                    continue;
+                text.place = textOf(page.painting(), group)->place;
+                page.set(group, text, from);
+                QCOMPARE(problemOf(page.painting()), QString());
+                if (const SharedText set = textOf(page.painting(), group)) {
+                    const std::vector<StrokeId> letters = lettersOf(page.painting(), group, page.layout.lay(*set));
+                    QCOMPARE(letters, orderOf(page.painting()));
+                }
+            }
+            const PaintingPtr last = page.document.painting();
+            while (page.stack.canUndo())
+                page.stack.undo();
+            QVERIFY(page.painting().strokes.empty());
+            while (page.stack.canRedo())
+                page.stack.redo();
+            QVERIFY(page.painting() == *last);
+        }
+    }
+};
+
+QTEST_MAIN(TestTextEdits)
+#include "test_text_edits.moc"

@@ -1,0 +1,436 @@
+#include "undo/text_edits.h"
+
+#include "model/brush/brush_width.h"
+#include "model/painting/validate.h"
+#include "undo/fill_edits.h"
+#include "undo/order_tree.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace suffuse {
+
+namespace {
+
+const Group *groupOf(const Painting &painting, GroupId id)
+{
+    const auto at = std::ranges::find(painting.groups, id, &Group::id);
+    return at == painting.groups.end() ? nullptr : &*at;
+}
+
+bool isWithin(const Painting &painting, GroupId inner, GroupId outer)
+{
+    const std::vector<GroupId> around = groupsAround(painting, inner);
+    return std::ranges::find(around, outer) != around.end();
+}
+
+/// What stands where in a text, for comparing two states of it.
+struct Letter {
+    const LaidCluster *cluster = nullptr;
+    QString characters;
+    Affine place; ///< from ems to the canvas
+    StrokePtr stroke;
+};
+
+std::vector<Letter> lettersIn(const LaidText &laid, const Text &text)
+{
+    std::vector<Letter> letters;
+    for (const LaidCluster &cluster : laid.clusters)
+        if (cluster.hasInk())
+            letters.push_back({&cluster, text.string.mid(cluster.from, cluster.to - cluster.from),
+                               text.place * cluster.place, nullptr});
+    return letters;
+}
+
+/// For each of some texts its partner among others, −1: none. Partners stand in the same order in both, and as many as
+/// possible have one. Where that would take long, only the ends are looked at.
+std::vector<int> partners(const std::vector<QString> &of, const std::vector<QString> &among)
+{
+    std::vector<int> out(of.size(), -1);
+    std::size_t head = 0, tail = 0;
+    const std::size_t least = std::min(of.size(), among.size());
+    for (; head < least && of[head] == among[head]; ++head)
+        out[head] = int(head);
+    for (; tail < least - head && of[of.size() - 1 - tail] == among[among.size() - 1 - tail]; ++tail)
+        out[of.size() - 1 - tail] = int(among.size() - 1 - tail);
+    const std::size_t n = of.size() - head - tail, m = among.size() - head - tail;
+    constexpr std::size_t mostPairs = 4'000'000;
+    if (n == 0 || m == 0 || n * m > mostPairs)
+        return out;
+    std::vector<std::vector<std::uint32_t>> longest(n + 1, std::vector<std::uint32_t>(m + 1, 0));
+    for (std::size_t i = n; i-- > 0;)
+        for (std::size_t j = m; j-- > 0;)
+            longest[i][j] = of[head + i] == among[head + j] ? longest[i + 1][j + 1] + 1
+                                                            : std::max(longest[i + 1][j], longest[i][j + 1]);
+    for (std::size_t i = 0, j = 0; i < n && j < m;) {
+        if (of[head + i] == among[head + j])
+            out[head + i++] = int(head + j++);
+        else if (longest[i + 1][j] >= longest[i][j + 1])
+            ++i;
+        else
+            ++j;
+    }
+    return out;
+}
+
+std::vector<QString> namesOf(const std::vector<Letter> &letters)
+{
+    std::vector<QString> names;
+    for (const Letter &letter : letters)
+        names.push_back(letter.characters);
+    return names;
+}
+
+/// Gives the letters of a text their strokes: by their order if there are as many, else by their names. Returns what
+/// else stands in the group, in order.
+std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std::vector<Letter> &letters)
+{
+    std::vector<StrokePtr> own, others;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (stroke->group == group)
+            own.push_back(stroke);
+        else if (stroke->group != 0 && isWithin(painting, stroke->group, group))
+            others.push_back(stroke);
+    std::vector<int> found(letters.size(), -1);
+    if (own.size() == letters.size()) {
+        std::iota(found.begin(), found.end(), 0);
+    } else {
+        std::vector<QString> names;
+        for (const StrokePtr &stroke : own)
+            names.push_back(stroke->name);
+        found = partners(namesOf(letters), names);
+    }
+    std::vector<bool> isLetter(own.size());
+    for (std::size_t k = 0; k < letters.size(); ++k)
+        if (found[k] >= 0) {
+            letters[k].stroke = own[std::size_t(found[k])];
+            isLetter[std::size_t(found[k])] = true;
+        }
+    if (others.empty()) {
+        for (std::size_t k = 0; k < own.size(); ++k)
+            if (!isLetter[k])
+                others.push_back(own[k]);
+        return others;
+    }
+    // In the order of the painting, since those of a group within must stay together.
+    std::unordered_set<StrokeId> letterIds;
+    for (std::size_t k = 0; k < own.size(); ++k)
+        if (isLetter[k])
+            letterIds.insert(own[k]->id);
+    others.clear();
+    for (const StrokePtr &stroke : painting.strokes)
+        if (!letterIds.contains(stroke->id) &&
+            (stroke->group == group || (stroke->group != 0 && isWithin(painting, stroke->group, group))))
+            others.push_back(stroke);
+    return others;
+}
+
+/// For each new letter the old one that it goes on with, or −1.
+std::vector<int> stayingLetters(const std::vector<Letter> &old, const QString &oldString,
+                                const std::vector<Letter> &now, const QString &string, std::optional<qsizetype> at)
+{
+    const qsizetype least = std::min(oldString.size(), string.size());
+    qsizetype head = 0, tail = 0;
+    const qsizetype mostHead = at ? std::clamp<qsizetype>(*at, 0, least) : least;
+    while (head < mostHead && oldString[head] == string[head])
+        ++head;
+    while (tail < least - head && oldString[oldString.size() - 1 - tail] == string[string.size() - 1 - tail])
+        ++tail;
+    std::vector<int> out(now.size(), -1);
+    const auto same = [&](std::size_t i, std::size_t j) { return old[i].characters == now[j].characters; };
+    std::size_t first = 0, last = 0;
+    const std::size_t count = std::min(old.size(), now.size());
+    while (first < count && same(first, first) && now[first].cluster->to <= head && old[first].cluster->to <= head) {
+        out[first] = int(first);
+        ++first;
+    }
+    while (last < count - first) {
+        const std::size_t i = old.size() - 1 - last, j = now.size() - 1 - last;
+        if (!same(i, j) || now[j].cluster->from < string.size() - tail ||
+            old[i].cluster->from < oldString.size() - tail)
+            break;
+        out[j] = int(i);
+        ++last;
+    }
+    std::vector<QString> before, after;
+    for (std::size_t i = first; i < old.size() - last; ++i)
+        before.push_back(old[i].characters);
+    for (std::size_t j = first; j < now.size() - last; ++j)
+        after.push_back(now[j].characters);
+    const std::vector<int> middle = partners(after, before);
+    for (std::size_t j = 0; j < middle.size(); ++j)
+        if (middle[j] >= 0)
+            out[first + j] = int(first) + middle[j];
+    return out;
+}
+
+/// Gives a stroke the outline of a letter. The segments have the values of the first one it had.
+void setOutline(Stroke &stroke, const Letter &letter)
+{
+    Segment values = stroke.segments.front();
+    values.start = values.lift = false;
+    values.node = NodeKind::Corner;
+    values.style.reset();
+    stroke.segments.clear();
+    stroke.origin = letter.place.offset;
+    for (const std::vector<Cubic> &contour : *letter.cluster->outline) {
+        bool isFirst = true;
+        for (const Cubic &curve : contour) {
+            Segment segment = values;
+            for (std::size_t i = 0; i < 4; ++i)
+                segment.bezier[i] = toOffset(letter.place.turned(curve.p[i]), {});
+            if (!isFirst)
+                segment.bezier[0] = stroke.segments.back().bezier[3];
+            if (std::ranges::all_of(segment.bezier, [&](Offset o) { return o == segment.bezier[0]; }))
+                continue;
+            segment.start = isFirst && !stroke.segments.empty();
+            isFirst = false;
+            stroke.segments.push_back(std::move(segment));
+        }
+    }
+}
+
+bool hasSameLinearPart(const Affine &a, const Affine &b)
+{
+    return a.a == b.a && a.b == b.b && a.c == b.c && a.d == b.d;
+}
+
+/// A stroke that is a letter now, or null where it cannot be.
+StrokePtr asLetter(const Stroke &values, const Letter &letter)
+{
+    auto stroke = std::make_shared<Stroke>(values);
+    stroke->name = letter.characters;
+    setOutline(*stroke, letter);
+    return stroke->segments.empty() || !problemOf(*stroke).isEmpty() ? nullptr : stroke;
+}
+
+/// What a staying letter becomes.
+StrokePtr staying(const Letter &old, const Letter &now)
+{
+    const bool keepsShape = old.cluster->outline == now.cluster->outline && hasSameLinearPart(old.place, now.place);
+    if (!keepsShape)
+        return asLetter(*old.stroke, now);
+    if (old.place.offset == now.place.offset)
+        return old.stroke;
+    auto moved = std::make_shared<Stroke>(*old.stroke);
+    moved->origin = moved->origin + (now.place.offset - old.place.offset);
+    return problemOf(*moved).isEmpty() ? moved : nullptr;
+}
+
+/// A letter that looks as another one.
+Stroke like(const Stroke &neighbour, const Stroke &letter)
+{
+    Stroke stroke = neighbour;
+    stroke.id = 0;
+    stroke.visible = true;
+    stroke.locked = false;
+    stroke.segments.resize(1);
+    Segment &values = stroke.segments.front();
+    values.born = letter.segments.front().born;
+    values.rewet.clear();
+    values.lift = false;
+    if (stroke.fill) {
+        Fill fill = *stroke.fill;
+        fill.born = values.born;
+        stroke.fill = fill;
+    }
+    return stroke;
+}
+
+} // namespace
+
+Stroke letterWith(const Brush &brush, double size, Microseconds born)
+{
+    constexpr double mostSpread = 1.0 / 30; // ems
+    Stroke stroke;
+    stroke.style = brush.style;
+    stroke.mix = brush.mix;
+    stroke.brush = brush.name;
+    Segment values = valuesAtFullPressure(brush);
+    values.born = born;
+    stroke.segments.push_back(values);
+    Fill fill = usualFill(stroke);
+    const double spread = mostSpread * size;
+    fill.diffusion = std::min(fill.diffusion, float(spread * spread / (4 * double(fill.maxAge))));
+    stroke.fill = fill;
+    stroke.segments.front().density = 0;
+    return stroke;
+}
+
+SharedText textOf(const Painting &painting, GroupId group)
+{
+    const Group *found = group ? groupOf(painting, group) : nullptr;
+    return found ? found->text : SharedText();
+}
+
+GroupId textAround(const Painting &painting, const Stroke &stroke)
+{
+    for (const GroupId id : groupsAround(painting, stroke.group))
+        if (textOf(painting, id))
+            return id;
+    return 0;
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group)
+{
+    std::set<StrokeId> ids;
+    std::unordered_map<GroupId, bool> known{{0, false}};
+    for (const StrokePtr &stroke : painting.strokes) {
+        const auto [at, isNew] = known.try_emplace(stroke->group, false);
+        if (isNew)
+            at->second = isWithin(painting, stroke->group, group);
+        if (at->second)
+            ids.insert(stroke->id);
+    }
+    return ids;
+}
+
+GroupId selectedText(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (selected.empty() || std::ranges::none_of(painting.groups, [](const Group &g) { return bool(g.text); }))
+        return 0;
+    GroupId text = 0;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selected.contains(stroke->id)) {
+            const GroupId around = stroke->group ? textAround(painting, *stroke) : 0;
+            if (around == 0 || (text != 0 && around != text))
+                return 0;
+            text = around;
+        }
+    return text;
+}
+
+std::vector<StrokeId> lettersOf(const Painting &painting, GroupId group, const LaidText &laid)
+{
+    const SharedText text = textOf(painting, group);
+    if (!text)
+        return {};
+    std::vector<Letter> letters = lettersIn(laid, *text);
+    findStrokes(painting, group, letters);
+    std::vector<StrokeId> ids;
+    for (const Letter &letter : letters)
+        ids.push_back(letter.stroke ? letter.stroke->id : 0);
+    return ids;
+}
+
+Edit setText(Document &document, GroupId group, const Text &text, const LaidText *before, const LaidText &after,
+             const TextChange &change)
+{
+    const Painting &painting = *document.painting();
+    const Group *present = groupOf(painting, group);
+    const Text was = present && present->text && before ? *present->text : Text();
+    Stroke member;
+    member.group = present ? group : 0;
+    if (painting.isLocked(member) || !problemOf(text).isEmpty())
+        return {};
+    std::vector<Letter> old, now = lettersIn(after, text);
+    if (present && before)
+        old = lettersIn(*before, was);
+    const std::vector<StrokePtr> others = present ? findStrokes(painting, group, old) : std::vector<StrokePtr>();
+    const std::vector<int> stays = stayingLetters(old, was.string, now, text.string, change.at);
+
+    Edit edit;
+    std::vector<StrokeId> letters;
+    StrokePtr neighbour;
+    for (std::size_t k = 0; k < now.size() && !neighbour; ++k) // for those before the first that stays
+        if (stays[k] >= 0)
+            neighbour = old[std::size_t(stays[k])].stroke;
+    if (!neighbour)
+        for (const Letter &letter : old)
+            neighbour = neighbour ? neighbour : letter.stroke;
+    std::vector<bool> isGone(old.size(), true);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const Letter *letter = stays[k] >= 0 ? &old[std::size_t(stays[k])] : nullptr;
+        StrokePtr made;
+        if (letter) {
+            isGone[std::size_t(stays[k])] = false;
+            if (!letter->stroke)
+                continue; // It was deleted, and stays so.
+            made = staying(*letter, now[k]);
+            if (!made)
+                return {};
+            neighbour = letter->stroke;
+            if (made != letter->stroke)
+                edit.strokes.emplace(made->id, made);
+        } else {
+            Stroke values = neighbour && change.likeNeighbours ? like(*neighbour, change.letter) : change.letter;
+            values.id = document.takeStrokeId();
+            values.group = group;
+            made = asLetter(values, now[k]);
+            if (!made)
+                continue; // It is too small, or lies too far out.
+            edit.strokes.emplace(made->id, made);
+        }
+        letters.push_back(made->id);
+    }
+    for (std::size_t i = 0; i < old.size(); ++i)
+        if (isGone[i] && old[i].stroke)
+            edit.strokes.emplace(old[i].stroke->id, nullptr);
+
+    const bool remains = !letters.empty() || !others.empty();
+    std::vector<StrokeId> order;
+    bool isPut = false;
+    const auto put = [&] {
+        if (std::exchange(isPut, true))
+            return;
+        order.insert(order.end(), letters.begin(), letters.end());
+        for (const StrokePtr &other : others)
+            order.push_back(other->id);
+    };
+    std::unordered_set<StrokeId> own;
+    for (const Letter &letter : old)
+        if (letter.stroke)
+            own.insert(letter.stroke->id);
+    for (const StrokePtr &other : others)
+        own.insert(other->id);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (own.contains(stroke->id))
+            put();
+        else
+            order.push_back(stroke->id);
+    put();
+    if (order != orderOf(painting))
+        edit.order = std::move(order);
+
+    std::vector<Group> groups = painting.groups;
+    if (!remains)
+        std::erase_if(groups, [group](const Group &g) { return g.id == group; });
+    else if (present)
+        std::ranges::find(groups, group, &Group::id)->text = text;
+    else
+        groups.push_back({group, {}, 0, true, false, text});
+    if (groups != painting.groups)
+        edit.groups = std::move(groups);
+    return edit;
+}
+
+Edit textsToStrokes(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    std::set<GroupId> texts;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (stroke->group != 0 && document.selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+            texts.insert(textAround(painting, *stroke));
+    Edit edit;
+    std::vector<Group> groups = painting.groups;
+    for (Group &group : groups)
+        if (texts.contains(group.id))
+            group.text = {};
+    if (groups != painting.groups)
+        edit.groups = std::move(groups);
+    return edit;
+}
+
+bool canTurnTexts(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    return !selected.empty() && std::ranges::any_of(painting.groups, [](const Group &g) { return bool(g.text); }) &&
+           std::ranges::any_of(painting.strokes, [&](const StrokePtr &stroke) {
+               return stroke->group != 0 && selected.contains(stroke->id) && textAround(painting, *stroke) != 0;
+           });
+}
+
+} // namespace suffuse
