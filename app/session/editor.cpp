@@ -8,6 +8,7 @@
 #include "model/painting/paper_presets.h"
 #include "undo/kept_history.h"
 #include "undo/restore_edit.h"
+#include "undo/text_edits.h"
 #include "undo/time_edits.h"
 
 #include <QDir>
@@ -112,6 +113,7 @@ bool Editor::isStepping() const
 
 Edit Editor::placed(Edit edit)
 {
+    followTexts(*m_document.painting(), edit);
     if (!m_clock.isInPast())
         return edit;
     edit = placedInTime(m_document, std::move(edit));

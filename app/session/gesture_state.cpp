@@ -3,6 +3,7 @@
 #include "app/session/gesture_desk.h"
 #include "undo/back_edit.h"
 #include "undo/node_edits.h"
+#include "undo/text_edits.h"
 
 namespace suffuse {
 
@@ -42,9 +43,10 @@ void GestureState::take(const std::set<StrokeId> &strokes)
     for (const StrokePtr &stroke : painting.strokes)
         if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
             m_taken.try_emplace(stroke->id, Taken{stroke, stroke});
+    m_texts = wholeTexts(painting, [this](StrokeId id) { return m_taken.contains(id); });
 }
 
-void GestureState::showEach(const std::function<Stroke(const Stroke &)> &change)
+void GestureState::showEach(const std::function<Stroke(const Stroke &)> &change, const Affine *map)
 {
     if (!m_desk)
         return;
@@ -57,7 +59,10 @@ void GestureState::showEach(const std::function<Stroke(const Stroke &)> &change)
             changed.push_back(change(*it->second.before));
         }
     std::erase_if(m_taken, [](const auto &entry) { return !entry.second.kept; });
-    show(replaceStrokes(document, std::move(changed)));
+    Edit edit = replaceStrokes(document, std::move(changed));
+    if (map)
+        edit.groups = withTextsMapped(*document.painting(), m_texts, *map);
+    show(std::move(edit));
     for (const StrokePtr &stroke : document.painting()->strokes)
         if (const auto it = m_taken.find(stroke->id); it != m_taken.end()) {
             it->second.shown = stroke;
@@ -85,7 +90,7 @@ void GestureState::floatBy(const Affine &map, SpreadRule rule)
 
 void GestureState::showMapped()
 {
-    showEach([this](const Stroke &stroke) { return transformed(stroke, m_map, m_rule); });
+    showEach([this](const Stroke &stroke) { return transformed(stroke, m_map, m_rule); }, &m_map);
 }
 
 std::set<StrokeId> GestureState::strokes() const
@@ -146,6 +151,7 @@ void GestureState::forget()
     m_afloat = false;
     m_back.reset();
     m_taken.clear();
+    m_texts.clear();
 }
 
 void GestureState::rest()

@@ -25,7 +25,8 @@ public:
 
     void show(Edit edit);
     void take(const std::set<StrokeId> &strokes);
-    void showEach(const std::function<Stroke(const Stroke &)> &change);
+    /// Where all of it is one map, texts follow it.
+    void showEach(const std::function<Stroke(const Stroke &)> &change, const Affine *map = nullptr);
     void floatBy(const Affine &map, SpreadRule rule);
     std::set<StrokeId> strokes() const;
     const Stroke *before(StrokeId stroke) const;
@@ -62,7 +63,8 @@ private:
     QString m_name;
     std::optional<Edit> m_back;
     std::map<StrokeId, Taken> m_taken;
-    Affine m_map; ///< that is shown
+    std::map<GroupId, Text> m_texts; ///< of which all strokes are taken, as they were
+    Affine m_map;                    ///< that is shown
     SpreadRule m_rule = SpreadRule::Scales;
     Affine m_liftedAt; ///< the map under which the strokes were lifted
     bool m_maps = false;

@@ -163,6 +163,14 @@ Painting asPainting(const Painting &painting, const Selection &selection)
     for (const Group &group : painting.groups)
         if (groups.contains(group.id))
             result.groups.push_back(group);
+    // Some of a text's letters are no text: it would have all of them when it is edited.
+    std::set<GroupId> incomplete;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (!selection.strokes.contains(stroke->id))
+            incomplete.insert(stroke->group);
+    for (Group &group : result.groups)
+        if (incomplete.contains(group.id))
+            group.text = {};
     return result;
 }
 

@@ -77,16 +77,17 @@ QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> c
     std::map<GroupId, GroupId> fresh;
     for (const Group &group : added.groups)
         fresh[group.id] = document.takeGroupId();
+    const Point by = centre ? *centre - controlBoxOf(strokes).centre() : Point{};
     if (!added.groups.empty()) {
         edit.groups = document.painting()->groups;
         for (Group group : added.groups) {
             group.visible = true, group.locked = false;
             group.id = fresh[group.id];
             group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
+            group.text = moved(group.text, by);
             edit.groups->push_back(std::move(group));
         }
     }
-    const Point by = centre ? *centre - controlBoxOf(strokes).centre() : Point{};
     edit.order.emplace();
     for (const StrokePtr &stroke : document.painting()->strokes)
         edit.order->push_back(stroke->id);
