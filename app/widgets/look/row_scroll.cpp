@@ -7,7 +7,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int leastWidth = 200; ///< of what is seen of a row, logical pixels
+constexpr int leastRowWidth = 200; ///< of what is seen of a row, logical pixels
 
 } // namespace
 
@@ -30,7 +30,7 @@ QSize RowScroll::sizeHint() const
 
 QSize RowScroll::minimumSizeHint() const
 {
-    return {leastWidth, height(*widget())};
+    return {leastRowWidth, height(*widget())};
 }
 
 void RowScroll::resizeEvent(QResizeEvent *event)
