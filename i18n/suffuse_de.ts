@@ -1201,6 +1201,26 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>Nicht kombiniert: Ein Strich hat eine Füllung, und diese sind verschieden, überlappen sich oder fehlen bei einigen Strichen.</translation>
     </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>Te&amp;xt</translation>
+    </message>
+    <message>
+        <source>Type texts, whose letters are strokes</source>
+        <translation>Texte schreiben, deren Buchstaben Striche sind</translation>
+    </message>
+    <message>
+        <source>Text to Strokes</source>
+        <translation>Text in Striche umwandeln</translation>
+    </message>
+    <message>
+        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
+        <translation>Aus den Buchstaben der gewählten Texte gewöhnliche Striche machen; in sie lässt sich dann nicht mehr schreiben</translation>
+    </message>
+    <message>
+        <source>Text to strokes</source>
+        <translation>Text in Striche</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -9296,6 +9316,146 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Bucket fill</source>
         <translation>Farbeimer</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextEntry</name>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextTool</name>
+    <message>
+        <source>The font “%1” is not installed here, so these letters stay as they are. Choose another one above, or type on: new letters are those of a font like it.</source>
+        <translation>Die Schrift „%1“ ist hier nicht installiert, daher bleiben diese Buchstaben, wie sie sind. Oben eine andere wählen oder weiterschreiben: Neue Buchstaben kommen aus einer ähnlichen Schrift.</translation>
+    </message>
+    <message>
+        <source>Type. Return: a new line. Esc or a click elsewhere: done.</source>
+        <translation>Schreiben. Eingabe: neue Zeile. Esc oder ein Klick daneben: fertig.</translation>
+    </message>
+    <message>
+        <source>Click or Return: type a text, or in the text that is there.</source>
+        <translation>Klick oder Eingabe: einen Text schreiben, oder in den, der dort steht.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextRow</name>
+    <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Font: it is not installed here, and another one stands in</source>
+        <translation>Schrift: Sie ist hier nicht installiert, und eine andere vertritt sie</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Leicht</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Semibold</source>
+        <translation>Halbfett</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>How strong the letters are</source>
+        <translation>Wie kräftig die Buchstaben sind</translation>
+    </message>
+    <message>
+        <source>Italic</source>
+        <translation>Kursiv</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The em of the font, canvas units</source>
+        <translation>Das Geviert der Schrift, in Einheiten</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Room that is added between letters, of the size</source>
+        <translation>Raum, der zwischen Buchstaben dazukommt, bezogen auf die Größe</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>From one line to the next, of the size</source>
+        <translation>Von einer Zeile zur nächsten, bezogen auf die Größe</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Where lines lie: they begin at the text&apos;s place, are centred on it, or end there</source>
+        <translation>Wo Zeilen liegen: Sie beginnen am Ort des Textes, liegen mittig zu ihm oder enden dort</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Lines run from top to bottom, and follow each other from right to left</source>
+        <translation>Zeilen laufen von oben nach unten und folgen einander von rechts nach links</translation>
+    </message>
+    <message>
+        <source>On Selected Stroke</source>
+        <translation>Auf gewähltem Strich</translation>
+    </message>
+    <message>
+        <source>Set the text along the selected stroke</source>
+        <translation>Den Text entlang dem gewählten Strich setzen</translation>
+    </message>
+    <message>
+        <source>Straight</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Take the text off its curve</source>
+        <translation>Den Text von seiner Kurve nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextValues</name>
+    <message>
+        <source>Change text</source>
+        <translation>Text ändern</translation>
     </message>
 </context>
 </TS>

@@ -1191,6 +1191,26 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>未合并：一条笔画只有一个填充，而所选笔画的填充各不相同、相互重叠，或有的没有填充。</translation>
     </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>文字(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Type texts, whose letters are strokes</source>
+        <translation>键入文字，其中每个字都是笔画</translation>
+    </message>
+    <message>
+        <source>Text to Strokes</source>
+        <translation>文字转为笔画</translation>
+    </message>
+    <message>
+        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
+        <translation>把所选文字的字变成普通笔画；此后不能再键入</translation>
+    </message>
+    <message>
+        <source>Text to strokes</source>
+        <translation>文字转为笔画</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -9246,6 +9266,146 @@ Arrow keys work too.</source>
     <message>
         <source>Bucket fill</source>
         <translation>油漆桶填充</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextEntry</name>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextTool</name>
+    <message>
+        <source>The font “%1” is not installed here, so these letters stay as they are. Choose another one above, or type on: new letters are those of a font like it.</source>
+        <translation>此处未安装字体“%1”，因此这些字保持原样。请在上方另选字体，或继续键入：新的字将使用相近的字体。</translation>
+    </message>
+    <message>
+        <source>Type. Return: a new line. Esc or a click elsewhere: done.</source>
+        <translation>键入文字。回车：换行。Esc 或点击别处：完成。</translation>
+    </message>
+    <message>
+        <source>Click or Return: type a text, or in the text that is there.</source>
+        <translation>点击或回车：键入文字，或在已有的文字中键入。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextRow</name>
+    <message>
+        <source>Font</source>
+        <translation>字体</translation>
+    </message>
+    <message>
+        <source>Font: it is not installed here, and another one stands in</source>
+        <translation>字体：此处未安装，由另一种字体代替</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>极细</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>细</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>中等</translation>
+    </message>
+    <message>
+        <source>Semibold</source>
+        <translation>半粗</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>粗</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>特粗</translation>
+    </message>
+    <message>
+        <source>How strong the letters are</source>
+        <translation>字的粗细</translation>
+    </message>
+    <message>
+        <source>Italic</source>
+        <translation>斜体</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>字号</translation>
+    </message>
+    <message>
+        <source>The em of the font, canvas units</source>
+        <translation>字体的全身尺寸，画布单位</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>字距</translation>
+    </message>
+    <message>
+        <source>Room that is added between letters, of the size</source>
+        <translation>字与字之间增加的间距，相对于字号</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>From one line to the next, of the size</source>
+        <translation>从一行到下一行的距离，相对于字号</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Where lines lie: they begin at the text&apos;s place, are centred on it, or end there</source>
+        <translation>各行的位置：从文字的位置开始、以其为中心或在该处结束</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>竖排</translation>
+    </message>
+    <message>
+        <source>Lines run from top to bottom, and follow each other from right to left</source>
+        <translation>每行从上到下，各行从右到左排列</translation>
+    </message>
+    <message>
+        <source>On Selected Stroke</source>
+        <translation>沿所选笔画</translation>
+    </message>
+    <message>
+        <source>Set the text along the selected stroke</source>
+        <translation>让文字沿所选笔画排列</translation>
+    </message>
+    <message>
+        <source>Straight</source>
+        <translation>拉直</translation>
+    </message>
+    <message>
+        <source>Take the text off its curve</source>
+        <translation>让文字脱离曲线</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TextValues</name>
+    <message>
+        <source>Change text</source>
+        <translation>更改文字</translation>
     </message>
 </context>
 </TS>

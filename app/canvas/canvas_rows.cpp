@@ -67,7 +67,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
             return step.isEmpty() ? Commands::tr("&Undo") : Commands::tr("&Undo: %1").arg(step);
         })
         .runs([&canvas, &editor] {
-            if (!givesUp(canvas))
+            if (!(canvas.tool() && canvas.tool()->takeBack()) && !givesUp(canvas))
                 editor.undo();
         });
     table
@@ -83,7 +83,8 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
         .in(CommandScope::Strokes)
         .when([&canvas, selected = anySelected(editor)] { return isBusy(canvas) || selected(); })
         .runs([&canvas, &editor, &table] {
-            if (givesUp(canvas) || canvas.tool()->deleteSelected())
+            if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
+                                           : givesUp(canvas) || canvas.tool()->deleteSelected())
                 return;
             const QString done = commands::deleteSelected(editor);
             // A tool that shows no outlines leaves open what was selected.

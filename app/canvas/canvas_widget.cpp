@@ -5,6 +5,8 @@
 #include "app/session/settings/renderer_options.h"
 
 #include <QEvent>
+#include <QGuiApplication>
+#include <QInputMethod>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScopeGuard>
@@ -143,7 +145,12 @@ void CanvasWidget::setTool(Tool *next)
 {
     if (next == tool())
         return;
+    if (tool())
+        disconnect(tool(), &Tool::typingChanged, this, nullptr);
     m_input.hand().setTool(next);
+    if (next)
+        connect(next, &Tool::typingChanged, this, &CanvasWidget::followTyping);
+    followTyping();
     if (next)
         m_editor.colourTarget().useTool(next->colourUse());
     m_worker.setCoarseWanted(wantsCoarse());
@@ -151,6 +158,31 @@ void CanvasWidget::setTool(Tool *next)
     updateOverlay();
     emit toolChanged();
     m_input.noteBusy();
+}
+
+void CanvasWidget::followTyping()
+{
+    const bool types = tool() && tool()->takesText();
+    if (types != testAttribute(Qt::WA_InputMethodEnabled))
+        setAttribute(Qt::WA_InputMethodEnabled, types);
+    if (types)
+        QGuiApplication::inputMethod()->update(Qt::ImQueryInput);
+}
+
+void CanvasWidget::inputMethodEvent(QInputMethodEvent *event)
+{
+    if (tool() && tool()->takesText())
+        tool()->inputMethod(*event);
+    event->accept();
+    m_input.noteBusy();
+}
+
+QVariant CanvasWidget::inputMethodQuery(Qt::InputMethodQuery query) const
+{
+    if (query == Qt::ImEnabled || !tool() || !tool()->takesText())
+        return QWidget::inputMethodQuery(query);
+    const QVariant answer = tool()->inputMethodQuery(query);
+    return answer.isValid() ? answer : QWidget::inputMethodQuery(query);
 }
 
 Point CanvasWidget::zoomCentre() const

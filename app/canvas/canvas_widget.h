@@ -45,8 +45,8 @@ public:
     void setTool(Tool *tool);
     /// Ends what the tool has in hand as the release of the button would, before something else is done.
     void finishGesture() { m_input.finish(); }
-    /// Finishes what the tool holds between two presses, an outline for example, so that it belongs to the painting: before
-    /// a command that is about all that is seen.
+    /// Finishes what the tool holds between two presses, an outline for example, so that it belongs to the painting:
+    /// before a command that is about all that is seen.
     void settleTool()
     {
         if (tool() && !isPressed())
@@ -127,8 +127,8 @@ signals:
     void viewChanged();
     void modifiersChanged();
     void toolChanged();
-    void begunChanged();                   ///< `selection()` has changed, though nothing else was selected
-    void busyChanged();                    ///< something has come into the tool's hand, has left it, or is pressed no more
+    void begunChanged(); ///< `selection()` has changed, though nothing else was selected
+    void busyChanged();  ///< something has come into the tool's hand, has left it, or is pressed no more
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void asked(const suffuse::PointerEvent &event); ///< the right button asks what is there
@@ -155,6 +155,8 @@ protected:
     void hideEvent(QHideEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool focusNextPrevChild(bool next) override;
+    void inputMethodEvent(QInputMethodEvent *event) override;
+    QVariant inputMethodQuery(Qt::InputMethodQuery query) const override;
 
 private:
     // What presenters ask of the canvas (CanvasContent).
@@ -184,6 +186,8 @@ private:
     void viewMoved();
     void connectInput();
     void readPalette();
+    /// Input methods work while what is typed goes into a text.
+    void followTyping();
     Point zoomCentre() const;
 
     Editor &m_editor;

@@ -8,9 +8,11 @@
 
 #include <QCursor>
 #include <QObject>
+#include <QVariant>
 
 #include <optional>
 
+class QInputMethodEvent;
 class QKeyEvent;
 class QPainter;
 class QWidget;
@@ -61,6 +63,13 @@ public:
     virtual bool keyPress(QKeyEvent *) { return false; }
     /// Whether the key means the tool, even where it is the shortcut of a command.
     virtual bool wantsKey(const QKeyEvent &) const { return false; }
+    /// Whether what is typed goes into a text: keys mean the tool before they mean the canvas or a command, and input
+    /// methods work.
+    virtual bool takesText() const { return false; }
+    virtual void inputMethod(QInputMethodEvent &) {}
+    virtual QVariant inputMethodQuery(Qt::InputMethodQuery) const { return {}; }
+    /// Takes back the last step of what is in hand, for the command Undo. Returns false if there is none.
+    virtual bool takeBack() { return false; }
     /// Deletes what the tool itself has selected (nodes), for the command Delete. Returns false if that is nothing.
     virtual bool deleteSelected() { return false; }
     /// Selects all that the tool itself selects (nodes), for the command Select All. Returns false if it selects
@@ -75,6 +84,10 @@ public:
 signals:
     /// Emitted when `hint` returns another line than before.
     void hintChanged();
+    /// Emitted when `takesText` or what input methods ask for has changed.
+    void typingChanged();
+    /// A text is to be typed in, with the caret at the pointer.
+    void textAsked(const suffuse::PointerEvent &event, suffuse::GroupId text);
     /// The values of a segment that is selected, or of its stroke, are to be shown and changed where the pointer is.
     void valuesAsked(const suffuse::PointerEvent &event, const suffuse::SegmentRef &segment);
 };

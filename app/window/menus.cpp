@@ -88,7 +88,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
     QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
                             {{Raise, Lower, Top, Bottom},
                              {FillStrokes, RemoveFills},
-                             {GroupStrokes, UngroupStrokes, CombineStrokes, BreakApart, RemoveErasures},
+                             {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
     addMenu(*object, Commands::tr("Areas"), table,
@@ -123,7 +123,7 @@ void addTimeMenu(QMenuBar &bar, const Commands &table)
 void addToolsMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
-                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife,
+                           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push, Knife,
                              Eraser, AttributeBrush, Eyedropper, Pan}});
     Group favourites;
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
@@ -157,7 +157,7 @@ QToolBar *makeToolBar(const Commands &table, QWidget *parent)
     bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
-           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser,
+           {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push, Knife, Eraser,
              AttributeBrush, Eyedropper, Pan},
             {Undo, Redo},
             {ZoomIn, ZoomOut, Fit}});

@@ -20,7 +20,8 @@ int main(int argc, char *argv[])
         {{"painting", "A document; without it one of the size of the paper's figure 11f.", "file"},
          {"strokes", "A generated painting of so many strokes of ten segments.", "count"},
          {"events", "Events of a drag (300).", "count", "300"},
-         {"only", "Parts, separated by commas: drags, views, selecting, tools, erasing, undo, memory.", "parts"},
+         {"only", "Parts, separated by commas: drags, views, selecting, tools, erasing, typing, undo, memory.",
+          "parts"},
          {{"rows", "drag"}, "Only drags, selections, tools and undo steps that have this in their names.", "text"},
          {"json", "For programs."}});
     parser.process(application);
@@ -40,6 +41,7 @@ int main(int argc, char *argv[])
         {"selecting", [&] { return measureSelecting(session, events, rows); }},
         {"tools", [&] { return measureTools(session, events, rows); }},
         {"erasing", [&] { return measureErasing(session, events, rows); }},
+        {"typing", [&] { return measureTyping(session, events, rows); }},
         {"undo", [&] { return measureUndo(session, std::max(events / 6, 3), rows); }},
         {"memory", [&] { return measureMemory(*painting, 3 * events); }}};
     QJsonArray json;

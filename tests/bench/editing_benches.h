@@ -40,6 +40,8 @@ Report measureSelecting(EditingSession &session, int events, const QString &want
 Report measureTools(EditingSession &session, int events, const QString &wanted);
 /// The eraser on one stroke of 600 segments, and whole frames of it with and without lifting segments.
 Report measureErasing(EditingSession &session, int events, const QString &wanted);
+/// A letter that comes and goes in a text of 2,000, and such a text taken into the hand.
+Report measureTyping(EditingSession &session, int events, const QString &wanted);
 /// By kind of edit: in the call of the undo stack, and until the frame is on the screen.
 Report measureUndo(EditingSession &session, int times, const QString &wanted);
 /// Bytes that a step of the undo stack keeps; the window's own caches left out.

@@ -319,6 +319,8 @@ bool CanvasInput::isToolKey(const QKeyEvent &event) const
 
 bool CanvasInput::keyPress(QKeyEvent *event)
 {
+    if (m_hand.tool() && m_hand.tool()->takesText() && m_hand.tool()->keyPress(event))
+        return true;
     const Navigation held = m_keys.navigationOf(*event);
     if (held != Navigation::None && !m_hand.isPressed()) {
         m_keys.pressNavigation(held, event->key());

@@ -20,6 +20,9 @@ QString titleOf(const Stroke &stroke)
 
 QString titleOf(const Group &group)
 {
+    constexpr int mostShown = 60;
+    if (group.name.isEmpty() && group.text)
+        return group.text->string.simplified().left(mostShown);
     return group.name.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : group.name;
 }
 
@@ -196,10 +199,9 @@ void StrokesModel::toggle(const QModelIndex &index, ValueEntry *entry)
             changeWithin(m_editor, node.group, clear, clear, text, entry);
     } else if (const StrokePtr stroke = m_tree.strokeOf(node.stroke)) {
         const bool on = eye ? stroke->visible : stroke->locked;
-        changeStroke(m_editor, node.stroke, flip,
-                     eye ? (on ? tr("Hide stroke") : tr("Show stroke"))
-                         : (on ? tr("Unlock stroke") : tr("Lock stroke")),
-                     entry);
+        changeStroke(
+            m_editor, node.stroke, flip,
+            eye ? (on ? tr("Hide stroke") : tr("Show stroke")) : (on ? tr("Unlock stroke") : tr("Lock stroke")), entry);
     }
 }
 

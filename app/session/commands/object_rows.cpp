@@ -5,6 +5,7 @@
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/settings/settings.h"
 #include "undo/fill_edits.h"
+#include "undo/text_edits.h"
 
 #include <functional>
 
@@ -89,6 +90,11 @@ void addGroupRows(Commands &table, Editor &editor)
     table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
         .when([&editor] { return canUngroup(editor.unsettled()); })
         .runs([&editor] { commands::ungroupSelected(editor); });
+    table
+        .add(TextToStrokes, "textToStrokes", Commands::tr("Text to Strokes"), "", {},
+             Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))
+        .when([&editor] { return canTurnTexts(editor.unsettled()); })
+        .runs([&editor] { editor.push(textsToStrokes(editor.document()), Commands::tr("Text to strokes")); });
     table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
         .when(selected)
         .runs([&editor] { commands::lockSelected(editor); });

@@ -68,16 +68,27 @@ void TextEntry::open(GroupId group)
     emit changed();
 }
 
-void TextEntry::finish()
+void TextEntry::settle()
 {
     if (!m_isOpen)
         return;
     compose({}, 0);
     m_gesture.commit();
+    m_past.clear();
+    m_future.clear();
+    m_last = Kind::None;
+}
+
+void TextEntry::finish()
+{
+    settle();
     if (!m_isOpen)
         return;
     const GroupId group = m_group;
+    const bool isThere = textOf(*m_editor.document().painting(), group) == SharedText(m_shown);
     close();
+    if (!isThere)
+        return;
     if (const std::set<StrokeId> letters = strokesWithin(*m_editor.document().painting(), group); !letters.empty())
         m_editor.document().setSelection({letters, {}});
 }
@@ -117,7 +128,7 @@ std::set<StrokeId> TextEntry::selectedLetters()
     if (!hasSelection())
         return out;
     const std::vector<StrokeId> letters = lettersOf(*m_editor.document().painting(), m_group, m_laid);
-    const auto [from, to] = std::minmax(m_caret, m_anchor);
+    const auto [from, to] = std::minmax({m_caret, m_anchor});
     std::size_t k = 0;
     for (const LaidCluster &cluster : m_laid.clusters) {
         if (!cluster.hasInk())
@@ -190,7 +201,7 @@ void TextEntry::type(const QString &characters)
     if (!m_isOpen)
         return;
     compose({}, 0);
-    const auto [from, to] = std::minmax(m_caret, m_anchor);
+    const auto [from, to] = std::minmax({m_caret, m_anchor});
     replace(from, to, clean(characters), Kind::Typed);
 }
 
@@ -199,7 +210,7 @@ void TextEntry::eraseTo(qsizetype position)
     if (!m_isOpen)
         return;
     compose({}, 0);
-    const auto [from, to] = hasSelection() ? std::minmax(m_caret, m_anchor) : std::minmax(m_caret, position);
+    const auto [from, to] = hasSelection() ? std::minmax({m_caret, m_anchor}) : std::minmax({m_caret, position});
     replace(from, to, {}, Kind::Erased);
 }
 
@@ -226,7 +237,7 @@ void TextEntry::compose(const QString &preedit, qsizetype caret)
         if (m_preedit.isEmpty() && refusesForFont())
             return;
         if (hasSelection()) {
-            const auto [from, to] = std::minmax(m_caret, m_anchor);
+            const auto [from, to] = std::minmax({m_caret, m_anchor});
             replace(from, to, {}, Kind::Erased);
         }
     }

@@ -28,6 +28,9 @@ public:
     void begin(const Text &text);
     /// Takes a text into the hand; it must be one, visible and not locked. The caret stands at its end.
     void open(GroupId group);
+    /// What was typed is a step, and is typed on: before saving, for example. What an input method has not decided is
+    /// left out.
+    void settle();
     /// Leaves the text: what was typed is a step, and its letters are selected. What an input method has not decided is
     /// left out.
     void finish();

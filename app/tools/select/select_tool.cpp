@@ -7,6 +7,7 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
+#include "undo/text_edits.h"
 #include "undo/transform_edits.h"
 
 #include <QKeyEvent>
@@ -126,6 +127,12 @@ void SelectTool::clickedStroke(const PointerEvent &event)
     } else if (start().doubleClick) {
         if (turned)
             m_handles.setMode(TransformHandles::Mode::Scale);
+        const Painting &painting = *m_editor.document().painting();
+        const StrokePtr letter = painting.find(m_hit->stroke);
+        if (const GroupId text = letter ? textAround(painting, *letter) : 0) {
+            emit textAsked(event, text);
+            return;
+        }
         select(Selection{{m_hit->stroke}, {}}); // of a group the one
         emit valuesAsked(event, *m_hit);
     } else if (event.modifiers & Qt::ControlModifier) {

@@ -179,7 +179,7 @@ void PenTool::leave()
     m_canvas.updateOverlay();
 }
 
-void PenTool::takeBack()
+void PenTool::takeBackNode()
 {
     if (m_nodes.size() == 1)
         return cancel();
@@ -267,7 +267,7 @@ bool PenTool::keyPress(QKeyEvent *event)
     if (!wantsKey(*event))
         return false;
     if (event->key() == Qt::Key_Backspace)
-        takeBack();
+        takeBackNode();
     else
         finish(false);
     return true;

@@ -50,7 +50,7 @@ private:
     /// Whether a press there closes the outline.
     bool closesAt(Point pixel) const;
     void dragHandle(const PointerEvent &event);
-    void takeBack();
+    void takeBackNode();
     void show();
     void finish(bool isClosed);
     StrokePtr strokeInHand(bool isClosed) const;
@@ -63,7 +63,7 @@ private:
     StrokeId m_id = 0;
     Microseconds m_born = 0;
     Point m_pressPixel;
-    std::optional<Point> m_next; ///< where the next node would be, canvas units
+    std::optional<Point> m_next;      ///< where the next node would be, canvas units
     std::optional<NodeRef> m_nearEnd; ///< the end under the pointer with which the outline could go on
     Snapping m_snapping;
     QPointer<QWidget> m_options;

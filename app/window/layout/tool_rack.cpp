@@ -9,14 +9,15 @@
 #include "app/tools/nodes/node_tool.h"
 #include "app/tools/pan_tool.h"
 #include "app/tools/select/select_tool.h"
-#include "app/tools/shaping/eraser_tool.h"
-#include "app/tools/shaping/knife_tool.h"
-#include "app/tools/shaping/push_tool.h"
-#include "app/tools/shaping/redraw_tool.h"
 #include "app/tools/shapes/bucket_tool.h"
 #include "app/tools/shapes/lasso_fill_tool.h"
 #include "app/tools/shapes/pen_tool.h"
 #include "app/tools/shapes/shape_tool.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "app/tools/shaping/knife_tool.h"
+#include "app/tools/shaping/push_tool.h"
+#include "app/tools/shaping/redraw_tool.h"
+#include "app/tools/text/text_tool.h"
 #include "app/tools/tool_options.h"
 
 namespace suffuse {
@@ -39,8 +40,9 @@ void ToolRack::addTools()
     CanvasWidget &canvas = m_place.canvas;
     add(Brush, "brush", Commands::tr("&Brush"), "brush", Qt::Key_B, Commands::tr("Paint strokes"),
         new BrushTool(canvas, &canvas));
+    auto *select = new SelectTool(canvas, m_place.commands, &canvas);
     add(Select, "select", Commands::tr("&Select"), "select", Qt::Key_V, Commands::tr("Select and move strokes"),
-        new SelectTool(canvas, m_place.commands, &canvas));
+        select);
     add(Segments, "segments", Commands::tr("Se&gments"), "segments", Qt::Key_N,
         Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(canvas, m_place.commands, &canvas));
     add(Shapes, "shapes", Commands::tr("Geome&tric Shapes"), "shapes", Qt::Key_S,
@@ -51,14 +53,21 @@ void ToolRack::addTools()
         Commands::tr("Fill what is drawn around"), new LassoFillTool(canvas, &canvas));
     add(Bucket, "bucket", Commands::tr("Bu&cket"), "bucket", Qt::Key_F,
         Commands::tr("Fill what the paint around a place bounds"), new BucketTool(canvas, &canvas));
+    m_text = new TextTool(canvas, &canvas);
+    add(Text, "text", Commands::tr("Te&xt"), "text", Qt::Key_T, Commands::tr("Type texts, whose letters are strokes"),
+        m_text);
+    connect(select, &Tool::textAsked, this, [this](const PointerEvent &event, GroupId text) {
+        m_place.commands[Text].setChecked(true);
+        m_text->edit(text, event.point);
+    });
     add(Redraw, "redraw", Commands::tr("Redra&w"), "redraw", Qt::Key_W,
         Commands::tr("Draw over a part of a stroke, which follows the new line"), new RedrawTool(canvas, &canvas));
     add(Push, "push", Commands::tr("&Push"), "push", Qt::Key_U, Commands::tr("Push, comb, pinch or roughen strokes"),
         new PushTool(canvas, &canvas));
     add(Knife, "knife", Commands::tr("&Knife"), "knife", Qt::Key_K, Commands::tr("Cut strokes along a line"),
         new KnifeTool(canvas, &canvas));
-    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Take paint away softly, or cut out parts of strokes"),
-        new EraserTool(canvas, &canvas));
+    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E,
+        Commands::tr("Take paint away softly, or cut out parts of strokes"), new EraserTool(canvas, &canvas));
     add(AttributeBrush, "attributeBrush", Commands::tr("&Attribute Brush"), "attribute-brush", Qt::Key_A,
         Commands::tr("Paint values onto segments"), new AttributeBrushTool(canvas, &canvas));
     auto *eyedropper = new EyedropperTool(canvas, &canvas);
@@ -71,8 +80,8 @@ void ToolRack::addTools()
         .runs([this, eyedropper] { eyedropper->beginMatching(m_place.commands); });
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
-    m_place.commands.makeExclusive(
-        {Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+    m_place.commands.makeExclusive({Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push,
+                                    Knife, Eraser, AttributeBrush, Eyedropper, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,

@@ -10,6 +10,7 @@ class QAction;
 
 namespace suffuse {
 
+class TextTool;
 class Tool;
 class ToolOptionsBar;
 enum class Command;
@@ -33,6 +34,7 @@ private:
 
     Workplace m_place;
     ToolOptionsBar &m_options;
+    TextTool *m_text = nullptr;
     Tool *m_next = nullptr;   ///< chosen while a stroke was in hand
     QAction *m_tip = nullptr; ///< of the tool that the pen's tip goes back to
 };

@@ -235,7 +235,7 @@ private slots:
         };
         for (const Command tool :
              {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
-              Command::LassoFill, Command::Bucket, Command::Redraw, Command::Push, Command::Knife,
+              Command::LassoFill, Command::Bucket, Command::Text, Command::Redraw, Command::Push, Command::Knife,
               Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
             s.use(tool);
             look("with a tool: ");

@@ -1,0 +1,563 @@
+// The Text tool by real events: keys, mouse, input methods, its row.
+#include "app/session/settings/settings.h"
+#include "app/tools/text/text_row.h"
+#include "app/tools/text/text_tool.h"
+#include "tests/app/selecting.h"
+#include "undo/text_edits.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QInputMethodEvent>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+/// A window with the Text tool in hand.
+struct Typing : Selecting {
+    explicit Typing(StrokeList strokes = {}) : Selecting(std::move(strokes))
+    {
+        use(Command::Text);
+        canvas().setFocus();
+        editor().setColour({0.25f, 0.5f, 0, 1});
+    }
+    TextTool &tool() { return *static_cast<TextTool *>(canvas().tool()); }
+    void type(const QString &keys) { QTest::keyClicks(&canvas(), keys); }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&canvas(), key, modifiers); }
+    QString names()
+    {
+        QString all;
+        for (const StrokePtr &stroke : painting().strokes)
+            all += stroke->name;
+        return all;
+    }
+    QString string()
+    {
+        for (const Group &group : painting().groups)
+            if (group.text)
+                return group.text->string;
+        return {};
+    }
+    GroupId group() { return painting().groups.empty() ? 0 : painting().groups.back().id; }
+    StrokePtr letter(int index) { return painting().strokes[std::size_t(index)]; }
+    Point inkOf(int index) { return curveBox(*letter(index)).centre(); }
+    /// The middle of the caret before a character of the text in hand, or of the first one that there is.
+    Point placeOf(qsizetype position)
+    {
+        const SharedText text = textOf(painting(), group());
+        const CaretLine caret = TextLayout().lay(*text).caretAt(position);
+        return text->place(0.5 * (caret[0] + caret[1]));
+    }
+    void write(const QString &keys, Point where = {200, 300})
+    {
+        click(where);
+        type(keys);
+        key(Qt::Key_Escape);
+        editor().clock().setTime(painting().end()); // paint that is not there yet is not clicked
+        // The next click is no second one of a double click.
+        QTest::qWait(QApplication::doubleClickInterval() + 20);
+    }
+    void doubleClick(Point where)
+    {
+        click(where);
+        const QPointF at = this->at(where);
+        send(QEvent::MouseButtonDblClick, at, {});
+        send(QEvent::MouseButtonRelease, at, {});
+    }
+    QWidget &row() { return *window.findChild<TextRow *>(); }
+};
+
+const Colour red{1, 0.2f, 0, 1};
+
+/// What an input method hears when it asks.
+QVariant asked(QWidget &widget, Qt::InputMethodQuery query)
+{
+    QInputMethodQueryEvent event(query);
+    QCoreApplication::sendEvent(&widget, &event);
+    return event.value(query);
+}
+
+void recolour(Typing &s, int letter)
+{
+    const StrokeId id = s.letter(letter)->id;
+    s.editor().push(changeStrokes(s.editor().document(), {id},
+                                  [](Stroke &stroke) {
+                                      Fill fill = *stroke.fill;
+                                      fill.colour = red;
+                                      stroke.fill = fill;
+                                  }),
+                    "red");
+}
+
+} // namespace
+
+class TestTextTool : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+        if (!LineShaper::hasFamily("DejaVu Sans"))
+            QSKIP("DejaVu Sans is not installed");
+    }
+    void init()
+    {
+        settings::store().clear();
+        settings::store().setValue("tools/text/family", "DejaVu Sans");
+    }
+
+    void typingIsOneStep()
+    {
+        Typing s;
+        s.click({200, 300});
+        QVERIFY(s.tool().takesText());
+        s.type("Tab ov"); // keys of tools and held keys among them
+        QCOMPARE(s.names(), QString("Tabov"));
+        QVERIFY(qobject_cast<TextTool *>(s.canvas().tool()));
+        QCOMPARE(s.steps(), 0);
+        QVERIFY(s.editor().canUndo());
+        s.key(Qt::Key_Return);
+        s.type("x");
+        QCOMPARE(s.string(), QString("Tab ov\nx"));
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(!s.tool().takesText());
+        QCOMPARE(s.selected().size(), std::size_t(6));
+        QCOMPARE(s.letter(0)->fill->colour, (Colour{0.25f, 0.5f, 0, 1}));
+        s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty() && s.painting().groups.empty());
+        s.use(Command::Redo);
+        QCOMPARE(s.names(), QString("Tabovx"));
+    }
+
+    void keysTypeOnlyThen()
+    {
+        Typing s;
+        s.write("ab");
+        s.key(Qt::Key_B); // the Brush now
+        QVERIFY(!qobject_cast<TextTool *>(s.canvas().tool()));
+        QCOMPARE(s.names(), QString("ab"));
+    }
+
+    void aClickElsewhereIsDone()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("ab");
+        s.click({700, 600});
+        QVERIFY(!s.tool().takesText());
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void anotherToolIsDone()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("ab");
+        s.use(Command::Brush);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.names(), QString("ab"));
+        QCOMPARE(s.selected().size(), std::size_t(2));
+    }
+
+    void nothingTypedIsNothing()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.key(Qt::Key_Escape);
+        s.click({300, 300});
+        s.type("  ");
+        s.key(Qt::Key_Escape);
+        s.click({300, 400});
+        s.type("a");
+        s.key(Qt::Key_Backspace);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 0);
+        QVERIFY(s.painting().strokes.empty() && s.painting().groups.empty());
+    }
+
+    void emptiedTextsGo()
+    {
+        Typing s;
+        s.write("ab");
+        s.click(s.placeOf(1));
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        s.key(Qt::Key_Delete);
+        s.key(Qt::Key_Escape);
+        QVERIFY(s.painting().strokes.empty() && s.painting().groups.empty());
+        s.use(Command::Undo);
+        QCOMPARE(s.names(), QString("ab"));
+    }
+
+    void undoInTheMiddle()
+    {
+        Typing s;
+        s.write("old");
+        s.click({200, 500});
+        s.type("one two");
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.names(), QString("oldone"));
+        s.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.names(), QString("oldonetwo"));
+        s.use(Command::Undo); // the menu does the same
+        s.use(Command::Undo);
+        QCOMPARE(s.names(), QString("old"));
+        QVERIFY(s.tool().takesText());
+        QCOMPARE(s.steps(), 1);
+        s.type("x");
+        QCOMPARE(s.names(), QString("oldx"));
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        s.key(Qt::Key_Z, Qt::ControlModifier); // nothing is typed: the step before
+        QCOMPARE(s.names(), QString());
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.editor().undoStack().index(), 0);
+    }
+
+    void savedInTheMiddle()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("ab");
+        s.canvas().settleTool();
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(!s.tool().isBusy());
+        QCOMPARE(s.names(), QString("ab"));
+        s.type("c"); // it is typed on
+        QCOMPARE(s.names(), QString("abc"));
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 2);
+        s.use(Command::Undo);
+        QCOMPARE(s.names(), QString("ab"));
+    }
+
+    void somethingElseInTheMiddle()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("abc");
+        recolour(s, 1); // as a dock would
+        QCOMPARE(s.steps(), 2);
+        QVERIFY(s.tool().takesText());
+        s.type("d");
+        QCOMPARE(s.names(), QString("abcd"));
+        QCOMPARE(s.letter(1)->fill->colour, red);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 3);
+        for (int i = 0; i < 3; ++i)
+            s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+    }
+
+    void aTextThatIsUndoneIsLeft()
+    {
+        Typing s;
+        s.write("ab");
+        s.click(s.placeOf(1));
+        QVERIFY(s.tool().takesText());
+        s.editor().undo();
+        QVERIFY(!s.tool().takesText());
+        s.type("c");
+        QVERIFY(s.painting().strokes.empty());
+    }
+
+    void typedInAgain()
+    {
+        Typing s;
+        s.write("Hello");
+        recolour(s, 1);
+        const StrokePtr first = s.letter(0);
+        s.click(s.placeOf(2));
+        QCOMPARE(s.tool().entry().caret(), qsizetype(2));
+        s.type("XY");
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.string(), QString("HeXYllo"));
+        QCOMPARE(s.names(), QString("HeXYllo"));
+        QCOMPARE(s.letter(0), first);
+        QCOMPARE(s.letter(1)->fill->colour, red);
+        QCOMPARE(s.letter(2)->fill->colour, red); // as the letter before it
+        QVERIFY(!(s.letter(4)->fill->colour == red));
+        QCOMPARE(s.painting().groups.size(), std::size_t(1));
+    }
+
+    void theBrushColoursWhatIsTyped()
+    {
+        Typing s;
+        s.write("ab");
+        s.click(s.placeOf(2));
+        s.editor().setColour(red);
+        s.type("c");
+        QCOMPARE(s.letter(2)->fill->colour, red);
+        s.key(Qt::Key_Home);
+        s.type("d");
+        QVERIFY(!(s.letter(0)->fill->colour == red));
+    }
+
+    void caretsAndSelections()
+    {
+        Typing s;
+        s.write("one two");
+        s.click(s.placeOf(0));
+        s.key(Qt::Key_End);
+        QCOMPARE(s.tool().entry().caret(), qsizetype(7));
+        s.key(Qt::Key_Left);
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(s.tool().entry().selectedString(), QString("w"));
+        QCOMPARE(s.selected(), (std::set<StrokeId>{s.letter(4)->id})); // what docks change now
+        s.key(Qt::Key_Delete);
+        QCOMPARE(s.string(), QString("one to"));
+        s.key(Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(s.tool().entry().caret(), qsizetype(4));
+        s.key(Qt::Key_Home, Qt::ShiftModifier);
+        QCOMPARE(s.tool().entry().selectedString(), QString("one "));
+        s.key(Qt::Key_X, Qt::ControlModifier);
+        QCOMPARE(s.string(), QString("to"));
+        QCOMPARE(QApplication::clipboard()->text(), QString("one "));
+        s.key(Qt::Key_End);
+        s.key(Qt::Key_V, Qt::ControlModifier);
+        s.key(Qt::Key_Backspace);
+        QCOMPARE(s.string(), QString("toone"));
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        s.key(Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), QString("toone"));
+        QCOMPARE(s.selected().size(), std::size_t(5));
+        s.type("z");
+        QCOMPARE(s.string(), QString("z"));
+    }
+
+    void linesUpAndDown()
+    {
+        Typing s;
+        s.write("abcdef");
+        s.click(s.placeOf(3));
+        s.key(Qt::Key_End);
+        s.key(Qt::Key_Return);
+        s.type("ab");
+        s.key(Qt::Key_Return);
+        s.type("abcdef");
+        s.key(Qt::Key_Left);
+        s.key(Qt::Key_Up);
+        QCOMPARE(s.tool().entry().caret(), qsizetype(9)); // the end of a shorter line
+        s.key(Qt::Key_Up);
+        QCOMPARE(s.tool().entry().caret(), qsizetype(5)); // the column is kept
+        s.key(Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(s.tool().entry().selectedString(), QString("f\nab"));
+    }
+
+    void theMouseSelects()
+    {
+        Typing s;
+        s.write("one two three");
+        s.click(s.placeOf(0));
+        const Point from = s.placeOf(4), to = s.placeOf(7);
+        s.drag({from, to});
+        QCOMPARE(s.tool().entry().selectedString(), QString("two"));
+        QTest::qWait(QApplication::doubleClickInterval() + 20);
+        s.doubleClick(s.inkOf(8));
+        QCOMPARE(s.tool().entry().selectedString(), QString("three"));
+        QTest::qWait(QApplication::doubleClickInterval() + 20);
+        s.click(s.placeOf(1));
+        s.click(s.placeOf(3), Qt::ShiftModifier);
+        QCOMPARE(s.tool().entry().selectedString(), QString("ne"));
+    }
+
+    void aDoubleClickWithSelect()
+    {
+        Typing s;
+        s.write("lift");
+        s.use(Command::Select);
+        s.doubleClick(s.inkOf(0));
+        QVERIFY(qobject_cast<TextTool *>(s.canvas().tool()));
+        QVERIFY(s.tool().takesText());
+        s.type("-");
+        QVERIFY(s.string().contains('-'));
+        QVERIFY(s.window.action(Command::Text).isChecked());
+    }
+
+    void inputMethods()
+    {
+        Typing s;
+        QVERIFY(!s.canvas().testAttribute(Qt::WA_InputMethodEnabled));
+        s.click({200, 300});
+        QVERIFY(s.canvas().testAttribute(Qt::WA_InputMethodEnabled));
+        QVERIFY(asked(s.canvas(), Qt::ImEnabled).toBool());
+        s.type("a");
+        QInputMethodEvent composing("shui", {{QInputMethodEvent::Cursor, 2, 1}});
+        QCoreApplication::sendEvent(&s.canvas(), &composing);
+        QCOMPARE(s.names(), QString("ashui")); // it shows
+        QCOMPARE(s.tool().entry().caret(), qsizetype(3));
+        const QRectF rectangle = asked(s.canvas(), Qt::ImCursorRectangle).toRectF();
+        QVERIFY(rectangle.height() > 10 && QRectF(s.canvas().rect()).contains(rectangle.center()));
+        QInputMethodEvent decided(QString(), {});
+        decided.setCommitString("水");
+        QCoreApplication::sendEvent(&s.canvas(), &decided);
+        QCOMPARE(s.string(), QString("a水"));
+        QCOMPARE(asked(s.canvas(), Qt::ImSurroundingText).toString(), QString("a水"));
+        QInputMethodEvent more("mo", {});
+        QCoreApplication::sendEvent(&s.canvas(), &more);
+        s.key(Qt::Key_Escape); // what is not decided is left out
+        QCOMPARE(s.string(), QString("a水"));
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(!s.canvas().testAttribute(Qt::WA_InputMethodEnabled));
+    }
+
+    void theRowChangesTheTextInHand()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("ab");
+        const double width = curveBox(*s.letter(0)).width();
+        auto *weights = s.row().findChild<QComboBox *>("weight");
+        weights->setCurrentIndex(5);
+        emit weights->activated(5);
+        QVERIFY(curveBox(*s.letter(0)).width() > width);
+        QCOMPARE(textOf(s.painting(), s.group())->weight, 700.0f);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(textOf(s.painting(), s.group())->weight, 400.0f);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void theRowChangesTheSelectedText()
+    {
+        Typing s;
+        s.write("ab");
+        QCOMPARE(s.steps(), 1);
+        recolour(s, 0);
+        s.select(strokesWithin(s.painting(), s.group()));
+        s.row().findChild<QCheckBox *>("vertical")->click();
+        QCOMPARE(s.steps(), 3);
+        QVERIFY(textOf(s.painting(), s.group())->vertical);
+        QVERIFY(s.inkOf(1).y > s.inkOf(0).y + 20);
+        QCOMPARE(s.letter(0)->fill->colour, red);
+        s.use(Command::Undo);
+        QVERIFY(!textOf(s.painting(), s.group())->vertical);
+        // The next text is vertical, too.
+        s.select({});
+        s.write("c", {600, 300});
+        QVERIFY(s.painting().groups.back().text->vertical);
+    }
+
+    void onASelectedStroke()
+    {
+        Typing s({line(1, {100, 500}, {500, 500})});
+        s.select({1});
+        s.editor().laterChanges().flush(); // as any click does
+        s.row().findChild<QAbstractButton *>("bend")->click();
+        QVERIFY(s.tool().takesText());
+        s.type("ab");
+        QCOMPARE(s.letter(0)->name, QString());
+        QVERIFY(std::abs(curveBox(*s.letter(1)).bottom - 500) < 2);
+        QVERIFY(s.inkOf(1).x > 100 && s.inkOf(1).x < 140);
+        QVERIFY(!textOf(s.painting(), s.group())->curve.empty());
+        s.row().findChild<QAbstractButton *>("straighten")->click();
+        QVERIFY(textOf(s.painting(), s.group())->curve.empty());
+        QVERIFY(std::abs(curveBox(*s.letter(1)).bottom - 500) < 2);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void whatIsMovedIsTypedInThere()
+    {
+        Typing s;
+        s.write("lbc");
+        s.use(Command::Select);
+        s.select(strokesWithin(s.painting(), s.group()));
+        s.drag({s.inkOf(0), s.inkOf(0) + Point{100, 150}});
+        s.use(Command::FlipAcross);
+        const Point first = s.inkOf(0), last = s.inkOf(2);
+        QVERIFY(last.x < first.x);
+        s.use(Command::Text);
+        s.click(s.placeOf(3));
+        QCOMPARE(s.tool().entry().caret(), qsizetype(3));
+        s.type("d");
+        QVERIFY(s.inkOf(3).x < last.x); // mirrored as they are
+        QCOMPARE(s.inkOf(0), first);
+        s.key(Qt::Key_Escape);
+    }
+
+    void byTheKeyboardAlone()
+    {
+        Typing s;
+        s.key(Qt::Key_Return);
+        QVERIFY(s.tool().takesText());
+        s.type("mid");
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.names(), QString("mid"));
+        s.key(Qt::Key_Return); // into the selected one
+        s.type("d");
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.string(), QString("midd"));
+        QCOMPARE(s.painting().groups.size(), std::size_t(1));
+    }
+
+    void aFontThatIsNotThere()
+    {
+        Typing s;
+        s.write("abc");
+        auto painting = std::make_shared<Painting>(s.painting());
+        Text text = *painting->groups[0].text;
+        text.family = "No Such Family At All";
+        painting->groups[0].text = text;
+        s.editor().document().reset(painting);
+        s.click(s.placeOf(3));
+        const StrokePtr first = s.letter(0);
+        s.type("d");
+        QCOMPARE(s.string(), QString("abc")); // the first key says so
+        QVERIFY(s.tool().hint().contains("No Such Family"));
+        s.type("d");
+        QCOMPARE(s.string(), QString("abcd"));
+        QCOMPARE(s.letter(0), first);
+        s.key(Qt::Key_Escape);
+    }
+
+    void lockedTextsAreLeftAlone()
+    {
+        Typing s;
+        s.write("abc");
+        s.use(Command::LockStrokes);
+        s.click(s.placeOf(1));
+        QCOMPARE(s.tool().entry().text().string, QString());
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.string(), QString("abc"));
+    }
+
+    void textToStrokes()
+    {
+        Typing s;
+        s.write("abc");
+        QVERIFY(s.window.action(Command::TextToStrokes).isEnabled());
+        s.use(Command::TextToStrokes);
+        QVERIFY(!s.painting().groups[0].text);
+        QVERIFY(!s.window.action(Command::TextToStrokes).isEnabled());
+        s.use(Command::Undo);
+        QVERIFY(s.painting().groups[0].text);
+    }
+
+    void copiedAndPasted()
+    {
+        Typing s;
+        s.write("abc");
+        s.use(Command::Copy);
+        s.use(Command::PasteInPlace);
+        QCOMPARE(s.painting().groups.size(), std::size_t(2));
+        QVERIFY(s.painting().groups[0].text == s.painting().groups[1].text);
+        // Some of its letters are no text.
+        s.select({s.letter(0)->id});
+        s.use(Command::Copy);
+        s.use(Command::PasteInPlace);
+        QVERIFY(!s.painting().groups.back().text);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestTextTool)
+#include "test_text_tool.moc"
