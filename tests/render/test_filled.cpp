@@ -25,6 +25,7 @@ class TestFilled : public QObject {
     Q_OBJECT
 
     std::unique_ptr<Renderer> m_cpu = make(Backend::Cpu), m_reference = make(Backend::Reference);
+    int m_number = 0; // of the comparison
 
     /// The largest difference, in 512ths.
     Worst compared(const PaintingPtr &p, const View &view, Microseconds time = -1, bool transparent = false)
@@ -37,6 +38,9 @@ class TestFilled : public QObject {
     void compare(const PaintingPtr &p, const View &view, const QByteArray &what, Microseconds time = -1,
                  bool transparent = false)
     {
+        ++m_number;
+        if (!isTried(m_number + m_number / 5)) // not by fives alone: each fifth is of another kind
+            return;
         const Worst w = compared(p, view, time, transparent);
         QVERIFY2(w.difference <= 1, qPrintable(QStringLiteral("%1: %2/512 at %3, %4")
                                                    .arg(QString::fromUtf8(what))
