@@ -233,7 +233,12 @@ LaidText TextLayout::lay(const Text &text)
         from = to + 1;
     }
     LaidText out = setter.take();
-    out.hasFamily = LineShaper::hasFamily(text.family);
+    if (m_family != text.family || !m_isKnown) { // Asking for all families takes longer than setting a text.
+        m_family = text.family;
+        m_isKnown = true;
+        m_hasFamily = LineShaper::hasFamily(text.family);
+    }
+    out.hasFamily = m_hasFamily;
     return out;
 }
 

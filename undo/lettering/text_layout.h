@@ -22,6 +22,9 @@ public:
 
 private:
     LineShaper m_shaper;
+    QString m_family; ///< that was asked for last
+    bool m_isKnown = false;
+    bool m_hasFamily = false;
 };
 
 } // namespace suffuse

@@ -21,9 +21,10 @@ QString titleOf(const Stroke &stroke)
 QString titleOf(const Group &group)
 {
     constexpr int mostShown = 60;
-    if (group.name.isEmpty() && group.text)
-        return group.text->string.simplified().left(mostShown);
-    return group.name.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : group.name;
+    QString title = group.name;
+    if (title.isEmpty() && group.text)
+        title = group.text->string.simplified().left(mostShown);
+    return title.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : title;
 }
 
 namespace {

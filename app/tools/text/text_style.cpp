@@ -3,6 +3,7 @@
 #include "app/session/settings/settings.h"
 #include "model/painting/validate.h"
 
+#include <QFontInfo>
 #include <QGuiApplication>
 
 namespace suffuse {
@@ -12,6 +13,12 @@ namespace {
 QString textKey(const char *name)
 {
     return QStringLiteral("tools/text/") + QLatin1String(name);
+}
+
+/// The font of the program by the name that it has itself: "Sans Serif" means another one on each machine.
+QString usualFamily()
+{
+    return QFontInfo(QGuiApplication::font()).family();
 }
 
 } // namespace
@@ -26,7 +33,7 @@ Text storedTextStyle()
         const double value = store.value(textKey(name)).toDouble(&ok);
         return ok ? value : otherwise;
     };
-    text.family = store.value(textKey("family"), QGuiApplication::font().family()).toString();
+    text.family = store.value(textKey("family"), usualFamily()).toString();
     text.weight = float(number("weight", double(usual.weight)));
     text.italic = store.value(textKey("italic"), false).toBool();
     text.size = number("size", usual.size);
@@ -37,7 +44,7 @@ Text storedTextStyle()
     if (problemOf(text).isEmpty())
         return text;
     Text sound;
-    sound.family = QGuiApplication::font().family();
+    sound.family = usualFamily();
     return sound;
 }
 

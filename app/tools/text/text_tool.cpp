@@ -40,6 +40,7 @@ TextTool::TextTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_entry(canvas.editor(), this), m_values(canvas, m_entry, this), m_keys(m_entry)
 {
     connect(&m_entry, &TextEntry::opened, this, [this] {
+        m_caret = {};
         emit typingChanged();
         emit hintChanged();
         restartBlinking();
@@ -92,7 +93,15 @@ void TextTool::changed()
     if (m_editor.selection().strokes != letters || !m_editor.selection().segments.empty())
         m_editor.document().setSelection({letters, {}});
     m_values.showRow();
-    m_canvas.updateOverlay();
+    // Where nothing but the caret lies over the text, the rest of what lies over the picture stays as it is.
+    const QRectF caret = caretPixels(m_entry, m_canvas.view(), m_canvas.devicePixelRatioF());
+    const auto [from, to] = m_entry.composed();
+    const bool isCaretAlone = !m_entry.hasSelection() && from == to && m_entry.text().curve.empty();
+    if (isCaretAlone && !m_caret.isEmpty())
+        m_canvas.updateOverlay(QRegion(caret.toAlignedRect()) + QRegion(m_caret.toAlignedRect()));
+    else
+        m_canvas.updateOverlay();
+    m_caret = isCaretAlone ? caret : QRectF();
     if (QGuiApplication::inputMethod()->isVisible() || m_canvas.hasFocus())
         QGuiApplication::inputMethod()->update(Qt::ImCursorRectangle | Qt::ImCursorPosition | Qt::ImSurroundingText |
                                                Qt::ImAnchorPosition | Qt::ImCurrentSelection);

@@ -64,6 +64,7 @@ private:
     bool m_choosesWords = false;
     qsizetype m_wordFrom = 0, m_wordTo = 0; ///< the word where a drag by words began
     QBasicTimer m_blinking;
+    QRectF m_caret;              ///< device pixels, where it was drawn last; empty: more than a caret was
     mutable SharedText m_framed; ///< the text of which m_frame is the box
     mutable Rect m_frame;
     QString m_said;
