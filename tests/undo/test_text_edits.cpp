@@ -272,6 +272,34 @@ private slots:
         QVERIFY(page.painting() == *before);
     }
 
+    /// Edits that know no map are looked at.
+    void textsFollowWhatMovesTheirStrokes()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        const Affine place = textOf(page.painting(), group)->place;
+        page.document.setSelection({strokesWithin(page.painting(), group), {}});
+        const Point before = page.letter(1)->origin;
+        page.push(align(page.document, Align::Left, AlignTo::Canvas));
+        const Point by = page.letter(1)->origin - before;
+        QVERIFY(by.x < -20);
+        QCOMPARE(textOf(page.painting(), group)->place, Affine::translation(by) * place);
+        // A map without a name: turned by hand, stroke by stroke.
+        const Affine turn = Affine::rotation({30, 40}, 0.4);
+        Edit edit;
+        for (const StrokePtr &stroke : page.painting().strokes)
+            edit.strokes.emplace(stroke->id,
+                                 std::make_shared<const Stroke>(transformed(*stroke, turn, SpreadRule::Scales)));
+        const Affine wanted = turn * textOf(page.painting(), group)->place;
+        page.push(std::move(edit));
+        const Affine now = textOf(page.painting(), group)->place;
+        for (const Point p : {Point{0, 0}, Point{200, 0}, Point{0, 100}})
+            QVERIFY(length(now(p) - wanted(p)) < 1e-3);
+        // A colour is no map.
+        page.recolour(0, red);
+        QCOMPARE(textOf(page.painting(), group)->place, now);
+    }
+
     void aLetterThatIsMovedAlone()
     {
         Page page;

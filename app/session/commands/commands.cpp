@@ -86,6 +86,15 @@ void Commands::run(const CommandRow &row)
         update();
 }
 
+void Commands::ask(Command command, std::function<bool()> first)
+{
+    CommandRow &row = m_rows.at(command);
+    row.run = [first = std::move(first), run = std::move(row.run)] {
+        if (!first() && run)
+            run();
+    };
+}
+
 QList<QAction *> Commands::all() const
 {
     QList<QAction *> list;

@@ -31,6 +31,10 @@ public:
     void makeExclusive(const QList<Command> &commands,
                        QActionGroup::ExclusionPolicy policy = QActionGroup::ExclusionPolicy::Exclusive);
 
+    /// Asks `first` whenever a command that is there is to run. Where it returns true, it has done what there was to
+    /// do.
+    void ask(Command command, std::function<bool()> first);
+
     /// The row must be there.
     const CommandRow &row(Command command) const { return m_rows.at(command); }
     QAction &operator[](Command command) const { return *row(command).action; }
@@ -44,8 +48,8 @@ public:
     /// changed; after a command has run it is done anyway, unless `updatesComeBy` says that it is about to be called.
     void update();
     void update(Command command);
-    /// While this is true, what a command did is still to be told to those who only show it, and `update` is called then:
-    /// what people look at, the picture, is not kept waiting by buttons that turn grey.
+    /// While this is true, what a command did is still to be told to those who only show it, and `update` is called
+    /// then: what people look at, the picture, is not kept waiting by buttons that turn grey.
     void updatesComeBy(std::function<bool()> isWaiting) { m_isWaiting = std::move(isWaiting); }
 
 signals:

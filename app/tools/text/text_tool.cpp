@@ -94,7 +94,7 @@ void TextTool::changed()
         m_editor.document().setSelection({letters, {}});
     m_values.showRow();
     // Where nothing but the caret lies over the text, the rest of what lies over the picture stays as it is.
-    const QRectF caret = caretPixels(m_entry, m_canvas.view(), m_canvas.devicePixelRatioF());
+    const QRectF caret = seenCaret();
     const auto [from, to] = m_entry.composed();
     const bool isCaretAlone = !m_entry.hasSelection() && from == to && m_entry.text().curve.empty();
     if (isCaretAlone && !m_caret.isEmpty())
@@ -105,6 +105,13 @@ void TextTool::changed()
     if (QGuiApplication::inputMethod()->isVisible() || m_canvas.hasFocus())
         QGuiApplication::inputMethod()->update(Qt::ImCursorRectangle | Qt::ImCursorPosition | Qt::ImSurroundingText |
                                                Qt::ImAnchorPosition | Qt::ImCurrentSelection);
+}
+
+/// The device pixels of the caret that the canvas shows.
+QRectF TextTool::seenCaret() const
+{
+    const View &view = m_canvas.view();
+    return caretPixels(m_entry, view, m_canvas.devicePixelRatioF()).intersected(QRectF(0, 0, view.width, view.height));
 }
 
 void TextTool::restartBlinking()
@@ -119,7 +126,7 @@ void TextTool::timerEvent(QTimerEvent *event)
     if (event->timerId() != m_blinking.timerId())
         return CanvasTool::timerEvent(event);
     m_isOn = !m_isOn;
-    m_canvas.updateOverlay(caretPixels(m_entry, m_canvas.view(), m_canvas.devicePixelRatioF()));
+    m_canvas.updateOverlay(seenCaret());
 }
 
 qsizetype TextTool::placeAt(Point point) const
@@ -274,6 +281,12 @@ bool TextTool::keyPress(QKeyEvent *event)
     if (m_entry.laid().hasFamily)
         say({});
     return m_keys.take(*event);
+}
+
+bool TextTool::takesKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+    QKeyEvent event(QEvent::KeyPress, key, modifiers);
+    return m_entry.isOpen() && keyPress(&event);
 }
 
 bool TextTool::deleteSelected()

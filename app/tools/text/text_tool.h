@@ -42,6 +42,8 @@ public:
     /// Takes a text into the hand, with the caret at a place.
     void edit(GroupId text, Point point);
     TextEntry &entry() { return m_entry; }
+    /// Does what a key does in the text in hand, for commands. Returns false if none is in hand.
+    bool takesKey(Qt::Key key, Qt::KeyboardModifiers modifiers);
 
 protected:
     void timerEvent(QTimerEvent *event) override;
@@ -54,6 +56,7 @@ private:
     void changed();
     void say(const QString &text);
     void restartBlinking();
+    QRectF seenCaret() const;
 
     TextEntry m_entry;
     TextValues m_values;

@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QCursor>
 #include <QGuiApplication>
+#include <QKeyEvent>
 
 namespace suffuse {
 
@@ -56,6 +57,11 @@ Point Pasting::pointer() const
 
 void Pasting::pasteAt(std::optional<Point> centre)
 {
+    if (Tool *tool = m_place.canvas.tool(); tool && tool->takesText()) { // What is pasted then is typed.
+        QKeyEvent key(QEvent::KeyPress, Qt::Key_V, Qt::ControlModifier);
+        tool->keyPress(&key);
+        return;
+    }
     if (const Tool *tool = m_place.canvas.tool(); tool && tool->isBusy())
         return; // first things first
     const QMimeData *data = QGuiApplication::clipboard()->mimeData();

@@ -56,6 +56,8 @@ void ToolRack::addTools()
     m_text = new TextTool(canvas, &canvas);
     add(Text, "text", Commands::tr("Te&xt"), "text", Qt::Key_T, Commands::tr("Type texts, whose letters are strokes"),
         m_text);
+    for (const auto &[command, key] : {std::pair(Cut, Qt::Key_X), std::pair(Copy, Qt::Key_C)})
+        m_place.commands.ask(command, [this, key = key] { return m_text->takesKey(key, Qt::ControlModifier); });
     connect(select, &Tool::textAsked, this, [this](const PointerEvent &event, GroupId text) {
         m_place.commands[Text].setChecked(true);
         m_text->edit(text, event.point);

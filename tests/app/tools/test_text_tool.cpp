@@ -331,6 +331,31 @@ private slots:
         QCOMPARE(s.string(), QString("z"));
     }
 
+    /// The menu means what the keys mean.
+    void commandsOfTheEditMenu()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("one two");
+        s.key(Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.tool().entry().selectedString(), QString("two"));
+        s.use(Command::Copy);
+        QCOMPARE(QApplication::clipboard()->text(), QString("two"));
+        s.use(Command::Cut);
+        QCOMPARE(s.string(), QString("one "));
+        s.use(Command::Paste);
+        s.use(Command::Paste);
+        QCOMPARE(s.string(), QString("one twotwo"));
+        s.use(Command::SelectAll);
+        QCOMPARE(s.tool().entry().selectedString(), QString("one twotwo"));
+        s.use(Command::Delete);
+        QCOMPARE(s.string(), QString());
+        s.use(Command::Undo);
+        QCOMPARE(s.string(), QString("one twotwo"));
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.steps(), 1);
+    }
+
     void linesUpAndDown()
     {
         Typing s;
