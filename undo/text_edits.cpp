@@ -5,6 +5,7 @@
 #include "undo/fill_edits.h"
 #include "undo/order_tree.h"
 
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
