@@ -4946,6 +4946,25 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::DrawingTool</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Outline and fill</source>
+        <translation>Umriss und Füllung</translation>
+    </message>
+    <message>
+        <source>What of the shape is painted</source>
+        <translation>Was von der Form gemalt wird</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Editor</name>
     <message>
         <source>Untitled</source>
@@ -8889,22 +8908,6 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::ShapeTool</name>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>Fill</source>
-        <translation>Füllung</translation>
-    </message>
-    <message>
-        <source>Outline and fill</source>
-        <translation>Umriss und Füllung</translation>
-    </message>
-    <message>
-        <source>What of the shape is painted</source>
-        <translation>Was von der Form gemalt wird</translation>
-    </message>
     <message>
         <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
         <translation>Von der Mitte zu einer Ecke ziehen. Umschalt: in 15°-Schritten. Eingabe: wie die letzte.</translation>

@@ -4929,6 +4929,25 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::DrawingTool</name>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Outline and fill</source>
+        <translation>轮廓和填充</translation>
+    </message>
+    <message>
+        <source>What of the shape is painted</source>
+        <translation>绘制形状的哪一部分</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Editor</name>
     <message>
         <source>Untitled</source>
@@ -8839,22 +8858,6 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::ShapeTool</name>
-    <message>
-        <source>Outline</source>
-        <translation>轮廓</translation>
-    </message>
-    <message>
-        <source>Fill</source>
-        <translation>填充</translation>
-    </message>
-    <message>
-        <source>Outline and fill</source>
-        <translation>轮廓和填充</translation>
-    </message>
-    <message>
-        <source>What of the shape is painted</source>
-        <translation>绘制形状的哪一部分</translation>
-    </message>
     <message>
         <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
         <translation>从中心拖到一个角。Shift：按 15° 步进。回车：与上一个相同。</translation>

@@ -9,9 +9,6 @@
 
 namespace suffuse {
 
-/// What of a shape is painted.
-enum class ShapePaint { Outline, Fill, Both };
-
 enum class ShapeKind { Rectangle, Ellipse, Polygon, Star };
 
 /// What a shape is besides the two points between which it is drawn.
@@ -19,7 +16,6 @@ struct ShapeForm {
     static constexpr int leastCorners = 3, mostCorners = 200;
 
     ShapeKind kind = ShapeKind::Rectangle;
-    ShapePaint paint = ShapePaint::Fill;
     /// How round corners are: of rectangles the radius in canvas units, which half of the shorter side limits; of
     /// polygons and stars the share of each side that is round, [0, 1].
     double radius = 0;

@@ -39,7 +39,8 @@ BucketTool::BucketTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canva
 
 QString BucketTool::hint() const
 {
-    return m_said.isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.") : m_said;
+    return m_said.isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.")
+                            : m_said;
 }
 
 QWidget *BucketTool::options()
@@ -106,10 +107,10 @@ void BucketTool::fill(const PointerEvent &event)
     const Document &document = m_editor.document();
     const std::vector<std::vector<Cubic>> outlines =
         paintRegion(document.painting(), event.time, event.point, m_wish, m_canvas.view().scale);
-    const StrokePtr first = outlines.empty() ? nullptr
-                                             : paintedAlong(outlines.front(), m_editor.brush(),
-                                                            m_editor.document().takeStrokeId(), event.time,
-                                                            ShapePaint::Fill);
+    const StrokePtr first = outlines.empty()
+                                ? nullptr
+                                : paintedAlong(outlines.front(), m_editor.brush(), m_editor.document().takeStrokeId(),
+                                               event.time, ShapePaint::Fill);
     if (!first) {
         const bool isBeyond = !document.painting()->canvas.area().contains(event.point);
         return say(isBeyond ? tr("Only what lies on the canvas is filled.") : tr("There is nothing to fill here."));

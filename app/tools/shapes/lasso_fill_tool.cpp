@@ -3,15 +3,11 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/editor.h"
-#include "app/tools/shapes/shape_paint.h"
-#include "app/tools/tool_fields.h"
 #include "model/area/offset_curve.h"
 #include "model/shaping/curve_fit.h"
 #include "model/shaping/node_path.h"
 #include "undo/edits.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -25,39 +21,13 @@ constexpr double wayTolerance = 0.7; ///< logical pixels by which the outline ma
 } // namespace
 
 LassoFillTool::LassoFillTool(CanvasWidget &canvas, QObject *parent)
-    : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("lassoFill")))
-{
-    connect(&m_editor, &Editor::brushChanged, this, [this] {
-        if (isBusy())
-            show();
-    });
-}
+    : DrawingTool(canvas, QStringLiteral("lassoFill"), parent)
+{}
 
 QString LassoFillTool::hint() const
 {
     return isBusy() ? tr("Click: straight line. First point, double click or Return: close. Shift: steps of 15°.")
                     : tr("Draw around what is to be filled. Alt at the end, or clicks: straight lines.");
-}
-
-QWidget *LassoFillTool::options()
-{
-    if (m_options)
-        return m_options;
-    m_options = new QWidget;
-    QHBoxLayout *row = toolRow(m_options);
-    addPaintField(*row, m_paint, [this](ShapePaint paint) { setPaint(paint); });
-    row->addStretch();
-    return m_options;
-}
-
-void LassoFillTool::setPaint(ShapePaint paint)
-{
-    m_paint = paint;
-    storePaint(QStringLiteral("lassoFill"), paint);
-    if (m_options)
-        m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(paint));
-    if (isBusy())
-        show();
 }
 
 bool LassoFillTool::closesAt(Point pixel) const
@@ -76,16 +46,9 @@ void LassoFillTool::press(const PointerEvent &event)
 {
     if (isBusy() && (event.doubleClick || closesAt(event.pixel)))
         return finish();
-    if (!isBusy()) {
-        m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
-        m_id = m_editor.document().takeStrokeId();
-        m_born = event.time;
-        m_editor.clock().hold(true, event.late);
-    }
-    const Point at = isBusy() && (event.modifiers & Qt::ShiftModifier)
-                         ? inSteps(m_parts.back().back(), event.point)
-                         : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
-    m_parts.push_back({at});
+    if (!isBusy())
+        begin(event);
+    m_parts.push_back({m_parts.empty() ? snapped(event) : placeOf(event, m_parts.back().back())});
     m_isPressed = true;
     m_next.reset();
     show();
@@ -125,10 +88,7 @@ void LassoFillTool::hover(const PointerEvent &event)
 {
     if (!isBusy())
         return;
-    const bool inSteps15 = event.modifiers & Qt::ShiftModifier;
-    m_next = closesAt(event.pixel) ? m_parts.front().front()
-             : inSteps15           ? inSteps(m_parts.back().back(), event.point)
-                                   : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+    m_next = closesAt(event.pixel) ? m_parts.front().front() : placeOf(event, m_parts.back().back());
     m_canvas.updateOverlay();
 }
 
@@ -160,7 +120,7 @@ std::vector<Cubic> LassoFillTool::outline() const
 
 void LassoFillTool::show()
 {
-    m_editor.document().setDraft(paintedAlong(outline(), m_editor.brush(), m_id, m_born, m_paint));
+    m_editor.document().setDraft(painted(outline()));
     m_canvas.updateOverlay();
 }
 
@@ -170,26 +130,17 @@ void LassoFillTool::finish()
         return;
     const std::vector<Cubic> curves = outline();
     // Two points enclose nothing.
-    const StrokePtr stroke = curves.size() > 2 || !isClick(m_parts.back())
-                                 ? paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint)
-                                 : nullptr;
+    const StrokePtr stroke = curves.size() > 2 || !isClick(m_parts.back()) ? painted(curves) : nullptr;
     cancel();
     if (stroke)
         m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Lasso fill"));
 }
 
-void LassoFillTool::cancel()
+void LassoFillTool::forget()
 {
-    if (!isBusy())
-        return;
     m_parts.clear();
     m_isPressed = false;
     m_next.reset();
-    m_id = 0;
-    m_editor.document().setDraft(nullptr);
-    m_editor.clock().hold(false);
-    m_canvas.updateOverlay();
-    emit hintChanged();
 }
 
 bool LassoFillTool::wantsKey(const QKeyEvent &event) const

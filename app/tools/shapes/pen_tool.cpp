@@ -3,29 +3,18 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/editor.h"
-#include "app/tools/shapes/shape_paint.h"
 #include "app/tools/stroke_ends.h"
-#include "app/tools/tool_fields.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 #include "undo/node_edits.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 
 namespace suffuse {
 
-PenTool::PenTool(CanvasWidget &canvas, QObject *parent)
-    : CanvasTool(canvas, parent), m_paint(storedPaint(QStringLiteral("pen")))
-{
-    connect(&m_editor, &Editor::brushChanged, this, [this] {
-        if (isBusy())
-            show();
-    });
-}
+PenTool::PenTool(CanvasWidget &canvas, QObject *parent) : DrawingTool(canvas, QStringLiteral("pen"), parent) {}
 
 QString PenTool::hint() const
 {
@@ -35,34 +24,6 @@ QString PenTool::hint() const
     if (m_nearEnd)
         return tr("Click or drag to go on with the selected stroke from its end.");
     return tr("Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.");
-}
-
-QWidget *PenTool::options()
-{
-    if (m_options)
-        return m_options;
-    m_options = new QWidget;
-    QHBoxLayout *row = toolRow(m_options);
-    addPaintField(*row, m_paint, [this](ShapePaint paint) { setPaint(paint); });
-    row->addStretch();
-    return m_options;
-}
-
-void PenTool::setPaint(ShapePaint paint)
-{
-    m_paint = paint;
-    storePaint(QStringLiteral("pen"), paint);
-    if (m_options)
-        m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(paint));
-    if (isBusy())
-        show();
-}
-
-Point PenTool::placeOf(const PointerEvent &event, Point from) const
-{
-    if (event.modifiers & Qt::ShiftModifier)
-        return inSteps(from, event.point);
-    return m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
 }
 
 bool PenTool::isNear(Point place, Point pixel) const
@@ -84,16 +45,13 @@ bool PenTool::closesAt(Point pixel) const
     return m_nodes.size() > 1 && isNear(m_nodes.front().at, pixel);
 }
 
-void PenTool::begin(const PointerEvent &event)
+void PenTool::setFirst(const PointerEvent &event)
 {
-    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+    begin(event);
     m_extended = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
-    m_id = m_editor.document().takeStrokeId();
-    m_born = event.time;
-    m_editor.clock().hold(true, event.late);
     const Point from = m_extended
                            ? nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node)
-                           : m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
+                           : snapped(event);
     m_nodes.push_back(cornerAt(from));
 }
 
@@ -107,7 +65,7 @@ void PenTool::press(const PointerEvent &event)
     m_pressPixel = event.pixel;
     m_isClosing = isBusy() && closesAt(event.pixel);
     if (!isBusy())
-        begin(event);
+        setFirst(event);
     else if (m_isClosing && m_extended)
         m_nodes.push_back(
             cornerAt(nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
@@ -192,7 +150,7 @@ StrokePtr PenTool::strokeInHand(bool isClosed) const
 {
     const std::vector<Cubic> curves = curvesThrough(m_nodes, isClosed && !m_extended);
     if (!m_extended)
-        return paintedAlong(curves, m_editor.brush(), m_id, m_born, m_paint);
+        return painted(curves);
     const StrokePtr whole = m_editor.document().painting()->find(m_extended->stroke);
     if (!whole)
         return nullptr;
@@ -241,19 +199,12 @@ void PenTool::finish(bool isClosed)
     m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Outline"));
 }
 
-void PenTool::cancel()
+void PenTool::forget()
 {
-    if (!isBusy())
-        return;
     m_nodes.clear();
     m_extended.reset();
     m_next.reset();
     m_isPressed = m_isClosing = false;
-    m_id = 0;
-    m_editor.document().setDraft(nullptr);
-    m_editor.clock().hold(false);
-    m_canvas.updateOverlay();
-    emit hintChanged();
 }
 
 bool PenTool::wantsKey(const QKeyEvent &event) const

@@ -3,14 +3,10 @@
 
 #include "model/shaping/shapes.h"
 
-#include <QString>
-
-#include <functional>
-
-class QComboBox;
-class QHBoxLayout;
-
 namespace suffuse {
+
+/// What of a shape is painted.
+enum class ShapePaint { Outline, Fill, Both };
 
 /// Logical pixels: what is shorter is a click and no drag.
 inline constexpr double leastShapeDrag = 3;
@@ -20,12 +16,5 @@ inline constexpr double closingReach = 8;
 /// A stroke along curves with the values of a brush at full pressure. Null where nothing could be painted.
 StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, StrokeId id, Microseconds born,
                        ShapePaint paint);
-
-/// Adds the field for what of a shape is painted. `take` is called with each choice.
-QComboBox *addPaintField(QHBoxLayout &row, ShapePaint now, const std::function<void(ShapePaint)> &take);
-
-/// What was chosen last in the row of one of the tools; a fill at first.
-ShapePaint storedPaint(const QString &tool);
-void storePaint(const QString &tool, ShapePaint paint);
 
 } // namespace suffuse

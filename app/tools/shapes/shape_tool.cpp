@@ -3,7 +3,6 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/tools/shapes/shape_paint.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
@@ -41,7 +40,6 @@ ShapeForm storedForm()
     int kind = 0;
     stored("kind", kind, 0, int(ShapeKind::Star));
     form.kind = ShapeKind(kind);
-    form.paint = storedPaint(QStringLiteral("shapes"));
     stored("radius", form.radius, 0, 1e6);
     stored("rounding", form.rounding, 0, 1);
     stored("corners", form.corners, ShapeForm::leastCorners, ShapeForm::mostCorners);
@@ -56,7 +54,6 @@ void store(const ShapeForm &form)
 {
     QSettings &store = settings::store();
     store.setValue(keyOf("kind"), int(form.kind));
-    storePaint(QStringLiteral("shapes"), form.paint);
     store.setValue(keyOf("radius"), form.radius);
     store.setValue(keyOf("rounding"), form.rounding);
     store.setValue(keyOf("corners"), form.corners);
@@ -68,13 +65,9 @@ void store(const ShapeForm &form)
 
 } // namespace
 
-ShapeTool::ShapeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_form(storedForm())
-{
-    connect(&m_editor, &Editor::brushChanged, this, [this] {
-        if (isBusy())
-            m_editor.document().setDraft(strokeBetween(m_a, m_b));
-    });
-}
+ShapeTool::ShapeTool(CanvasWidget &canvas, QObject *parent)
+    : DrawingTool(canvas, QStringLiteral("shapes"), parent), m_form(storedForm())
+{}
 
 QString ShapeTool::hint() const
 {
@@ -93,12 +86,8 @@ void ShapeTool::setForm(const ShapeForm &form)
         emit hintChanged();
 }
 
-QWidget *ShapeTool::options()
+void ShapeTool::addFields(QHBoxLayout &row)
 {
-    if (m_options)
-        return m_options;
-    m_options = new QWidget;
-    QHBoxLayout *row = toolRow(m_options);
     auto *kinds = new QComboBox(m_options);
     kinds->setObjectName("kind");
     kinds->addItems({tr("Rectangle"), tr("Ellipse"), tr("Polygon"), tr("Star")});
@@ -109,13 +98,9 @@ QWidget *ShapeTool::options()
         form.kind = ShapeKind(index);
         setForm(form);
     });
-    row->addWidget(kinds);
-    addPaintField(*row, m_form.paint, [this](ShapePaint paint) {
-        ShapeForm form = m_form;
-        form.paint = paint;
-        setForm(form);
-    });
-    row->addSpacing(10);
+    row.addWidget(kinds);
+    DrawingTool::addFields(row);
+    row.addSpacing(10);
 
     // Each field stands in a row of its own with its label, so that they are shown and hidden together.
     const auto add = [&](const char *name, const QList<ShapeKind> &shapes, const FieldSpec &spec, auto member) {
@@ -133,7 +118,7 @@ QWidget *ShapeTool::options()
             form.*member = std::is_integral_v<Number> ? Number(std::lround(value)) : Number(value);
             setForm(form);
         });
-        row->addWidget(pair);
+        row.addWidget(pair);
     };
     using enum ShapeKind;
     FieldSpec radius{tr("Corner radius"), tr("Radius of the corners; half of the shorter side is the most"),
@@ -167,10 +152,8 @@ QWidget *ShapeTool::options()
         form.isPie = on;
         setForm(form);
     });
-    row->addWidget(pie);
-    row->addStretch();
+    row.addWidget(pie);
     showFields();
-    return m_options;
 }
 
 /// What belongs to the kind of shape, with the values that count.
@@ -179,7 +162,6 @@ void ShapeTool::showFields()
     if (!m_options)
         return;
     m_options->findChild<QComboBox *>("kind")->setCurrentIndex(int(m_form.kind));
-    m_options->findChild<QComboBox *>("paint")->setCurrentIndex(int(m_form.paint));
     for (QWidget *field : m_options->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly))
         if (const QVariant shapes = field->property("shapes"); shapes.isValid())
             field->setVisible(shapes.toList().contains(int(m_form.kind)));
@@ -197,22 +179,18 @@ void ShapeTool::showFields()
 
 StrokePtr ShapeTool::strokeBetween(Point a, Point b) const
 {
-    return paintedAlong(outlineOf(m_form, a, b), m_editor.brush(), m_id, m_born, m_form.paint);
+    return painted(outlineOf(m_form, a, b));
 }
 
 void ShapeTool::press(const PointerEvent &event)
 {
-    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
-    m_from = m_a = m_b = m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
-    m_id = m_editor.document().takeStrokeId();
-    m_born = event.time;
-    m_editor.clock().hold(true, event.late);
+    begin(event);
+    m_from = m_a = m_b = snapped(event);
 }
 
 void ShapeTool::aim(const PointerEvent &event)
 {
-    const Point to = m_snapping.snap(event.point, m_canvas.view(), m_canvas.devicePixelRatioF()).point;
-    Point way = to - m_from;
+    Point way = snapped(event) - m_from;
     const bool shift = event.modifiers & Qt::ShiftModifier;
     if (isFromMiddle(m_form.kind)) {
         if (shift)
@@ -226,6 +204,11 @@ void ShapeTool::aim(const PointerEvent &event)
         m_a = event.modifiers & Qt::ControlModifier ? m_from - way : m_from;
     }
     m_b = m_from + way;
+    show();
+}
+
+void ShapeTool::show()
+{
     m_editor.document().setDraft(strokeBetween(m_a, m_b));
     m_canvas.updateOverlay();
 }
@@ -256,16 +239,6 @@ void ShapeTool::finish(const StrokePtr &stroke)
     m_editor.push(addStrokes(m_editor.document(), {stroke}, true), names[int(m_form.kind)]);
 }
 
-void ShapeTool::cancel()
-{
-    if (!isBusy())
-        return;
-    m_id = 0;
-    m_editor.document().setDraft(nullptr);
-    m_editor.clock().hold(false);
-    m_canvas.updateOverlay();
-}
-
 bool ShapeTool::wantsKey(const QKeyEvent &event) const
 {
     return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
@@ -277,8 +250,7 @@ bool ShapeTool::keyPress(QKeyEvent *event)
         return false;
     const Point middle = m_canvas.view().centre;
     const Point a = isFromMiddle(m_form.kind) ? middle : middle - 0.5 * m_size;
-    m_id = m_editor.document().takeStrokeId();
-    m_born = m_editor.clock().time();
+    begin(m_editor.clock().time());
     const StrokePtr stroke = strokeBetween(a, a + m_size);
     m_id = 0;
     if (stroke)

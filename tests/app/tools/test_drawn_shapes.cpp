@@ -90,9 +90,8 @@ private slots:
     {
         Drawing s;
         for (const ShapePaint paint : {ShapePaint::Outline, ShapePaint::Fill, ShapePaint::Both}) {
-            ShapeForm form;
-            form.paint = paint;
-            s.tool().setForm(form);
+            s.tool().setForm({});
+            s.tool().setPaint(paint);
             s.drag({200, 200}, {500, 350});
             const Stroke &stroke = *s.painting().strokes.back();
             QCOMPARE(bool(stroke.fill), paint != ShapePaint::Outline);

@@ -1,0 +1,61 @@
+// What the tools that draw shapes, outlines and lassos have in common.
+#pragma once
+
+#include "app/session/selecting/snapping.h"
+#include "app/tools/canvas_tool.h"
+#include "app/tools/shapes/shape_paint.h"
+
+#include <QPointer>
+
+class QHBoxLayout;
+
+namespace suffuse {
+
+/// Paints a new stroke with the brush in hand: its outline, what is within it, or both. Until it is finished the stroke
+/// is in hand: it shows as paint, and is no undo step.
+class DrawingTool : public CanvasTool {
+    Q_OBJECT
+
+public:
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    QWidget *options() override;
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Paints; }
+    bool isBusy() const override { return m_id != 0; }
+    void cancel() override;
+
+    /// What of the shape is painted from now on, and of that in hand; it is remembered in the settings.
+    void setPaint(ShapePaint paint);
+
+protected:
+    /// `name` is that of its settings.
+    DrawingTool(CanvasWidget &canvas, const QString &name, QObject *parent);
+
+    /// Fills the row over the canvas: here with what is painted.
+    virtual void addFields(QHBoxLayout &row);
+    /// Shows what is in hand as it is now.
+    virtual void show() = 0;
+    /// Forgets what is in hand; called when it is finished or given up.
+    virtual void forget() = 0;
+
+    /// Takes a new stroke in hand, which was begun at `born`.
+    void begin(Microseconds born);
+    /// The same by the pointer; time stands still until it is finished.
+    void begin(const PointerEvent &event);
+    /// Where the pointer is, or what it snaps to.
+    Point snapped(const PointerEvent &event) const;
+    /// As `snapped`, and with Shift in a direction of steps of 15° from a point.
+    Point placeOf(const PointerEvent &event, Point from) const;
+    /// The stroke in hand along curves; null where nothing can be painted.
+    StrokePtr painted(const std::vector<Cubic> &curves) const;
+
+    StrokeId m_id = 0; ///< of the stroke in hand; 0: none
+    Microseconds m_born = 0;
+    QPointer<QWidget> m_options;
+
+private:
+    QString m_name;
+    ShapePaint m_paint;
+    Snapping m_snapping;
+};
+
+} // namespace suffuse
