@@ -21,6 +21,10 @@ void setTensorOfSource(Source &source, const Tensor &t)
     const double difference = 0.5 * (t.xx - t.yy);
     const double radius = std::hypot(difference, t.xy);
     const double larger = 0.5 * (t.xx + t.yy) + radius;
+    if (!(larger > 0)) { // What does not spread has no direction in which it does.
+        source.diffusion = 0;
+        return;
+    }
     const double smaller = (t.xx * t.yy - t.xy * t.xy) / larger; // The product of both is the determinant.
     source.diffusion = float(smaller);
     source.anisotropyRatio = float(larger / smaller);

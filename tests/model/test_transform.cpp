@@ -40,6 +40,28 @@ class TestTransform : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A fill that does not spread, as drawings of other programs come in, has no directions to be scaled in.
+    void crispFillsStayCrisp()
+    {
+        AwkwardStrokes random(31);
+        Stroke s = random.stroke(4);
+        for (const float ratio : {1.0f, 3.0f}) {
+            Fill fill;
+            fill.diffusion = 0;
+            fill.anisotropyRatio = ratio;
+            s.fill = fill;
+            for (const Affine &map :
+                 {Affine::scaling({5, 7}, 1.379, 1.358), Affine::scaling({}, -0.2, 40), Affine::rotation({1, 2}, 0.7),
+                  Affine{1, 0.4, 0.1, 1, {3, 4}}}) {
+                const std::optional<Stroke> scaled = tryTransformed(s, map, SpreadRule::Scales);
+                QVERIFY(scaled);
+                QCOMPARE(scaled->fill->diffusion, 0.0f);
+                QCOMPARE(scaled->fill->anisotropyRatio, ratio);
+                QCOMPARE(scaled->fill->density, fill.density);
+            }
+        }
+    }
+
     void evenMapsScaleSpreadAndDensityExactly()
     {
         AwkwardStrokes random(13);
