@@ -219,8 +219,8 @@ private slots:
     {
         const auto read = [](const QByteArray &attributes, const QByteArray &stops, const QByteArray &shape) {
             const Result<Painting> painting =
-                readPainting(svg("viewBox=\"0 0 100 100\"", "<linearGradient id='g' " + attributes + ">" + stops +
-                                                                "</linearGradient>" + shape),
+                readPainting(svg("viewBox=\"0 0 100 100\"",
+                                 "<linearGradient id='g' " + attributes + ">" + stops + "</linearGradient>" + shape),
                              "a.svg");
             return painting ? *painting : Painting();
         };
@@ -240,13 +240,15 @@ private slots:
         const Painting turned = read("gradientTransform='rotate(90)'", greys, box); // downwards, as long as it is high
         QVERIFY(near(places(*turned.strokes[0])[0], {20, 10}) && near(places(*turned.strokes[0])[1], {20, 90}));
         // A shear keeps lines of one colour upright lines, along which they are moved.
-        const Painting sheared =
-            read("gradientUnits='userSpaceOnUse' x1='0' y1='0' x2='10' y2='0' gradientTransform='skewX(45)'", greys, box);
+        const Painting sheared = read(
+            "gradientUnits='userSpaceOnUse' x1='0' y1='0' x2='10' y2='0' gradientTransform='skewX(45)'", greys, box);
         const std::array<Point, 2> slanted = places(*sheared.strokes[0]);
         QVERIFY(near(slanted[0], {0, 0}) && near(slanted[1], {5, -5}));
 
-        const Painting many = read("", "<stop stop-color='red'/><stop offset='.5' stop-color='yellow'/>"
-                                       "<stop offset='1' stop-color='blue'/>", box);
+        const Painting many = read("",
+                                   "<stop stop-color='red'/><stop offset='.5' stop-color='yellow'/>"
+                                   "<stop offset='1' stop-color='blue'/>",
+                                   box);
         QVERIFY(many.strokes.size() >= 2); // over each other, in a group
         QCOMPARE(many.groups.size(), std::size_t(1));
         QCOMPARE(many.strokes[1]->fill->colour.opacity, 0.0f);
@@ -254,6 +256,54 @@ private slots:
         const Painting one = read("", "<stop stop-color='red'/>", box);
         QCOMPARE(one.strokes.size(), std::size_t(1));
         QVERIFY(!one.strokes[0]->fill->gradient);
+    }
+
+    /// Paint goes where the colours of a screen go, through greys, too, where it would make a detour by itself.
+    void gradientsOfAnyTwoColours()
+    {
+        const std::pair<const char *, const char *> pairs[] = {{"#ff8800", "#0088ff"}, {"#ff0000", "#00ffff"},
+                                                               {"#00ff00", "#ff00ff"}, {"#000000", "#ffffff"},
+                                                               {"#ffff00", "#0000ff"}, {"#12a4c0", "#fe3080"}};
+        for (const auto &[from, to] : pairs) {
+            const Result<Painting> painting = readPainting(
+                svg("viewBox='0 0 100 100'", QByteArray("<linearGradient id='g'><stop stop-color='") + from +
+                                                 "'/><stop offset='1' stop-color='" + to +
+                                                 "'/></linearGradient><rect width='100' height='100' fill='url(#g)'/>"),
+                "a.svg");
+            QVERIFY(painting && !painting->strokes.empty());
+            const auto channel = [](const char *hex, int i) {
+                return QByteArray(hex + 1 + 2 * i, 2).toInt(nullptr, 16) / 255.0;
+            };
+            for (int x = 0; x <= 100; ++x) {
+                std::array<double, 3> ryb{};
+                for (const StrokePtr &stroke : painting->strokes) {
+                    const Fill &fill = *stroke->fill;
+                    Colour c = fill.colour;
+                    if (fill.gradient) {
+                        const Point begin = stroke->origin + fill.gradient->from,
+                                    end = stroke->origin + fill.gradient->to;
+                        const auto t = float(std::clamp((x - begin.x) / (end.x - begin.x), 0.0, 1.0));
+                        const auto mix = [t](float a, float b) { return a + t * (b - a); };
+                        const Colour &other = fill.gradient->colour;
+                        c = {mix(c.red, other.red), mix(c.yellow, other.yellow), mix(c.blue, other.blue),
+                             mix(c.opacity, other.opacity)};
+                    }
+                    const float paint[] = {c.red, c.yellow, c.blue};
+                    for (std::size_t i = 0; i < 3; ++i)
+                        ryb[i] += double(c.opacity) * (double(paint[i]) - ryb[i]);
+                }
+                const std::array<double, 3> shown = srgbFromRyb(ryb);
+                for (int i = 0; i < 3; ++i) {
+                    const double wanted = channel(from, i) + x / 100.0 * (channel(to, i) - channel(from, i));
+                    QVERIFY2(std::abs(shown[std::size_t(i)] - wanted) <= 1.0 / 64,
+                             qPrintable(QStringLiteral("%1 to %2 at %3 %: %4, not %5")
+                                            .arg(QLatin1String(from), QLatin1String(to))
+                                            .arg(x)
+                                            .arg(shown[std::size_t(i)])
+                                            .arg(wanted)));
+                }
+            }
+        }
     }
 
     /// Around a point colours change in steps that are no higher than 1/32, so that none is off by more than 1/64.

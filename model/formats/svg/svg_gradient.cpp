@@ -40,33 +40,42 @@ SvgColour between(const SvgColour &a, const SvgColour &b, double share)
     return colour;
 }
 
-/// How far the paint of two colours, mixed half and half, is from the colour halfway between them on a screen.
+/// How far mixed paint of two colours is from the colours between them on a screen: the most at a quarter, the half and
+/// three quarters of the way. Near greys paint bends sharply, on one side only.
 double bend(const SvgColour &a, const SvgColour &b)
 {
     const auto ryb = [](const SvgColour &c) { return rybFromSrgb({c[0], c[1], c[2]}); };
     const std::array<double, 3> p = ryb(a), q = ryb(b);
-    const std::array<double, 3> mixed =
-        srgbFromRyb(std::array{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])});
-    const SvgColour wanted = between(a, b, 0.5);
     double most = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        most = std::max(most, std::abs(mixed[i] - wanted[i]));
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const auto mix = [&](std::size_t i) { return p[i] + share * (q[i] - p[i]); };
+        const std::array<double, 3> mixed = srgbFromRyb(std::array{mix(0), mix(1), mix(2)});
+        const SvgColour wanted = between(a, b, share);
+        for (std::size_t i = 0; i < 3; ++i)
+            most = std::max(most, std::abs(mixed[i] - wanted[i]));
+    }
     return most;
 }
 
-/// Stops between which paint changes as the screen's colour does.
+/// Adds the stops behind `a` up to `b` between which paint changes as the screen's colour does.
+void addRefined(const SvgStop &a, const SvgStop &b, int halvings, std::vector<SvgStop> &fine)
+{
+    constexpr double most = 0.01;
+    if (halvings == 0 || !(a.offset < b.offset) || bend(a.colour, b.colour) <= most) {
+        fine.push_back(b);
+        return;
+    }
+    const SvgStop middle{0.5 * (a.offset + b.offset), between(a.colour, b.colour, 0.5)};
+    addRefined(a, middle, halvings - 1, fine);
+    addRefined(middle, b, halvings - 1, fine);
+}
+
 std::vector<SvgStop> refined(const std::vector<SvgStop> &stops)
 {
+    constexpr int mostHalvings = 5;
     std::vector<SvgStop> fine{stops.front()};
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-        const SvgStop &a = stops[i - 1], &b = stops[i];
-        const int parts =
-            a.offset < b.offset ? std::clamp(int(std::ceil(std::sqrt(bend(a.colour, b.colour) / 0.01))), 1, 8) : 1;
-        for (int k = 1; k <= parts; ++k) {
-            const double share = double(k) / parts;
-            fine.push_back({a.offset + share * (b.offset - a.offset), between(a.colour, b.colour, share)});
-        }
-    }
+    for (std::size_t i = 1; i < stops.size(); ++i)
+        addRefined(stops[i - 1], stops[i], mostHalvings, fine);
     return fine;
 }
 
