@@ -219,6 +219,7 @@ void RecolourDialog::addShift(QVBoxLayout &column)
         m_recolouring.setMapped(on);
         m_recolouring.rest();
         showResults();
+        showColour();
     });
 }
 
@@ -234,6 +235,7 @@ SliderField *RecolourDialog::addRow(const FieldSpec &spec, QGridLayout &grid, do
             m_recolouring.rest();
         field->setValue(value);
         showResults();
+        showColour();
     });
     connect(field, &SliderField::dragEnded, this, [this] { m_recolouring.rest(); });
     connect(field, &SliderField::refused, m_hint, &HintLabel::showRefusal);
@@ -276,7 +278,7 @@ void RecolourDialog::showColour()
         widget->setEnabled(!uses.empty());
     if (uses.empty())
         return;
-    const Colour colour = m_recolouring.wanted(uses.front());
+    const Colour colour = m_recolouring.result(uses.front());
     m_wheel->setColour(colour);
     m_hex->showText(toOpaqueScreen(colour).name());
 }

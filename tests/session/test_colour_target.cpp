@@ -341,7 +341,16 @@ private slots:
         work.setShift({.hue = 1.0 / 3});
         QCOMPARE(w.colour(2), work.result(1));
         QVERIFY(std::abs(w.colour(2).yellow - 1) < 1e-5f);
+        work.set({0}, violet); // What is set now is what it becomes, whatever the shift of all is.
+        QCOMPARE(work.result(0), violet);
+        QCOMPARE(w.colour(1), violet);
+        work.setShift({.hue = 1.0 / 3, .saturation = 0}); // From there it is shifted with all.
+        QCOMPARE(w.colour(1).red, w.colour(1).blue);
+        work.set({0}, violet);
+        QCOMPARE(w.colour(1), violet);
+        work.set({0}, green);
         work.setShift({});
+        work.set({0}, green);
         work.setMapped(true);
         QCOMPARE(w.colour(2, 2), sea);
         work.setMapped(false);

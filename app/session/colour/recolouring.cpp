@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -27,6 +28,14 @@ ColourPalette paletteOf(const Painting &painting)
     return ColourPalette(std::move(colours));
 }
 
+/// By how much a shift goes beyond an earlier one.
+ColourShift beyond(const ColourShift &earlier, const ColourShift &now)
+{
+    return {now.hue - earlier.hue,
+            earlier.saturation > 0 ? now.saturation / earlier.saturation : now.saturation - earlier.saturation + 1,
+            std::clamp(now.lightness - earlier.lightness, -1.0, 1.0)};
+}
+
 } // namespace
 
 Recolouring::Recolouring(Editor &editor)
@@ -40,27 +49,24 @@ Recolouring::~Recolouring()
     m_gesture.giveUp();
 }
 
-Colour Recolouring::wanted(std::size_t use) const
-{
-    return m_set[use].value_or(m_uses[use].colour);
-}
-
 Colour Recolouring::mapped(const Colour &member, std::size_t use) const
 {
     const Colour &from = m_uses[use].colour;
     Colour colour = member;
-    if (m_set[use]) {
+    if (const std::optional<Wish> &wish = m_set[use]) {
         const bool becomesIt = !m_keeps || samePaint(member, from);
-        colour = becomesIt ? *m_set[use] : shifted(member, shiftBetween(from, *m_set[use]));
+        colour = becomesIt ? wish->colour : shifted(member, shiftBetween(from, wish->colour));
+        colour = shifted(colour, beyond(wish->shift, m_shift));
+    } else {
+        colour = shifted(colour, m_shift);
     }
-    colour = shifted(colour, m_shift);
     return withOpacity(m_maps && hasSwatches() ? m_swatches.nearest(colour) : colour, 1);
 }
 
 void Recolouring::set(const std::vector<std::size_t> &uses, std::optional<Colour> colour)
 {
     for (const std::size_t use : uses)
-        m_set[use] = colour;
+        m_set[use] = colour ? std::optional<Wish>({*colour, m_shift}) : std::nullopt;
     show();
 }
 

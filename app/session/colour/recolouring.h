@@ -30,10 +30,9 @@ public:
     const std::vector<ColourUse> &uses() const { return m_uses; }
     /// What becomes of each, after all that is wanted; opaque.
     Colour result(std::size_t use) const { return mapped(m_uses[use].colour, use); }
-    /// What was set for each by itself, before the shift of all and the mapping; opaque.
-    Colour wanted(std::size_t use) const;
 
-    /// Gives some of the colours another one; nothing: each has its own again.
+    /// Gives some of the colours another one, which the shift of all leaves alone until it changes; nothing: each has its
+    /// own again.
     void set(const std::vector<std::size_t> &uses, std::optional<Colour> colour);
     /// Whether the colours that are one in the list keep their differences when it is changed. They do at first.
     void setKeepsDifferences(bool keeps);
@@ -52,6 +51,12 @@ public:
     void giveUp();
 
 private:
+    /// A colour that was set, and the shift of all at that time.
+    struct Wish {
+        Colour colour;
+        ColourShift shift;
+    };
+
     Colour mapped(const Colour &member, std::size_t use) const;
     void show();
 
@@ -59,7 +64,7 @@ private:
     bool m_ofSelection;
     ColourParts m_parts;
     std::vector<ColourUse> m_uses;
-    std::vector<std::optional<Colour>> m_set; ///< for each use
+    std::vector<std::optional<Wish>> m_set; ///< for each use
     ColourPalette m_swatches;
     bool m_keeps = true;
     bool m_maps = false;
