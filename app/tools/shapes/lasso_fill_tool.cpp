@@ -46,6 +46,8 @@ void LassoFillTool::press(const PointerEvent &event)
 {
     if (isBusy() && (event.doubleClick || closesAt(event.pixel)))
         return finish();
+    if (!isBusy() && event.doubleClick) // Its first press has closed the outline.
+        return;
     if (!isBusy())
         begin(event);
     m_parts.push_back({m_parts.empty() ? snapped(event) : placeOf(event, m_parts.back().back())});

@@ -61,6 +61,8 @@ void PenTool::press(const PointerEvent &event)
         finish(false); // The click before it has set the last node.
         return;
     }
+    if (!isBusy() && event.doubleClick) // The click before it has closed the outline.
+        return;
     m_isPressed = true;
     m_pressPixel = event.pixel;
     m_isClosing = isBusy() && closesAt(event.pixel);

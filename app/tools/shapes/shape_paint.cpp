@@ -1,9 +1,34 @@
 #include "app/tools/shapes/shape_paint.h"
 
+#include "model/area/area_sets.h"
+#include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
 #include "undo/fill_edits.h"
 
 namespace suffuse {
+
+namespace {
+
+/// How wide what closed curves enclose is, as a strip of the same area and perimeter is wide: of a disc it is the
+/// radius. Canvas units.
+double widthWithin(const std::vector<Cubic> &curves)
+{
+    double perimeter = 0;
+    for (const Cubic &curve : curves)
+        perimeter += arcLength(curve);
+    return perimeter > 0 ? 2 * sizeOf(areaOf({curves}, FillRule::NonZero)) / perimeter : 0;
+}
+
+/// The fill with a spread that leaves a shape so wide visible. Where paint spreads farther than the shape is wide it
+/// gets so thin that styles with a rim show nothing at all.
+Fill fitting(Fill fill, double width)
+{
+    const double spread = 0.5 * width;
+    fill.diffusion = std::min(fill.diffusion, float(spread * spread / (4 * double(fill.maxAge))));
+    return fill;
+}
+
+} // namespace
 
 StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, StrokeId id, Microseconds born,
                        ShapePaint paint)
@@ -12,7 +37,7 @@ StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, Str
     if (stroke.segments.empty())
         return nullptr;
     if (paint != ShapePaint::Outline)
-        stroke.fill = usualFill(stroke);
+        stroke.fill = fitting(usualFill(stroke), widthWithin(curves));
     if (paint == ShapePaint::Fill)
         for (Segment &segment : stroke.segments)
             segment.density = 0; // it bounds the fill, and lays no paint

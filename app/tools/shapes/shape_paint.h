@@ -13,7 +13,8 @@ inline constexpr double leastShapeDrag = 3;
 /// Logical pixels around the first point of an outline in which a press closes it.
 inline constexpr double closingReach = 8;
 
-/// A stroke along curves with the values of a brush at full pressure. Null where nothing could be painted.
+/// A stroke along curves with the values of a brush at full pressure; what is within spreads by at most half of the
+/// width that there is. Null where nothing could be painted.
 StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, StrokeId id, Microseconds born,
                        ShapePaint paint);
 

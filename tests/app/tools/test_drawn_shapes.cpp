@@ -1,7 +1,9 @@
 // Rectangles, ellipses, polygons and stars under the hand.
 #include "app/tools/shapes/shape_tool.h"
+#include "model/paint/seen_paint.h"
 #include "model/painting/validate.h"
 #include "tests/app/session.h"
+#include "undo/fill_edits.h"
 
 #include <QComboBox>
 #include <QTemporaryDir>
@@ -99,6 +101,26 @@ private slots:
             if (stroke.fill)
                 QCOMPARE(stroke.fill->colour, s.editor().brush().colour);
         }
+    }
+
+    /// A brush whose paint spreads farther than the shape is wide would leave nothing to be seen.
+    void aThinFillShows()
+    {
+        Drawing s;
+        s.editor().setBrush(*findBrush("flat-marker"));
+        s.drag({300, 300}, {306, 400});
+        s.editor().document().setSelection({});
+        const Stroke thin = *s.painting().strokes.back();
+        const Rect box = s.last();
+        QVERIFY(box.right - box.left < 12);
+        const SeenPaint middle = seenPaint(thin, s.painting().end(), box.centre());
+        QVERIFY2(middle.opacity > 0.9 * double(thin.fill->colour.opacity), qPrintable(QString::number(middle.opacity)));
+        s.drag({400, 200}, {700, 500}); // Where there is room the brush has its own spread.
+        const Stroke &wide = *s.painting().strokes.back();
+        QVERIFY(wide.fill->diffusion > 2 * thin.fill->diffusion);
+        Stroke outline = wide;
+        outline.fill = {};
+        QCOMPARE(wide.fill->diffusion, usualFill(outline).diffusion);
     }
 
     void eachKindHasItsOutline()

@@ -247,6 +247,21 @@ private slots:
         QCOMPARE(s.last().segments.size(), std::size_t(2));
     }
 
+    /// Its first press closes the outline, and its second one begins no other.
+    void aDoubleClickOnTheFirstPointOnlyCloses()
+    {
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
+            Drawing s(tool);
+            for (const Point corner : {Point{300, 300}, {500, 300}, {500, 400}})
+                s.click(corner);
+            s.click({300, 300});
+            QTest::mouseDClick(&s.canvas(), Qt::LeftButton, none, s.at({300, 300}));
+            QVERIFY(!s.isBusy());
+            QCOMPARE(s.steps(), 1);
+            QVERIFY(isFillAlone(s.last()));
+        }
+    }
+
     /// With the values that the stroke has at its end, until the other end closes it.
     void itGoesOnFromAnEnd()
     {
