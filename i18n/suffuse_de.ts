@@ -5271,8 +5271,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Klick auf einen Strich: die gewählten erhalten sein Aussehen, und was entlang ihrer wechselt, bleibt. Umschalt: dieselben Werte von Anfang bis Ende.</translation>
     </message>
     <message>
-        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
-        <translation>Klicken gibt dem Ausgewählten die Farbe des Bildes. Umschalt: die eigene Farbe des Strichs.</translation>
+        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour. Ctrl: its whole appearance.</source>
+        <translation>Klicken gibt dem Ausgewählten die Farbe des Bildes. Umschalt: die eigene Farbe des Strichs. Strg: sein ganzes Aussehen.</translation>
     </message>
     <message>
         <source>Click to give the swatch the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
@@ -8995,6 +8995,10 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::FillSection</name>
+    <message>
+        <source>How fast the fill spreads: the spread grows with the root of D times time. 0 keeps its edge crisp at any zoom.</source>
+        <translation>Wie schnell sich die Füllung ausbreitet: mit der Wurzel aus D mal Zeit. 0 hält ihren Rand bei jeder Vergrößerung scharf.</translation>
+    </message>
     <message>
         <source>Density ρ</source>
         <translation>Dichte ρ</translation>

@@ -5254,8 +5254,8 @@ Arrow keys work too.</source>
         <translation>点击笔画：所选笔画获得其外观，沿笔画的变化保留。Shift：全程使用相同的值。</translation>
     </message>
     <message>
-        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
-        <translation>点击将画面颜色赋予所选内容。Shift：笔画自身的颜色。</translation>
+        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour. Ctrl: its whole appearance.</source>
+        <translation>点击将画面颜色赋予所选内容。Shift：笔画自身的颜色。Ctrl：笔画的全部外观。</translation>
     </message>
     <message>
         <source>Click to give the swatch the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
@@ -8945,6 +8945,10 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::FillSection</name>
+    <message>
+        <source>How fast the fill spreads: the spread grows with the root of D times time. 0 keeps its edge crisp at any zoom.</source>
+        <translation>填充扩散的快慢：扩散范围随 D 与时间乘积的平方根增长。0 使其边缘在任何缩放下保持清晰。</translation>
+    </message>
     <message>
         <source>Density ρ</source>
         <translation>密度 ρ</translation>

@@ -17,6 +17,16 @@ namespace suffuse {
 
 namespace {
 
+/// Segments must spread to be seen, and fills need not.
+FieldSpec diffusionSpec()
+{
+    FieldSpec spec = specOf(Quantity::Diffusion);
+    spec.toolTip = FillSection::tr("How fast the fill spreads: the spread grows with the root of D times time. 0 keeps "
+                                   "its edge crisp at any zoom.");
+    spec.minimum = 0;
+    return spec;
+}
+
 FieldSpec densitySpec()
 {
     FieldSpec spec = specOf(Quantity::Density);
@@ -48,7 +58,7 @@ FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_e
     values->setContentsMargins(0, 0, 0, 0);
     values->setSpacing(4);
     QGridLayout *grid = addFieldGrid(*values);
-    addRow(specOf(Quantity::Diffusion), *grid, &Fill::diffusion);
+    addRow(diffusionSpec(), *grid, &Fill::diffusion);
     addRow(densitySpec(), *grid, &Fill::density);
     addRow(specOf(Quantity::Granulation), *grid, &Fill::granulation);
     addRow(specOf(Quantity::MaxAge), *grid, &Fill::maxAge);
@@ -189,9 +199,8 @@ void FillSection::refresh(const Inspected &inspected)
     for (const auto &[member, field] : m_rows)
         keepChange(*field, inspected, [member = member](const Fill &fill) { return double(fill.*member); });
     for (int channel = 0; channel < 4; ++channel)
-        keepChange(*m_colour->row(channel), inspected, [channel](const Fill &fill) {
-            return double(ColourRows::channelOf(fill.colour, channel));
-        });
+        keepChange(*m_colour->row(channel), inspected,
+                   [channel](const Fill &fill) { return double(ColourRows::channelOf(fill.colour, channel)); });
     for (const auto &[member, field] : m_rows)
         field->setValue(commonNumber(fills, [member = member](const Fill *fill) { return fill->*member; }));
     std::array<std::optional<double>, 4> channels;

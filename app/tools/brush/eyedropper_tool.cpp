@@ -153,7 +153,8 @@ QString EyedropperTool::hint() const
     if (m_matches)
         return m_match.hint();
     if (m_editor.colourTarget().kind() == ColourTarget::Kind::Selection)
-        return tr("Click to give what is selected the picture's colour. Shift: the stroke's own colour.");
+        return tr("Click to give what is selected the picture's colour. Shift: the stroke's own colour. "
+                  "Ctrl: its whole appearance.");
     if (m_editor.colourTarget().kind() == ColourTarget::Kind::Swatch)
         return tr("Click to give the swatch the picture's colour. Shift: the stroke's own colour.");
     return tr("Click to take the picture's colour as the current one. Shift: the stroke's own colour.");
@@ -214,7 +215,7 @@ void EyedropperTool::setMatches(bool matches)
 
 void EyedropperTool::press(const PointerEvent &event)
 {
-    if (m_matches)
+    if (m_matches || event.modifiers & Qt::ControlModifier)
         m_match.begin(event);
     else
         m_picker.begin(event);

@@ -18,12 +18,17 @@ constexpr double handleGap = 9;      ///< logical pixels from the visible edge t
 constexpr double widthHitRadius = 8; ///< logical pixels
 constexpr double markRadius = 4.5;
 
-/// The segment in the middle of what is selected of a stroke, of those that lay paint: what takes paint away has no
-/// edge that is seen.
+/// Whether a segment has an edge that is seen: what takes paint away, or only bounds a fill, has none.
+bool hasEdge(const Segment &segment)
+{
+    return !segment.lift && segment.density > 0;
+}
+
+/// The segment in the middle of what is selected of a stroke, of those that have an edge.
 std::optional<int> middlePaint(const Stroke &stroke, const Selection &selection)
 {
     const auto lays = [&](int k) {
-        return k >= 0 && k < int(stroke.segments.size()) && !stroke.segments[std::size_t(k)].lift;
+        return k >= 0 && k < int(stroke.segments.size()) && hasEdge(stroke.segments[std::size_t(k)]);
     };
     std::vector<int> chosen;
     for (const SegmentRef &ref : selection.segments)
@@ -48,7 +53,7 @@ QString WidthHandle::hint()
 
 std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, const SegmentRef &ref) const
 {
-    if (stroke.segments[std::size_t(ref.segment)].lift)
+    if (!hasEdge(stroke.segments[std::size_t(ref.segment)]))
         return {};
     const auto seen = seenWidth(stroke, ref.segment, m_canvas.editor().clock().time());
     return seen ? std::optional<Target>({ref, stroke.segments[std::size_t(ref.segment)], *seen}) : std::nullopt;

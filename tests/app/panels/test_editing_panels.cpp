@@ -21,6 +21,7 @@
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
+#include "undo/fill_edits.h"
 #include "undo/swatch_edits.h"
 
 #include <QDockWidget>
@@ -431,6 +432,26 @@ private slots:
         QTest::mouseClick(compare, Qt::LeftButton);
         QCOMPARE(shown(3).density, 9.0f);
         QCOMPARE(shown(1).density, 30.0f);
+    }
+
+    /// An outline that only bounds a fill has no width.
+    void noWidthHandleWhereThereIsNoPaint()
+    {
+        Session session;
+        auto painting = std::make_shared<Painting>();
+        Stroke stroke = *makeStroke(1, 8, 25);
+        stroke.fill = usualFill(stroke);
+        const auto paintWith = [&](float density) {
+            for (Segment &segment : stroke.segments)
+                segment.density = density;
+            painting->strokes = {std::make_shared<const Stroke>(stroke)};
+            session.editor().document().reset(std::make_shared<Painting>(*painting));
+            session.editor().clock().setTime(5'000'000);
+            session.editor().document().setSelection({{1}, {}});
+            return WidthHandle(session.canvas()).segment();
+        };
+        QVERIFY(paintWith(20));
+        QVERIFY(!paintWith(0));
     }
 
     void widthHandleSolvesForDensity()

@@ -156,6 +156,10 @@ private slots:
         type(*section.row(&Fill::density)->number(), "2.5");
         QCOMPARE(bench.stroke(1).fill->density, 2.5f);
         QCOMPARE(bench.stroke(2).fill->density, 2.5f);
+        type(*section.row(&Fill::diffusion)->number(), "0"); // A crisp edge is a value, and the slider leads back.
+        QCOMPARE(bench.stroke(1).fill->diffusion, 0.0f);
+        QCOMPARE(bench.stroke(2).fill->diffusion, 0.0f);
+        bench.editor.undo();
         type(*section.row(&Fill::diffusion)->number(), "*2"); // each from what it is
         QCOMPARE(bench.stroke(1).fill->diffusion, 20.0f);
         QCOMPARE(bench.stroke(2).fill->diffusion, 40.0f);

@@ -585,6 +585,27 @@ private slots:
         QVERIFY(!(s.editor().brush().colour == inHand));
     }
 
+    /// One click without a command: the modifier makes the difference.
+    void theEyedropperMatchesWithCtrl()
+    {
+        TwoPainted s;
+        s.use(Command::Select);
+        s.editor().document().setSelection({{s.pen}, {}});
+        const Colour inHand = s.editor().brush().colour;
+        const auto before = s.editor().document().painting();
+        s.use(Command::Eyedropper);
+        QVERIFY(s.canvas().tool()->hint().contains("Ctrl: its whole appearance"));
+        const int steps = s.steps();
+        QTest::mouseClick(&s.canvas(), Qt::LeftButton, Qt::ControlModifier, s.at({350, 400}));
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Match"));
+        QVERIFY(s.stroke(s.pen).style == s.stroke(s.marker).style);
+        QVERIFY(s.editor().brush().colour == inHand);
+        QVERIFY(s.stroke(s.marker) == *before->find(s.marker));
+        QTest::mouseClick(&s.canvas(), Qt::LeftButton, {}, s.at({350, 400})); // without it a colour is taken, as ever
+        QVERIFY(s.editor().undoText() != "Match");
+    }
+
     void matchIsACommand()
     {
         TwoPainted s;
