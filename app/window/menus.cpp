@@ -2,10 +2,16 @@
 
 #include "app/session/commands/commands.h"
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <memory>
 
 namespace suffuse {
 
@@ -132,6 +138,29 @@ void addToolsMenu(QMenuBar &bar, const Commands &table)
     append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
 }
 
+/// One Esc closes a menu, as elsewhere, and gives the keyboard back to what had it. Qt leaves it to the bar, where
+/// letters open menus without a sign that they would.
+void leaveBarWithMenus(QMenuBar &bar)
+{
+    const auto had = std::make_shared<QPointer<QWidget>>();
+    const auto leave = [&bar, had] {
+        if (QApplication::activePopupWidget() || !bar.hasFocus()) // another menu was opened by an arrow key
+            return;
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCoreApplication::sendEvent(&bar, &escape);
+        if (bar.hasFocus() && *had)
+            (*had)->setFocus(Qt::MenuBarFocusReason);
+    };
+    for (const QAction *action : bar.actions()) {
+        QObject::connect(action->menu(), &QMenu::aboutToShow, &bar, [&bar, had] {
+            if (QWidget *focus = bar.window()->focusWidget(); focus && focus != &bar)
+                *had = focus;
+        });
+        QObject::connect(action->menu(), &QMenu::aboutToHide, &bar,
+                         [&bar, leave] { QTimer::singleShot(0, &bar, leave); });
+    }
+}
+
 } // namespace
 
 OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
@@ -147,6 +176,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
               ReverseStrokes}});
     addToolsMenu(bar, table);
     addMenu(bar, Commands::tr("&Help"), table, {{FindCommand, Shortcuts, About}});
+    leaveBarWithMenus(bar);
     return open;
 }
 

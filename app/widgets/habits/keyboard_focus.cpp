@@ -25,6 +25,7 @@
 #include <QTreeView>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -174,6 +175,14 @@ bool endsTyping(const QWidget *clicked, const QWidget &field)
     return isElsewhere && (qobject_cast<const QAbstractButton *>(clicked) || qobject_cast<const QTabBar *>(clicked));
 }
 
+/// Whether a widget is the editor of a row in a list.
+bool isRowEditor(const QWidget *widget)
+{
+    const QWidget *viewport = widget ? widget->parentWidget() : nullptr;
+    const auto *view = viewport ? qobject_cast<const QAbstractItemView *>(viewport->parentWidget()) : nullptr;
+    return view && view->viewport() == viewport;
+}
+
 bool takesFocus(const QWidget &widget)
 {
     return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
@@ -195,6 +204,8 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
             m_told = nullptr;
             m_window.statusBar()->clearMessage();
         }
+        if (const int tab = std::exchange(m_tab, 0); tab && now && panelOf(now) != panelOf(old))
+            tabbed(*now, tab > 0);
     });
 }
 
@@ -267,6 +278,8 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
         return false;
     const bool leaves = key.key() == Qt::Key_Escape || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
     if (panel == &widget) { // nothing in the panel had a use for the key
+        if (std::exchange(m_endsName, false))
+            return true; // The key has ended a name, and the list goes on.
         if (leaves)
             toCanvas();
         else
@@ -369,6 +382,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     }
     case QEvent::KeyPress:
+        noteKey(widget, *static_cast<QKeyEvent *>(event));
         if (widget == m_opened)
             m_opened = nullptr;
         if (widget && panelOf(widget) && isUse(*static_cast<QKeyEvent *>(event)))
@@ -384,6 +398,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
                 this, [this, clicked = QPointer<QWidget>(widget)] { letClicked(clicked); }, Qt::QueuedConnection);
         break;
     case QEvent::MouseButtonPress:
+        m_namesByKey = false;
         delete m_frame;
         if (qobject_cast<QComboBox *>(widget))
             m_opened = widget;
@@ -472,11 +487,49 @@ bool KeyboardFocus::enter(QWidget &stop)
     stop.window()->activateWindow();
     stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // from now on styles show the focus
     goal->setFocus(Qt::TabFocusReason);
+    frame(stop);
+    return true;
+}
+
+/// Shows where the keyboard is.
+void KeyboardFocus::frame(QWidget &stop)
+{
     delete m_frame;
     m_frame = new PanelFrame(stop);
     if (&stop != &m_canvas)
         say(stop);
-    return true;
+}
+
+void KeyboardFocus::noteKey(const QWidget *widget, const QKeyEvent &key)
+{
+    const bool isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    // The editor may be gone before the panel hears of the key.
+    m_endsName = isReturn && (m_endsName || (m_namesByKey && isRowEditor(widget)));
+    m_tab = key.key() == Qt::Key_Tab ? 1 : key.key() == Qt::Key_Backtab ? -1 : 0;
+    if (key.key() == Qt::Key_F2)
+        m_namesByKey = true;
+}
+
+/// Whether a widget is in a dock that is hidden behind another one.
+bool KeyboardFocus::isBehind(QWidget &widget) const
+{
+    const auto *dock = qobject_cast<QDockWidget *>(panelOf(&widget));
+    return dock && dock->visibleRegion().isEmpty();
+}
+
+/// Tab has come to a widget of another panel.
+void KeyboardFocus::tabbed(QWidget &to, bool forward)
+{
+    QWidget *goal = &to;
+    while (isBehind(*goal) || !takesFocus(*goal) || !goal->isVisible() || goal->window() != to.window()) {
+        goal = forward ? goal->nextInFocusChain() : goal->previousInFocusChain();
+        if (goal == &to)
+            return;
+    }
+    if (goal != &to)
+        goal->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    if (QWidget *panel = panelOf(goal))
+        frame(*panel);
 }
 
 } // namespace suffuse

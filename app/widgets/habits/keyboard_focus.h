@@ -15,11 +15,12 @@ class PanelFrame;
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
 /// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them.
-/// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a use for them. So does the release
-/// of the mouse over something that cannot be typed into, or that one chooses from to go on at the canvas
-/// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose name
-/// begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says who has the
-/// keyboard.
+/// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a use for them. So does the
+/// release of the mouse over something that cannot be typed into, or that one chooses from to go on at the canvas
+/// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose
+/// name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says who has
+/// the keyboard. Tab passes docks by that are hidden behind others, and shows which panel it has come to. A list in
+/// which a name was begun by a key keeps the keyboard when Return ends it.
 class KeyboardFocus : public QObject {
     Q_OBJECT
 
@@ -57,13 +58,20 @@ private:
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
     QList<QWidget *> stops() const;
     bool enter(QWidget &stop);
+    void noteKey(const QWidget *widget, const QKeyEvent &key);
+    void tabbed(QWidget &to, bool forward);
+    bool isBehind(QWidget &widget) const;
+    void frame(QWidget &stop);
 
     QMainWindow &m_window;
     QWidget &m_canvas;
     QPointer<PanelFrame> m_frame;
     QPointer<QDockWidget> m_front; ///< the dock that stood in front of the one to which the walk has gone
-    QPointer<QWidget> m_opened; ///< the widget that was pressed last, and got no key since
-    QPointer<QWidget> m_told; ///< the panel of which the status bar has said that it has the keyboard
+    QPointer<QWidget> m_opened;    ///< the widget that was pressed last, and got no key since
+    int m_tab = 0;                 ///< 1 after Tab, −1 after Shift+Tab
+    bool m_namesByKey = false;     ///< F2 was pressed, and no button since
+    bool m_endsName = false;       ///< the key that is being handled ends a name in a list
+    QPointer<QWidget> m_told;      ///< the panel of which the status bar has said that it has the keyboard
 };
 
 } // namespace suffuse

@@ -1,4 +1,5 @@
 // Who has the keyboard, and what the keys reach: nothing is altered that was not meant.
+#include "app/panels/strokes/strokes_panel.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/window/layout/window_layout.h"
@@ -246,6 +247,68 @@ private slots:
         QTRY_VERIFY(isInFront(history));
     }
 
+    /// What lies behind another dock cannot be seen, so Tab does not go there; where it goes it says so.
+    void tabPassesHiddenDocksBy()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *history = s.window.findChild<QDockWidget *>("historyDock");
+        auto *colour = s.window.findChild<QDockWidget *>("colourDock");
+        s.window.tabifyDockWidget(colour, history);
+        history->show();
+        colour->raise();
+        QTRY_VERIFY(!colour->visibleRegion().isEmpty() && history->visibleRegion().isEmpty());
+        const auto panelOf = [](QWidget *widget) -> QWidget * {
+            while (widget && !qobject_cast<QDockWidget *>(widget) && !qobject_cast<QToolBar *>(widget))
+                widget = widget->parentWidget();
+            return widget;
+        };
+        int crossed = 0;
+        for (QWidget *start : panelsOf(s.window)) {
+            if (start == history || !start->isVisible() || focusableIn(*start).isEmpty())
+                continue;
+            for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+                focusableIn(*start).front()->setFocus();
+                // On the canvas Tab is a key of the tool.
+                for (int i = 0; i < 60 && QApplication::focusWidget() != &s.canvas(); ++i) {
+                    QWidget *before = panelOf(QApplication::focusWidget());
+                    QTest::keyClick(QApplication::focusWidget(), key);
+                    QWidget *panel = panelOf(QApplication::focusWidget());
+                    QVERIFY(panel != history);
+                    if (!panel || panel == before)
+                        continue;
+                    ++crossed;
+                    QVERIFY2(s.window.statusBar()->currentMessage().contains(panel->windowTitle()),
+                             qPrintable(panel->objectName() + ": " + s.window.statusBar()->currentMessage()));
+                }
+            }
+        }
+        QVERIFY2(crossed > 2, qPrintable(QString::number(crossed)));
+    }
+
+    /// Names are given one after the other without the mouse: Return ends one, and Down goes to the next row.
+    void aListInWhichNamesAreGivenKeepsTheKeyboard()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto &view = *s.window.findChild<StrokesPanel *>()->view();
+        const int steps = s.editor().undoStack().count();
+        view.setFocus();
+        view.setCurrentIndex(view.model()->index(0, 0));
+        QTest::keyClick(&view, Qt::Key_F2);
+        QLineEdit *field = nullptr;
+        QTRY_VERIFY((field = view.viewport()->findChild<QLineEdit *>()));
+        QTest::keyClicks(field, "first");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
+        QTRY_VERIFY(view.hasFocus());
+        QCOMPARE(s.editor().undoStack().count(), steps + 1);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QCOMPARE(s.editor().undoStack().count(), steps + 1); // the list's row, not the painting
+        QTest::keyClick(&view, Qt::Key_Return);      // with nothing to end it gives the keyboard back
+        QTRY_VERIFY(s.canvas().hasFocus());
+    }
+
     /// It is seen where the keyboard is, until the mouse goes on.
     void f6ShowsWhereItIs()
     {
@@ -301,8 +364,8 @@ private slots:
         QVERIFY2(buttons > 5 && fields > 5, qPrintable(QString("%1 %2").arg(buttons).arg(fields)));
     }
 
-    /// A list that a click has opened gives the keyboard back when it closes, by whatever means. Who has gone to a field
-    /// by the keyboard stays there.
+    /// A list that a click has opened gives the keyboard back when it closes, by whatever means. Who has gone to a
+    /// field by the keyboard stays there.
     void listsGiveTheKeyboardBack()
     {
         WaveSession s;

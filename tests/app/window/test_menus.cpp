@@ -3,6 +3,7 @@
 #include "app/session/translation.h"
 #include "tests/app/session.h"
 
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTemporaryDir>
@@ -95,6 +96,25 @@ private slots:
         for (const Command command : {Command::PasteAppearance, Command::RecolourArtwork})
             QVERIFY2(!mnemonicOf(s.window.action(command).text()).isNull(),
                      qPrintable(s.window.action(command).text()));
+    }
+
+    /// And the keyboard goes back to the canvas, where F takes the Bucket and opens no menu.
+    void oneEscClosesAMenu()
+    {
+        Session s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        QMenuBar &bar = *s.window.menuBar();
+        QAction *view = bar.actions().at(2);
+        QTest::mouseClick(&bar, Qt::LeftButton, {}, bar.actionGeometry(view).center());
+        QTRY_COMPARE(QApplication::activePopupWidget(), view->menu());
+        QTest::keyClick(view->menu(), Qt::Key_Right); // The next menu opens in its place.
+        QTRY_COMPARE(QApplication::activePopupWidget(), bar.actions().at(3)->menu());
+        QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(s.canvas().hasFocus());
+        QVERIFY(!QApplication::activePopupWidget());
+        QVERIFY(!bar.activeAction());
     }
 
     void f11FillsTheScreenAndGivesItBack()
