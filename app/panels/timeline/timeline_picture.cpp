@@ -111,13 +111,22 @@ void TimelinePicture::paintRuler(QPainter &painter, const QRect &area) const
     const double first = std::floor(toSeconds(m_axes.timeAt(std::max(area.left() - 2 * tickDistance, 0.0))) / step);
     const double last = toSeconds(m_axes.timeAt(area.right() + 1 + tickDistance)) / step;
     const double head = m_axes.xOf(m_clock.shown());
+    const auto tickAt = [&](double k) {
+        return std::floor((k * step * 1e6 - double(m_axes.from)) / m_axes.scale) + 0.5;
+    };
+    const auto labelAt = [&](double k) { // from left to right
+        const double wide = m_viewport.fontMetrics().horizontalAdvance(tickLabel(k * step, step));
+        const double left = labelLeft(tickAt(k), wide, head, width);
+        return std::pair(left, left + wide);
+    };
     for (double k = first; k <= last; ++k) {
-        const double x = std::floor((k * step * 1e6 - double(m_axes.from)) / m_axes.scale) + 0.5;
+        const double x = tickAt(k);
         painter.setPen(m_palette.color(QPalette::PlaceholderText));
         painter.drawLine(QPointF(x, height - 7), QPointF(x, height - 1));
-        const QString label = tickLabel(k * step, step);
-        const double left = labelLeft(x, m_viewport.fontMetrics().horizontalAdvance(label), head, width);
-        painter.drawText(QRectF(left, 0, 2 * tickDistance, height - 2), Qt::AlignLeft | Qt::AlignVCenter, label);
+        // What the edge or the playhead pushes onto the label before it is left out.
+        if (const double left = labelAt(k).first; k < 1 || left >= labelAt(k - 1).second + 4)
+            painter.drawText(QRectF(left, 0, 2 * tickDistance, height - 2), Qt::AlignLeft | Qt::AlignVCenter,
+                             tickLabel(k * step, step));
         painter.setPen(hairline());
         for (int part = 1; part < 5; ++part) {
             const double at = std::floor(x + part * step * pixelsPerSecond / 5) + 0.5;
