@@ -3,6 +3,7 @@
 #include "render/fallback_renderer.h"
 #include "tests/render/cuda_checks.h"
 #include "tests/render/emulated_device.h"
+#include "tests/trials.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -74,6 +75,8 @@ private slots:
         drag<FloatPicture>(whole, [](const RenderRequest &, const FloatPicture &) {});
         const int calls = whole.device->calls();
         for (int n = 1; n <= calls; ++n) {
+            if (!isTried(n))
+                continue;
             Session s = open({n, cuda::Fault::Lost});
             drag<FloatPicture>(s, [&](const RenderRequest &request, const FloatPicture &picture) {
                 if (s.renderer->backend() == Backend::Cpu && !request.interactive)
@@ -94,6 +97,8 @@ private slots:
             whole, [&](const RenderRequest &, const FloatPicture &picture) { expected.push_back(picture.rgba); });
         int survived = 0;
         for (int n = 1; n <= whole.device->calls(); ++n) {
+            if (!isTried(n + 1))
+                continue;
             Session s = open({n, cuda::Fault::OutOfMemory});
             std::size_t step = 0;
             drag<FloatPicture>(s, [&](const RenderRequest &request, const FloatPicture &picture) {
@@ -117,6 +122,8 @@ private slots:
         const auto keep = [&](const RenderRequest &, const FloatPicture &picture) { expected.push_back(picture.rgba); };
         drag<FloatPicture>(byHost, keep);
         for (int n = 0; n <= whole.device->calls(); ++n) {
+            if (n > 0 && !isTried(n))
+                continue;
             Session s = open({n, n % 2 ? cuda::Fault::Lost : cuda::Fault::OutOfMemory}, memory, always);
             std::size_t step = 0;
             drag<FloatPicture>(n == 0 ? whole : s, [&](const RenderRequest &request, const FloatPicture &picture) {

@@ -6,6 +6,7 @@
 #include "tests/app/monkey.h"
 #include "tests/app/shapes.h"
 #include "tests/trials.h"
+#include "undo/fill_edits.h"
 
 #include <QTemporaryDir>
 
@@ -17,7 +18,7 @@ constexpr int roundEvents = 500;
 constexpr int checkEvery = 100;
 constexpr std::size_t mostSegments = 3000; ///< a painting that has grown larger ends its round
 
-/// A few strokes, some grouped, locked or hidden.
+/// A few strokes, some grouped, filled, locked or hidden.
 PaintingPtr startingPainting(Monkey &monkey)
 {
     auto painting = std::make_shared<Painting>();
@@ -33,6 +34,12 @@ PaintingPtr startingPainting(Monkey &monkey)
         stroke.style.xi = i % 3 == 2 ? std::array{0.4f, 0.2f, 0.5f} : std::array{0.4f, 1.0f, 0.0f};
         if (i % 4 == 0)
             stroke.segments.front().anisotropyRatio = 4;
+        if (i % 3 == 1) {
+            Fill fill = usualFill(stroke);
+            if (i % 2 == 0)
+                fill.gradient = Gradient{{0, 0}, {90, 40}, {0.2f, 0.8f, 0, 0.5f}};
+            stroke.fill = fill;
+        }
         painting->strokes.push_back(std::make_shared<const Stroke>(std::move(stroke)));
     }
     return painting;
