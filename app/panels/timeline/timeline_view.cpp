@@ -56,6 +56,7 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     connect(&m_pointer, &TimelinePointer::retimingEnded, this, [this] {
         m_stale = true;
         refresh();
+        revealSelected();
     });
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelineView::timeChanged);
     connect(&editor.clock(), &PaintingClock::pastChanged, viewport(), qOverload<>(&QWidget::update));
@@ -164,6 +165,27 @@ void TimelineView::updateScrollBars()
     verticalScrollBar()->setPageStep(viewport()->height() - rulerHeight());
     verticalScrollBar()->setSingleStep(int(axes.laneTop(1) - axes.laneTop(0)));
     m_scrolling = false;
+}
+
+/// Bars that were dragged may have another lane, since there was no room in theirs.
+void TimelineView::revealSelected()
+{
+    const std::set<StrokeId> &selected = m_editor.document().selection().strokes;
+    const TimelineAxes axes = this->axes();
+    std::optional<int> hidden;
+    for (std::size_t i = 0; i < m_bars.size(); ++i) {
+        if (!selected.contains(m_bars[i].stroke))
+            continue;
+        const int lane = m_bars[i].lane;
+        if (axes.laneTop(lane) >= axes.rulerHeight && axes.laneTop(lane + 1) <= viewport()->height())
+            return;
+        hidden = std::min(lane, hidden.value_or(lane));
+    }
+    if (!hidden)
+        return;
+    const double above = axes.rulerHeight - axes.laneTop(*hidden),
+                 below = axes.laneTop(*hidden + 1) + 4 - viewport()->height();
+    verticalScrollBar()->setValue(axes.scrolled + int(std::ceil(below > 0 ? below : -above)));
 }
 
 void TimelineView::scrollContentsBy(int dx, int)

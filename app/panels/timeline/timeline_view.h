@@ -66,6 +66,7 @@ private:
     void draftChanged();
     void timeChanged();
     void updateScrollBars();
+    void revealSelected();
     void updateDraft();
     void zoomAt(double x, double factor);
     void pinch(QGestureEvent &event);

@@ -196,6 +196,27 @@ private slots:
         s.release(third - across(1'500'000));
     }
 
+    /// Where there is no room in its lane a bar gets another one, and stays in view.
+    void aDraggedBarIsSeenAfterwards()
+    {
+        StrokeList strokes{drawnAt(1, second, {200, 200}, {600, 400})};
+        for (int i = 0; i < 12; ++i)
+            strokes.push_back(drawnAt(StrokeId(2 + i), 10 * second, {200, 200.0 + 10 * i}, {600, 200.0 + 10 * i}));
+        Timed s(strokes);
+        const auto isSeen = [&s] {
+            const QRect lanes = s.view().viewport()->rect().adjusted(0, 20, 0, 0);
+            return lanes.contains(s.middleOf(1));
+        };
+        QVERIFY(isSeen());
+        const double perSecond = (s.middleOf(2).x() - s.middleOf(1).x()) / 9.0;
+        s.press(s.middleOf(1));
+        s.moveTo(s.middleOf(1) + QPoint(int(9 * perSecond), 0));
+        s.release(s.middleOf(1) + QPoint(int(9 * perSecond), 0));
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(s.painting().find(1)->born() > 9 * second);
+        QVERIFY(isSeen());
+    }
+
     void draggedEndsStretch()
     {
         Timed s;
