@@ -112,7 +112,7 @@ private slots:
         QTest::keyClick(view->menu(), Qt::Key_Right); // The next menu opens in its place.
         QTRY_COMPARE(QApplication::activePopupWidget(), bar.actions().at(3)->menu());
         QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
-        QTRY_VERIFY(s.canvas().hasFocus());
+        QTRY_COMPARE(s.window.focusWidget(), &s.canvas());
         QVERIFY(!QApplication::activePopupWidget());
         QVERIFY(!bar.activeAction());
     }
