@@ -222,7 +222,8 @@ std::vector<Piece> mappedPieces(const Stroke &stroke, const Affine &map, SpreadR
             const Segment &segment = stroke.segments[k];
             const Cubic curve = offsetsOf(segment);
             const double spread = fullSpread(segment);
-            if (!isPoint(segment) && !isSurelyEven(curve, steepest, spread))
+            const bool paints = segment.density > 0; // What only bounds a fill has no spread that could vary.
+            if (paints && !isPoint(segment) && !isSurelyEven(curve, steepest, spread))
                 places[k] = EvenParts(curve, map, steepest, spread).find();
         }
     std::vector<Piece> pieces = piecesOf(stroke, places);

@@ -62,6 +62,26 @@ private slots:
         }
     }
 
+    /// Where paint is laid curves are cut, so that its spread follows their direction; bounds of fills stay whole.
+    void outlinesWithoutPaintStayWhole()
+    {
+        Stroke s;
+        s.id = 1;
+        Segment arc;
+        arc.bezier = {Offset{0, 0}, {0, 40}, {60, 100}, {100, 100}};
+        arc.diffusion = 1;
+        arc.density = 5;
+        s.segments = {arc};
+        s.fill = Fill{};
+        const Affine uneven = Affine::scaling({}, 3, 0.5);
+        QVERIFY(transformed(s, uneven, SpreadRule::Scales).segments.size() > 3);
+        s.segments[0].density = 0;
+        const Stroke scaled = transformed(s, uneven, SpreadRule::Scales);
+        QCOMPARE(scaled.segments.size(), std::size_t(1));
+        QCOMPARE(scaled.segments[0].bezier[3].x, 300.0f);
+        QVERIFY(!scaled.fill->isIsotropic());
+    }
+
     void evenMapsScaleSpreadAndDensityExactly()
     {
         AwkwardStrokes random(13);
