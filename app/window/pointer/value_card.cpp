@@ -13,12 +13,15 @@
 #include "model/painting/fields.h"
 #include "undo/edits.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -66,9 +69,9 @@ ValueCard::ValueCard(CanvasWidget &canvas) : FloatingCard(canvas), m_canvas(canv
     column->addWidget(m_hint);
     alignFieldLabels(*this);
     connect(m_width, &SliderField::edited, this, &ValueCard::setWidth);
-    connect(m_width, &SliderField::refused, m_hint, &HintLabel::showRefusal);
-    connect(m_fill, &FillSection::refused, m_hint, &HintLabel::showRefusal);
-    connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_width, &SliderField::refused, this, &ValueCard::refuse);
+    connect(m_fill, &FillSection::refused, this, &ValueCard::refuse);
+    connect(m_segments, &SegmentSection::refused, this, &ValueCard::refuse);
     connect(&m_editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (isOpen() && (change.selection || change.reset || !change.strokes.empty()))
             refresh();
@@ -93,6 +96,28 @@ void ValueCard::addHead()
     m_whole = button(tr("Whole"), tr("All that is selected"), true);
     m_one = button(tr("Segment"), tr("The segment under the pointer alone"), false);
     static_cast<QVBoxLayout *>(layout())->addLayout(head);
+}
+
+void ValueCard::refuse(const QString &why)
+{
+    m_refused = !why.isEmpty();
+    m_hint->showRefusal(why);
+}
+
+bool ValueCard::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress && watched == QApplication::focusWidget()) // before the field knows of it
+        m_refused = false;
+    return FloatingCard::eventFilter(watched, event);
+}
+
+void ValueCard::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() != Qt::Key_Escape && std::exchange(m_refused, false)) {
+        event->accept();
+        return;
+    }
+    FloatingCard::keyPressEvent(event);
 }
 
 /// The inspector has the other rows.

@@ -37,8 +37,14 @@ public:
     QToolButton *wholeButton() const { return m_whole; }
     QToolButton *segmentButton() const { return m_one; }
 
+protected:
+    /// Return leaves the card open where a number was refused, so that it is seen why.
+    void keyPressEvent(QKeyEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void addHead();
+    void refuse(const QString &why);
     void showFew();
     void refresh();
     void setWidth(double width, ValueEntry *entry);
@@ -55,6 +61,7 @@ private:
     SegmentSection *m_segments = nullptr;
     FillSection *m_fill = nullptr; ///< in their place where fills are all that is seen
     HintLabel *m_hint = nullptr;
+    bool m_refused = false; ///< what was typed last, by the key that is being handled
     std::optional<SegmentRef> m_at;
     std::set<StrokeId> m_strokes; ///< of the selection that it was opened for
 };

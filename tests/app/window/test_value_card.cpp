@@ -2,6 +2,7 @@
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/session/painting/seen_width.h"
+#include "app/widgets/look/section.h"
 #include "app/widgets/numbers/bar_slider.h"
 #include "app/window/pointer/value_card.h"
 #include "tests/app/crossing.h"
@@ -100,6 +101,28 @@ private slots:
         QTest::keyClick(&s.canvas(), Qt::Key_Return);
         QVERIFY(!card.fill()->isVisible() && card.segments()->isVisible());
         QCOMPARE(QApplication::focusWidget(), card.width()->number());
+    }
+
+    /// What was refused is said, in a card that is still there.
+    void aRefusedNumberLeavesTheCardOpen()
+    {
+        Crossing s;
+        s.select({1});
+        s.key(Qt::Key_Return);
+        ValueCard &card = *s.values();
+        QVERIFY(card.isOpen());
+        const int steps = s.steps();
+        QLineEdit *diffusion = card.segments()->diffusion()->number();
+        diffusion->setFocus();
+        enter(*diffusion, "0");
+        QVERIFY(card.isOpen());
+        QVERIFY(std::ranges::any_of(card.findChildren<HintLabel *>(), [](const HintLabel *hint) {
+            return hint->isVisible() && hint->text().contains("0");
+        }));
+        QCOMPARE(s.steps(), steps);
+        enter(*diffusion, "30");
+        QVERIFY(!card.isOpen());
+        QCOMPARE(s.steps(), steps + 1);
     }
 
     void escapeClosesTheValuesAndGivesUpTheDrag()
