@@ -13,6 +13,7 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -23,6 +24,11 @@ namespace {
 constexpr int largestSide = 8192;
 constexpr int mostFrames = 1'000'000;
 constexpr int numberWidth = 140;
+
+QString keyOf(const char *name)
+{
+    return QStringLiteral("export/film/") + QLatin1String(name);
+}
 
 } // namespace
 
@@ -37,7 +43,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
         connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::pathChanged);
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
     connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::finish);
-    m_path->setText(suggestedExportPath(editor, m_place, QStringLiteral("webm")));
+    restore();
     begin();
 }
 
@@ -88,6 +94,46 @@ void TimelapseDialog::areaChanged()
     if (const double height = width * area.height() / area.width(); height > largestSide / 4)
         width *= largestSide / 4 / height;
     m_size->setArea(area, std::min(width, double(largestSide / 4)));
+}
+
+/// What the last film was, of whatever painting. Numbers out of range count as unset.
+void TimelapseDialog::restore()
+{
+    const QSettings &store = settings::store();
+    const QString ending = store.value(keyOf("ending"), QStringLiteral("webm")).toString();
+    const bool isKnown = filmEndings().contains(ending) || imageEndings().contains(ending);
+    m_path->setText(suggestedExportPath(m_editor, m_place, isKnown ? ending : QStringLiteral("webm")));
+    const auto restoreNumber = [&store](const char *name, QDoubleSpinBox &box) {
+        bool ok = false;
+        const double value = store.value(keyOf(name)).toDouble(&ok);
+        if (ok && value >= box.minimum() && value <= box.maximum())
+            box.setValue(value);
+    };
+    restoreNumber("fps", *m_fps);
+    restoreNumber("length", *m_length);
+    restoreNumber("idle", *m_idle);
+    bool ok = false;
+    if (const int quality = store.value(keyOf("quality")).toInt(&ok); ok)
+        m_quality->setValue(std::clamp(quality, m_quality->minimum(), m_quality->maximum()));
+    if (const double width = store.value(keyOf("width")).toDouble(&ok);
+        ok && width >= 1 && width <= largestSide &&
+        width * m_area->area().height() <= largestSide * m_area->area().width())
+        m_size->setArea(m_area->area(), width);
+    m_transparent->setChecked(store.value(keyOf("transparent"), m_transparent->isChecked()).toBool());
+    m_loops->setChecked(store.value(keyOf("loops"), true).toBool());
+}
+
+void TimelapseDialog::remember()
+{
+    QSettings &store = settings::store();
+    store.setValue(keyOf("ending"), QFileInfo(m_path->text()).suffix());
+    store.setValue(keyOf("fps"), m_fps->value());
+    store.setValue(keyOf("length"), m_length->value());
+    store.setValue(keyOf("idle"), m_idle->value());
+    store.setValue(keyOf("quality"), m_quality->value());
+    store.setValue(keyOf("width"), widthBox()->value());
+    store.setValue(keyOf("transparent"), m_transparent->isChecked());
+    store.setValue(keyOf("loops"), m_loops->isChecked());
 }
 
 void TimelapseDialog::browse()

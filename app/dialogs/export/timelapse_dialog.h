@@ -38,6 +38,8 @@ private:
     void pathChanged() override;
     void areaChanged();
     void startExport() override;
+    void restore();
+    void remember() override;
     void stop() override { m_job.cancel(); }
     void showProgress(int frames);
     void setBusy(bool busy) override;

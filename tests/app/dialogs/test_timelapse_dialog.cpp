@@ -46,6 +46,38 @@ class TestTimelapseDialog : public QObject {
 private slots:
     void initTestCase() { qputenv("SUFFUSE_SETTINGS", QDir(m_settings.path()).filePath("settings.ini").toLocal8Bit()); }
 
+    void init() { settings::store().clear(); }
+
+    /// Who makes a film twice says once what it is to be.
+    void theLastFilmIsRemembered()
+    {
+        Editor editor;
+        fill(editor);
+        {
+            TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+            dialog.show();
+            dialog.path()->setText(m_folder.filePath("f.png"));
+            dialog.fps()->setValue(5);
+            dialog.length()->setValue(0.4);
+            dialog.idle()->setValue(3);
+            dialog.widthBox()->setValue(40);
+            dialog.exportButton()->click();
+            QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+            QCOMPARE(dialog.result(), int(QDialog::Accepted));
+            clear();
+        }
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        QVERIFY(dialog.path()->text().endsWith(".png"));
+        QCOMPARE(dialog.fps()->value(), 5.0);
+        QCOMPARE(dialog.length()->value(), 0.4);
+        QCOMPARE(dialog.idle()->value(), 3.0);
+        QCOMPARE(dialog.widthBox()->value(), 40);
+        QCOMPARE(dialog.heightBox()->value(), 30);
+        dialog.fps()->setValue(7); // a film that is not made leaves nothing behind
+        dialog.reject();
+        QCOMPARE(TimelapseDialog(editor, Rect::of(0, 0, 40, 30)).fps()->value(), 5.0);
+    }
+
     void browsingAppendsTheEnding()
     {
         Editor editor;
