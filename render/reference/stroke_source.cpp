@@ -42,7 +42,7 @@ Kernel kernelInPixels(const Segment &segment, double spread, const View &view)
 
 bool isFilled(const Stroke &stroke, Microseconds time)
 {
-    return stroke.fill && stroke.fill->age(time) > 0;
+    return stroke.fill && stroke.fill->age(time) > 0 && stroke.fill->density > 0;
 }
 
 /// The kinds in the order of the enumeration, if the styles of segments differ; otherwise none.
@@ -105,7 +105,8 @@ SegmentSource segmentSource(const Stroke &stroke, const Segment &segment, Micros
     source.onTheFly = source.kernel.smallerSpread < thinPixels;
     source.channels = channelsOf(segment, stroke.styleOf(segment), whole.kinds);
     source.lifts = segment.lift;
-    source.level = levelOf(source.kernel.smallerSpread, segment.lift ? 4 : 1);
+    if (source.factor > 0) // What adds nothing does not decide how others are sampled.
+        source.level = levelOf(source.kernel.smallerSpread, segment.lift ? 4 : 1);
     source.influence = influenceOf(stroke, segment, time);
 
     const Rect picture = Rect::of(0, 0, view.width, view.height).grown(source.reach);

@@ -143,6 +143,21 @@ private slots:
         QCOMPARE(beyond, 0);
     }
 
+    /// Segments that only bound a fill would be small in a small picture; they do not decide how the fill is sampled.
+    void outlinesWithoutPaintAskForNoSamples()
+    {
+        for (const StyleKind kind : {StyleKind::Feathering, StyleKind::Edge}) {
+            Stroke disc = emptyFill(1, 9, styleOf(kind));
+            addEllipse(disc, {32, 24}, 20, 14);
+            changeFill(disc, [](Fill &f) { f.granulation = 0.3f; });
+            for (Segment &segment : disc.segments)
+                segment.density = 0, segment.diffusion = 1;
+            const Paper paper{PaperKind::Procedural, 5, 9, 0.5f, {}};
+            for (const double scale : {0.3, 0.45})
+                compare(painting({disc}, 64, 48, paper), sheetView(scale), "scale " + QByteArray::number(scale));
+        }
+    }
+
     void ages()
     {
         Stroke s = emptyFill(1, 6, styleOf(StyleKind::Uniform));
