@@ -138,6 +138,19 @@ void LassoFillTool::finish()
         m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Lasso fill"));
 }
 
+bool LassoFillTool::takeBack()
+{
+    if (!isBusy())
+        return false;
+    m_isPressed = false;
+    m_parts.pop_back();
+    if (m_parts.empty())
+        cancel();
+    else
+        show();
+    return true;
+}
+
 void LassoFillTool::forget()
 {
     m_parts.clear();

@@ -22,6 +22,8 @@ public:
     void hover(const PointerEvent &event) override;
     void leave() override;
     void settle() override { finish(); }
+    /// What was drawn since the last press, or the corner that it set.
+    bool takeBack() override;
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;

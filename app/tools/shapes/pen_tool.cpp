@@ -139,6 +139,14 @@ void PenTool::leave()
     m_canvas.updateOverlay();
 }
 
+bool PenTool::takeBack()
+{
+    if (!isBusy())
+        return false;
+    takeBackNode();
+    return true;
+}
+
 void PenTool::takeBackNode()
 {
     if (m_nodes.size() == 1)

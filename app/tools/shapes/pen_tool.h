@@ -25,6 +25,8 @@ public:
     void hover(const PointerEvent &event) override;
     void leave() override;
     void settle() override { finish(false); }
+    /// The last node.
+    bool takeBack() override;
     /// Return ends the outline open, Backspace takes back the last node.
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;

@@ -221,7 +221,10 @@ private slots:
         QVERIFY(!s.isBusy());
         s.click({300, 500});
         s.click({500, 500});
-        s.use(Command::Undo); // gives up what is in hand, and undoes nothing
+        s.use(Command::Undo); // takes back the last node, and undoes nothing
+        QVERIFY(s.isBusy());
+        QVERIFY(!s.window.action(Command::Redo).isEnabled()); // another step would come back
+        s.use(Command::Undo);
         QVERIFY(!s.isBusy());
         QCOMPARE(s.editor().document().painting(), before);
         QCOMPARE(s.steps(), 1);
@@ -298,6 +301,23 @@ private slots:
         QCOMPARE(s.last().segments.size(), std::size_t(1));
         row->setCurrentIndex(int(ShapePaint::Fill));
         emit row->activated(int(ShapePaint::Fill));
+    }
+
+    void undoTakesBackTheLastCornerOfALasso()
+    {
+        Drawing s(Command::LassoFill);
+        for (const Point corner : {Point{300, 300}, {500, 300}, {500, 400}, {900, 900}})
+            s.click(corner);
+        s.use(Command::Undo);
+        QVERIFY(s.isBusy());
+        s.key(Qt::Key_Return);
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(std::abs(extentOf(s.last()) - 10'000) < 600); // a triangle
+        s.click({300, 300});
+        s.use(Command::Undo);
+        QVERIFY(!s.isBusy());
+        QCOMPARE(s.steps(), 1);
+        QVERIFY(isFillAlone(s.last()));
     }
 
     void aLassoFillsWhatIsDrawnAround()
