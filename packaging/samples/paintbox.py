@@ -487,6 +487,7 @@ class Painting:
             head = {k: v for k, v in stroke.items() if k != "segments"}
             rows.append(line(head)[:-1] + ',"segments":[\n' + ",\n".join(map(line, stroke["segments"])) + "]}")
         with open(path, "w", encoding="utf-8") as out:
-            version = 2 if any("fill" in stroke for stroke in self.strokes) else 1
+            new = any("fill" in s for s in self.strokes) or any("text" in g for g in self.groups)
+            version = 2 if new else 1
             out.write(f'{{"format":"suffuse-text","version":{version},\n"canvas":' + line(self.canvas) + ',\n"groups":'
                       + line(self.groups) + ',\n"strokes":[\n' + ",\n".join(rows) + "]}\n")

@@ -22,7 +22,7 @@ private slots:
     void picturesByNodes() { checkPicturesByNodes(open); }
     void nodesOfSamples()
     {
-        for (const char *name : {"flat", "ink-landscape", "still-life", "sheet"}) {
+        for (const char *name : {"flat", "ink-landscape", "moonrise", "still-life", "sheet"}) {
             const auto p = loadPainting(
                 QStringLiteral(SUFFUSE_SOURCE_DIR "/packaging/samples/%1.suffuse").arg(QLatin1String(name)));
             QVERIFY2(p, p ? "" : qPrintable(p.error()));

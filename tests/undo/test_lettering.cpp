@@ -1,8 +1,11 @@
 // How texts are set: places, directions, lines, along curves. The fonts are those of the machine; what is checked holds
 // for any.
+#include "model/formats/files.h"
+#include "model/shaping/transform.h"
 #include "undo/lettering/along_curve.h"
 #include "undo/lettering/text_layout.h"
 
+#include <QFile>
 #include <QGuiApplication>
 #include <QTest>
 
@@ -62,6 +65,45 @@ class TestLettering : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The sample was painted by a script, which set its letters by the same fonts and rules.
+    void theSamplesLettersStandWhereTheyAreSet()
+    {
+        QFile file(QStringLiteral(SUFFUSE_SOURCE_DIR "/packaging/samples/moonrise.suffuse"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const Result<Painting> painting = readPainting(file.readAll(), file.fileName());
+        QVERIFY(painting);
+        int texts = 0;
+        for (const Group &group : painting->groups) {
+            if (!group.text)
+                continue;
+            ++texts;
+            const LaidText laid = lay(*group.text);
+            if (!laid.hasFamily)
+                QSKIP("the font of the sample is not installed");
+            std::vector<Rect> set, painted;
+            for (const LaidCluster &cluster : laid.clusters)
+                if (cluster.hasInk())
+                    set.push_back(inkOf(cluster));
+            for (const StrokePtr &stroke : painting->strokes)
+                if (stroke->group == group.id)
+                    painted.push_back(controlBox(*stroke));
+            QCOMPARE(painted.size(), set.size());
+            for (std::size_t i = 0; i < set.size(); ++i)
+                for (const auto &[a, b] : {std::pair(Point{set[i].left, set[i].top}, Point{painted[i].left, painted[i].top}),
+                                           std::pair(Point{set[i].right, set[i].bottom},
+                                                     Point{painted[i].right, painted[i].bottom})})
+                    QVERIFY2(length(group.text->place(a) - b) < 0.15, // outlines have tenths of a unit
+                             qPrintable(QStringLiteral("%1, letter %2: %3, %4, not %5, %6")
+                                            .arg(group.name)
+                                            .arg(i)
+                                            .arg(b.x)
+                                            .arg(b.y)
+                                            .arg(group.text->place(a).x)
+                                            .arg(group.text->place(a).y)));
+        }
+        QCOMPARE(texts, 2);
+    }
+
     void initTestCase()
     {
         if (!LineShaper::hasFamily(QStringLiteral("DejaVu Sans")))
