@@ -6,6 +6,7 @@
 #include "model/painting/influence.h"
 #include "render/image_io/image_io.h"
 #include "render/renderer.h"
+#include "app/widgets/numbers/decimal_box.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -127,7 +128,7 @@ void AreaRow::addNumbers(QWidget *parent)
                                                  {tr("H"), tr("Height, canvas units")}};
     for (std::size_t i = 0; i < 4; ++i) {
         auto *label = new QLabel(names[i].first, m_line);
-        auto *box = new QDoubleSpinBox(m_line);
+        auto *box = new DecimalBox(m_line);
         box->setRange(i < 2 ? -farthestArea : 0.01, farthestArea);
         box->setDecimals(2);
         box->setKeyboardTracking(false);

@@ -1,6 +1,7 @@
 #include "app/dialogs/export/print_rows.h"
 
 #include "app/session/settings/settings.h"
+#include "app/widgets/numbers/decimal_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -48,8 +49,8 @@ void PrintRows::addPrintSize(QGridLayout &grid, int row)
     auto *line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(8);
-    m_width = new QDoubleSpinBox(this);
-    m_height = new QDoubleSpinBox(this);
+    m_width = new DecimalBox(this);
+    m_height = new DecimalBox(this);
     for (QDoubleSpinBox *box : {m_width, m_height}) {
         box->setRange(0.01, largest);
         box->setKeyboardTracking(false);
@@ -77,7 +78,7 @@ void PrintRows::addPrintSize(QGridLayout &grid, int row)
 void PrintRows::addResolution(QGridLayout &grid, int row)
 {
     auto *label = new QLabel(tr("Resolution"), parentWidget());
-    m_dpi = new QDoubleSpinBox(parentWidget());
+    m_dpi = new DecimalBox(parentWidget());
     m_dpi->setRange(1, 10'000);
     m_dpi->setDecimals(1);
     m_dpi->setValue(usualDpi);

@@ -4,6 +4,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/decimal_box.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -49,7 +50,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
 
 QDoubleSpinBox *TimelapseDialog::addNumber(int row, const QString &name, const QString &suffix, const QString &tip)
 {
-    auto *box = new QDoubleSpinBox(m_form);
+    auto *box = new DecimalBox(m_form);
     box->setSuffix(suffix);
     box->setFixedWidth(numberWidth);
     addField(row, name, box, tip, 2, Qt::AlignLeft);

@@ -78,6 +78,32 @@ private slots:
         QCOMPARE(TimelapseDialog(editor, Rect::of(0, 0, 40, 30)).fps()->value(), 5.0);
     }
 
+    /// The decimal sign of another language is one here, as in all other fields.
+    void numbersAreReadInEveryLanguage()
+    {
+        const QLocale before;
+        for (const QLocale::Language language : {QLocale::English, QLocale::German}) {
+            QLocale::setDefault(language);
+            Editor editor;
+            fill(editor);
+            TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+            dialog.show();
+            for (const char *typed : {"12.5", "12,5", "12,5 frames/s", "25/2"}) {
+                dialog.fps()->setValue(30);
+                dialog.fps()->setFocus();
+                dialog.fps()->selectAll();
+                QTest::keyClicks(dialog.fps(), typed);
+                QTest::keyClick(dialog.fps(), Qt::Key_Tab);
+                QCOMPARE(dialog.fps()->value(), 12.5);
+            }
+            dialog.fps()->selectAll();
+            QTest::keyClicks(dialog.fps(), "many");
+            QTest::keyClick(dialog.fps(), Qt::Key_Tab);
+            QCOMPARE(dialog.fps()->value(), 12.5);
+        }
+        QLocale::setDefault(before);
+    }
+
     void browsingAppendsTheEnding()
     {
         Editor editor;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+#include <optional>
+
+namespace suffuse {
+
+/// A spin box that reads numbers as all other fields do (`evaluateArithmetic`): 12.5 and 12,5 are the same in every
+/// language, and "12*1.5" or "50" with the box's unit are understood. Qt's own takes the other language's decimal sign
+/// for one that groups digits, and makes 125 of it.
+class DecimalBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+
+    double valueFromText(const QString &text) const override;
+    QValidator::State validate(QString &text, int &position) const override;
+
+private:
+    std::optional<double> read(const QString &text) const;
+};
+
+} // namespace suffuse
