@@ -15,6 +15,7 @@
 #include "app/widgets/numbers/slider_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "undo/edits.h"
+#include "model/area/outline.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -166,6 +167,7 @@ void InspectorPanel::refresh()
         return;
     }
     m_summary->setText(selectionSummary(inspected, !document.selection().segments.empty()));
+    putFirst(std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); }));
     m_segments->refresh(inspected);
     // What takes paint away has no style of its own: it weakens what is there.
     m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->lift; }));
@@ -173,6 +175,16 @@ void InspectorPanel::refresh()
     m_fill->refresh(inspected);
     m_figures->refresh(inspected);
     m_strokes->refresh(inspected);
+}
+
+/// Of fills alone the fill stands first: what is meant of them. Else it stands below the values of the paint.
+void InspectorPanel::putFirst(bool fill)
+{
+    auto *column = static_cast<QVBoxLayout *>(m_selectionPage->layout());
+    if ((column->indexOf(m_fill) < column->indexOf(m_segments)) == fill)
+        return;
+    column->removeWidget(m_fill);
+    column->insertWidget(fill ? column->indexOf(m_segments) : column->indexOf(m_style) + 1, m_fill);
 }
 
 } // namespace suffuse

@@ -57,6 +57,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void putFirst(bool fill);
     void addHead(QVBoxLayout &column);
     void refresh();
     void documentChanged(const Change &change);

@@ -2,9 +2,10 @@
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/density_plot.h"
 #include "app/panels/inspector/figures_section.h"
-#include "app/panels/inspector/gradient_rows.h"
 #include "app/panels/inspector/fill_section.h"
+#include "app/panels/inspector/gradient_rows.h"
 #include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/bar_slider.h"
@@ -92,6 +93,23 @@ private slots:
         QCOMPARE(bench.steps(), 5);
     }
 
+    /// What is meant stands first: of a fill alone the fill.
+    void theFillOfAFillAloneStandsFirst()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1400});
+        bench.select({1});
+        bench.editor.push(addFills(bench.editor.document(), {1}), "fill");
+        const auto isFirst = [&] { return panel.fillSection()->y() < panel.segmentSection()->y(); };
+        QVERIFY(!isFirst());
+        const std::vector<SegmentRef> all{{1, 0}, {1, 1}, {1, 2}, {1, 3}};
+        bench.editor.push(changeSegments(bench.editor.document(), all, [](Segment &s) { s.density = 0; }), "bare");
+        QTRY_VERIFY(isFirst());
+        bench.editor.undo();
+        QTRY_VERIFY(!isFirst());
+    }
+
     /// A shape without an outline is painted by its fill alone: no figure and no warning speaks of paint that is not
     /// there.
     void anOutlineWithoutPaintIsNoFault()
@@ -123,7 +141,8 @@ private slots:
         showAt(panel, {320, 1400});
         bench.select({1, 2});
         bench.editor.push(addFills(bench.editor.document(), {1, 2}), "fill");
-        for (SliderField *row : {panel.fillSection()->row(&Fill::diffusion), panel.fillSection()->row(&Fill::density)}) {
+        for (SliderField *row :
+             {panel.fillSection()->row(&Fill::diffusion), panel.fillSection()->row(&Fill::density)}) {
             bench.editor.push(changeFills(bench.editor.document(), *bench.editor.document().painting(), {2},
                                           [](Fill &now, const Fill &) { now.density += 1; }),
                               "other");
