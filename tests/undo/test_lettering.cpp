@@ -6,6 +6,7 @@
 #include "undo/lettering/text_layout.h"
 
 #include <QFile>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QTest>
 
@@ -261,13 +262,14 @@ private slots:
         Text text = plain(QStringLiteral("\u6c34\u58a8ab\u3002\n\u8336"));
         text.vertical = true;
         const LaidText laid = lay(text);
-        if (inkOf(laid.clusters[0]).isEmpty())
-            QSKIP("there is no Chinese font");
+        // Without a Chinese font the box that stands in for a letter is as large as it likes.
+        const bool hasInk = !QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty();
         // Squares from top to bottom around the axis.
         for (std::size_t k : {std::size_t(0), std::size_t(1)}) {
             const Rect ink = inkOf(laid.clusters[k]);
-            QVERIFY(ink.left > -51 && ink.right < 51);
-            QVERIFY(ink.top > 100.0 * double(k) - 3 && ink.bottom < 100.0 * double(k + 1) + 3);
+            QVERIFY(!hasInk || (ink.left > -51 && ink.right < 51));
+            QVERIFY(!hasInk || (ink.top > 100.0 * double(k) - 3 && ink.bottom < 100.0 * double(k + 1) + 3));
+            QVERIFY(std::abs(laid.clusters[k].before[0].y - 100.0 * double(k)) < 1e-9);
             QVERIFY(laid.clusters[k].place.a == 100 && laid.clusters[k].place.b == 0); // upright
         }
         // Latin letters are turned by 90°, and begin below the squares.
@@ -275,6 +277,8 @@ private slots:
         QVERIFY(a.place.a == 0 && a.place.c == 100);
         QVERIFY(std::abs(a.before[0].y - 200) < 1e-9 && a.after[0].y > a.before[0].y + 30);
         QVERIFY(a.before[0].x > 0 && a.before[1].x < 0);
+        if (!hasInk)
+            return;
         // The full stop is in the upper right corner of its square, the next line on the left.
         const LaidCluster &stop = laid.clusters[4];
         const Point middle = 0.25 * (stop.before[0] + stop.before[1] + stop.after[0] + stop.after[1]);
