@@ -41,6 +41,22 @@ QList<QWidget *> focusableIn(QWidget &panel)
     return widgets;
 }
 
+bool isInFront(const QDockWidget *dock)
+{
+    return !dock->visibleRegion().isEmpty();
+}
+
+/// Puts the History dock behind the Colour dock. Returns both, that in front first.
+std::pair<QDockWidget *, QDockWidget *> colourBeforeHistory(MainWindow &window)
+{
+    auto *history = window.findChild<QDockWidget *>("historyDock");
+    auto *colour = window.findChild<QDockWidget *>("colourDock");
+    window.tabifyDockWidget(colour, history);
+    history->show();
+    colour->raise();
+    return {colour, history};
+}
+
 bool isTaken(QWidget &widget, QKeyCombination keys)
 {
     QKeyEvent event(QEvent::ShortcutOverride, keys.key(), keys.keyboardModifiers());
@@ -220,12 +236,8 @@ private slots:
     {
         WaveSession s;
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
-        auto *history = s.window.findChild<QDockWidget *>("historyDock");
-        auto *colour = s.window.findChild<QDockWidget *>("colourDock");
-        s.window.tabifyDockWidget(colour, history);
-        history->show();
-        colour->raise();
-        const auto isInFront = [](const QDockWidget *dock) { return !dock->visibleRegion().isEmpty(); };
+        const auto docks = colourBeforeHistory(s.window);
+        QDockWidget *const colour = docks.first, *const history = docks.second;
         QTRY_VERIFY(isInFront(colour) && !isInFront(history));
         const auto walkTo = [&](QWidget *goal) {
             s.canvas().setFocus();
@@ -252,12 +264,9 @@ private slots:
     {
         WaveSession s;
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
-        auto *history = s.window.findChild<QDockWidget *>("historyDock");
-        auto *colour = s.window.findChild<QDockWidget *>("colourDock");
-        s.window.tabifyDockWidget(colour, history);
-        history->show();
-        colour->raise();
-        QTRY_VERIFY(!colour->visibleRegion().isEmpty() && history->visibleRegion().isEmpty());
+        const auto docks = colourBeforeHistory(s.window);
+        QDockWidget *const colour = docks.first, *const history = docks.second;
+        QTRY_VERIFY(isInFront(colour) && !isInFront(history));
         const auto panelOf = [](QWidget *widget) -> QWidget * {
             while (widget && !qobject_cast<QDockWidget *>(widget) && !qobject_cast<QToolBar *>(widget))
                 widget = widget->parentWidget();
