@@ -1201,26 +1201,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>Nicht kombiniert: Ein Strich hat eine Füllung, und diese sind verschieden, überlappen sich oder fehlen bei einigen Strichen.</translation>
     </message>
-    <message>
-        <source>Te&amp;xt</source>
-        <translation>Te&amp;xt</translation>
-    </message>
-    <message>
-        <source>Type texts, whose letters are strokes</source>
-        <translation>Texte schreiben, deren Buchstaben Striche sind</translation>
-    </message>
-    <message>
-        <source>Text to Strokes</source>
-        <translation>Text in Striche umwandeln</translation>
-    </message>
-    <message>
-        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
-        <translation>Aus den Buchstaben der gewählten Texte gewöhnliche Striche machen; in sie lässt sich dann nicht mehr schreiben</translation>
-    </message>
-    <message>
-        <source>Text to strokes</source>
-        <translation>Text in Striche</translation>
-    </message>
 </context>
 <context>
     <name>Export</name>
@@ -4857,6 +4837,26 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fill what the paint around a place bounds</source>
         <translation>Füllen, was die Farbe um eine Stelle begrenzt</translation>
     </message>
+    <message>
+        <source>Text to Strokes</source>
+        <translation>Text in Striche umwandeln</translation>
+    </message>
+    <message>
+        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
+        <translation>Aus den Buchstaben der gewählten Texte gewöhnliche Striche machen; in sie lässt sich dann nicht mehr schreiben</translation>
+    </message>
+    <message>
+        <source>Text to strokes</source>
+        <translation>Text in Striche</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>Te&amp;xt</translation>
+    </message>
+    <message>
+        <source>Type texts, whose letters are strokes</source>
+        <translation>Texte schreiben, deren Buchstaben Striche sind</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6335,6 +6335,13 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>This is neither a painting nor a recording that can be read. %1. Other programs can export SVG.</source>
         <translation>Das ist weder ein gemaltes Bild noch eine Aufzeichnung, die gelesen werden kann. %1. Andere Programme können SVG exportieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n Füllung</numerusform>
+            <numerusform>%n Füllungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

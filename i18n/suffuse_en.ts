@@ -252,6 +252,13 @@
             <numerusform>%n &lt;use&gt; of themselves</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n fill</numerusform>
+            <numerusform>%n fills</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>

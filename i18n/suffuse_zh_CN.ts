@@ -1191,26 +1191,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>未合并：一条笔画只有一个填充，而所选笔画的填充各不相同、相互重叠，或有的没有填充。</translation>
     </message>
-    <message>
-        <source>Te&amp;xt</source>
-        <translation>文字(&amp;X)</translation>
-    </message>
-    <message>
-        <source>Type texts, whose letters are strokes</source>
-        <translation>键入文字，其中每个字都是笔画</translation>
-    </message>
-    <message>
-        <source>Text to Strokes</source>
-        <translation>文字转为笔画</translation>
-    </message>
-    <message>
-        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
-        <translation>把所选文字的字变成普通笔画；此后不能再键入</translation>
-    </message>
-    <message>
-        <source>Text to strokes</source>
-        <translation>文字转为笔画</translation>
-    </message>
 </context>
 <context>
     <name>Export</name>
@@ -4840,6 +4820,26 @@ Arrow keys work too.</source>
         <source>Fill what the paint around a place bounds</source>
         <translation>填充某处周围颜料所围住的区域</translation>
     </message>
+    <message>
+        <source>Text to Strokes</source>
+        <translation>文字转为笔画</translation>
+    </message>
+    <message>
+        <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
+        <translation>把所选文字的字变成普通笔画；此后不能再键入</translation>
+    </message>
+    <message>
+        <source>Text to strokes</source>
+        <translation>文字转为笔画</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt</source>
+        <translation>文字(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Type texts, whose letters are strokes</source>
+        <translation>键入文字，其中每个字都是笔画</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6302,6 +6302,12 @@ Arrow keys work too.</source>
     <message>
         <source>This is neither a painting nor a recording that can be read. %1. Other programs can export SVG.</source>
         <translation>这既不是画作，也不是可以读取的笔迹记录。%1。其他程序可以导出 SVG。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n 处填充</numerusform>
+        </translation>
     </message>
 </context>
 <context>
