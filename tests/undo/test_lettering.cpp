@@ -1,8 +1,8 @@
 // How texts are set: places, directions, lines, along curves. The fonts are those of the machine; what is checked holds
 // for any.
 #include "model/formats/files.h"
+#include "model/shaping/baseline_curve.h"
 #include "model/shaping/transform.h"
-#include "undo/lettering/along_curve.h"
 #include "undo/lettering/text_layout.h"
 
 #include <QFile>
@@ -90,9 +90,9 @@ private slots:
                     painted.push_back(controlBox(*stroke));
             QCOMPARE(painted.size(), set.size());
             for (std::size_t i = 0; i < set.size(); ++i)
-                for (const auto &[a, b] : {std::pair(Point{set[i].left, set[i].top}, Point{painted[i].left, painted[i].top}),
-                                           std::pair(Point{set[i].right, set[i].bottom},
-                                                     Point{painted[i].right, painted[i].bottom})})
+                for (const auto &[a, b] :
+                     {std::pair(Point{set[i].left, set[i].top}, Point{painted[i].left, painted[i].top}),
+                      std::pair(Point{set[i].right, set[i].bottom}, Point{painted[i].right, painted[i].bottom})})
                     QVERIFY2(length(group.text->place(a) - b) < 0.15, // outlines have tenths of a unit
                              qPrintable(QStringLiteral("%1, letter %2: %3, %4, not %5, %6")
                                             .arg(group.name)
@@ -107,7 +107,7 @@ private slots:
 
     void initTestCase()
     {
-        if (!LineShaper::hasFamily(QStringLiteral("DejaVu Sans")))
+        if (!LineShaper().hasFamily(QStringLiteral("DejaVu Sans")))
             QSKIP("DejaVu Sans is not installed");
     }
 

@@ -105,7 +105,7 @@ class TestTextEdits : public QObject {
 private slots:
     void initTestCase()
     {
-        if (!LineShaper::hasFamily(QStringLiteral("DejaVu Sans")))
+        if (!LineShaper().hasFamily(QStringLiteral("DejaVu Sans")))
             QSKIP("DejaVu Sans is not installed");
     }
 

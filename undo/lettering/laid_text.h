@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/painting/affine.h"
-#include "model/painting/geometry.h"
+#include "model/painting/letters.h"
 #include "model/painting/text.h"
 
 #include <array>
@@ -10,10 +10,6 @@
 #include <vector>
 
 namespace suffuse {
-
-/// The closed contours of a letter in ems: the baseline is the x axis, y points down, and the letter begins at x = 0.
-/// Contours of one letter may overlap (the nonzero rule holds).
-using LetterOutline = std::vector<std::vector<Cubic>>;
 
 /// Where a caret stands: a line between two points. All points of a set text are canvas units before `Text::place`.
 using CaretLine = std::array<Point, 2>;

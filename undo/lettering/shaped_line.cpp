@@ -1,6 +1,7 @@
 #include "undo/lettering/shaped_line.h"
 
 #include <QFontDatabase>
+#include <QFontInfo>
 #include <QGlyphRun>
 #include <QPainterPath>
 #include <QRawFont>
@@ -129,6 +130,11 @@ bool LineShaper::hasFamily(const QString &family)
     return QFontDatabase::families().contains(family, Qt::CaseInsensitive);
 }
 
+QString LineShaper::familyFor(const QString &family)
+{
+    return QFontInfo(QFont(family)).family();
+}
+
 std::shared_ptr<const ShapedLine> LineShaper::shape(const QString &string, const Face &face)
 {
     if (face != m_face || m_lines.size() > mostLines)
@@ -142,6 +148,9 @@ std::shared_ptr<const ShapedLine> LineShaper::shape(const QString &string, const
     const QRawFont metrics = QRawFont::fromFont(font);
     out->ascent = metrics.isValid() ? metrics.ascent() / shapedEm : 0.8;
     out->descent = metrics.isValid() ? metrics.descent() / shapedEm : 0.2;
+    out->xHeight = metrics.isValid() ? metrics.xHeight() / shapedEm : 0.5;
+    out->underline = metrics.isValid() ? metrics.underlinePosition() / shapedEm : 0.1;
+    out->lineThickness = metrics.isValid() ? metrics.lineThickness() / shapedEm : 0.05;
     out->rightToLeft = string.isRightToLeft();
 
     QTextLayout layout(shown(string), font);

@@ -1,6 +1,6 @@
 #include "undo/lettering/text_layout.h"
 
-#include "undo/lettering/along_curve.h"
+#include "model/shaping/baseline_curve.h"
 
 namespace suffuse {
 
@@ -236,7 +236,7 @@ LaidText TextLayout::lay(const Text &text)
     if (m_family != text.family || !m_isKnown) { // Asking for all families takes longer than setting a text.
         m_family = text.family;
         m_isKnown = true;
-        m_hasFamily = LineShaper::hasFamily(text.family);
+        m_hasFamily = m_shaper.hasFamily(text.family);
     }
     out.hasFamily = m_hasFamily;
     return out;

@@ -104,7 +104,7 @@ private slots:
         qputenv("SUFFUSE_PRESENTER", "raster");
         qputenv("SUFFUSE_BACKEND", "cpu");
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
-        if (!LineShaper::hasFamily("DejaVu Sans"))
+        if (!LineShaper().hasFamily("DejaVu Sans"))
             QSKIP("DejaVu Sans is not installed");
     }
     void init()

@@ -1,4 +1,4 @@
-#include "undo/lettering/along_curve.h"
+#include "model/shaping/baseline_curve.h"
 
 namespace suffuse {
 
