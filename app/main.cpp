@@ -6,10 +6,11 @@
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/theme.h"
-#include "app/window/main_window.h"
 #include "app/window/files/recovery.h"
 #include "app/window/layout/window_layout.h"
+#include "app/window/main_window.h"
 #include "model/environment.h"
+#include "undo/lettering/shaped_line.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -141,6 +142,8 @@ int main(int argc, char **argv)
     QGuiApplication::setWindowIcon(suffuse::applicationIcon());
     suffuse::installTranslators();
     suffuse::applyTheme();
+    suffuse::LineShaper shaper; // of texts in drawings
+    suffuse::setLetterShaper(&shaper);
     if (options.resetLayout)
         suffuse::window_layout::reset();
 

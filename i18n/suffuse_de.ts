@@ -979,6 +979,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>untitled</source>
         <translation>unbenannt</translation>
     </message>
+    <message>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
+        <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -6342,6 +6346,10 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n Füllung</numerusform>
             <numerusform>%n Füllungen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Other fonts stand in for those that are not installed: %1.</source>
+        <translation>Andere Schriften vertreten die, die nicht installiert sind: %1.</translation>
     </message>
 </context>
 <context>

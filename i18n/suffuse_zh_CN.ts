@@ -973,6 +973,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>untitled</source>
         <translation>未命名</translation>
     </message>
+    <message>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
+        <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -6308,6 +6312,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%n 处填充</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Other fonts stand in for those that are not installed: %1.</source>
+        <translation>未安装的字体由其他字体代替：%1。</translation>
     </message>
 </context>
 <context>

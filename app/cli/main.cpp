@@ -1,10 +1,10 @@
 // suffuse-cli: paintings without a window, and without a display.
+#include "app/cli/application.h"
 #include "app/cli/bench_command.h"
 #include "app/cli/options.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
-#include <QTranslator>
 
 #include <array>
 #include <csignal>
@@ -75,12 +75,7 @@ int run(const QStringList &given)
 int main(int argc, char *argv[])
 {
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write, not a silent end
-    QCoreApplication app(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("suffuse-cli"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(SUFFUSE_VERSION));
-    QTranslator plurals; // of English: "1 stroke", "2 strokes"
-    if (plurals.load(QStringLiteral(":/i18n/suffuse_en.qm")))
-        QCoreApplication::installTranslator(&plurals);
+    const suffuse::cli::Application app(argc, argv);
     suffuse::cli::interrupted(); // from now on an interrupt leaves no half file
-    return suffuse::cli::run(app.arguments());
+    return suffuse::cli::run(QCoreApplication::arguments());
 }

@@ -24,6 +24,7 @@ private slots:
     void convertLeavesItsInput();
     void convertWithBrush();
     void convertDrawing();
+    void textsOfDrawings();
     void probe();
     void probeTakesNegativeNumbers();
     void verify();
@@ -223,19 +224,21 @@ void TestCli::convertDrawing()
 {
     QVERIFY(writeFile(
         path("drawing.txt"),
-        "<svg viewBox='0 0 60 40' width='120'><path d='M10 20h40' stroke='#f00' stroke-width='6'/><text/></svg>"));
+        "<svg viewBox='0 0 60 40' width='120'><path d='M10 20h40' stroke='#f00' stroke-width='6'/><image/></svg>"));
     const CliOutcome made = runCli({"convert", path("drawing.txt"), path("drawing.suffuse")});
-    QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: 1 text"), qPrintable(made.text()));
+    QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: 1 image"), qPrintable(made.text()));
     QCOMPARE(runCli({"info", path("drawing.txt"), "--json"}).json()["format"].toString(), QString("svg"));
     const QString left = runCli({"info", path("drawing.txt"), "--json"}).json()["leftOut"].toString();
-    QVERIFY2(left.startsWith("1 text"), qPrintable(left));
+    QVERIFY2(left.startsWith("1 image"), qPrintable(left));
     QCOMPARE(runCli({"info", path("drawing.suffuse"), "--json"}).json()["leftOut"].toString(), QString());
     // Whatever shows the drawing tells what is not in it.
-    for (const QStringList &shows : {QStringList{"info", path("drawing.txt")}, {"probe", path("drawing.txt"), "60", "40"},
+    for (const QStringList &shows : {QStringList{"info", path("drawing.txt")},
+                                     {"probe", path("drawing.txt"), "60", "40"},
                                      {"render", path("drawing.txt"), "-o", path("drawing.pfm")},
-                                     {"verify", path("drawing.txt")}, {"diff", path("drawing.txt"), path("drawing.txt")}}) {
+                                     {"verify", path("drawing.txt")},
+                                     {"diff", path("drawing.txt"), path("drawing.txt")}}) {
         const CliOutcome shown = runCli(shows);
-        QVERIFY2(shown.code == 0 && shown.err.contains("drawing.txt: 1 text"), qPrintable(shown.text()));
+        QVERIFY2(shown.code == 0 && shown.err.contains("drawing.txt: 1 image"), qPrintable(shown.text()));
     }
     const QJsonObject canvas = runCli({"info", path("drawing.suffuse"), "--json"}).json()["canvas"].toObject();
     QCOMPARE(canvas["width"].toDouble(), 120.0);
@@ -248,11 +251,30 @@ void TestCli::convertDrawing()
     };
     QVERIFY(opacityAt("40") > 0.9);
     QVERIFY(opacityAt("60") < 0.01);
-    QVERIFY(writeFile(path("words.svg"), "<svg>\n<text>words</text></svg>"));
+    QVERIFY(writeFile(path("words.svg"), "<svg>\n<image/></svg>"));
     const CliOutcome refused = runCli({"convert", path("words.svg"), path("words.suffuse")});
     QVERIFY2(refused.code == 1 && refused.err.contains(path("words.svg").toUtf8() + ": holds no paths"),
              qPrintable(refused.text()));
     QVERIFY(!QFileInfo::exists(path("words.suffuse")));
+}
+
+void TestCli::textsOfDrawings()
+{
+    QVERIFY(writeFile(path("letters.svg"), "<svg viewBox='0 0 60 40'><text x='30' y='30' font-size='30' "
+                                           "text-anchor='middle'>IXI</text></svg>"));
+    const CliOutcome made = runCli({"convert", path("letters.svg"), path("letters.json")});
+    QVERIFY2(made.code == 0 && made.err.isEmpty(), qPrintable(made.text()));
+    QVERIFY(readFile(path("letters.json")).contains("\"string\": \"IXI\""));
+    QVERIFY(readFile(path("letters.json")).contains("\"name\": \"X\""));
+    const CliOutcome drawn = runCli({"render", path("letters.svg"), "-o", path("letters.pfm")});
+    QVERIFY2(drawn.code == 0 && drawn.err.isEmpty(), qPrintable(drawn.text()));
+    // From standard input, and in a program that starts without knowing of it.
+    const CliOutcome probed = runCli({"probe", "-", "30", "20", "--json"}, readFile(path("letters.svg")));
+    QVERIFY2(probed.code == 0 && !probed.json()["strokes"].toArray().isEmpty(), qPrintable(probed.text()));
+    // Without its part that knows fonts the text is left out, and why is said.
+    const CliOutcome without =
+        runCli({"info", path("letters.svg")}, {}, {"SUFFUSE_MODULE_DIR=" + path("no such folder")});
+    QVERIFY2(without.code == 1 && without.err.contains("suffuse_lettering.so, is missing"), qPrintable(without.text()));
 }
 
 void TestCli::probe()
@@ -363,5 +385,5 @@ void TestCli::nobodyReadsOn()
 }
 
 QTEST_GUILESS_MAIN(TestCli)
-#include "test_cli.moc"
 #include "render/backends.h"
+#include "test_cli.moc"

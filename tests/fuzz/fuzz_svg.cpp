@@ -3,6 +3,7 @@
 
 #include "model/formats/svg/svg_painting.h"
 #include "model/painting/validate.h"
+#include "tests/model/box_letters.h"
 
 #include <cmath>
 
@@ -21,6 +22,8 @@ void requireFinite(const std::vector<Cubic> &curves)
 
 int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
+    static BoxLetters letters; // texts, without fonts of the machine
+    letters.faces.clear();
     const QByteArray bytes = bytesOf(data, size);
     if (bytes.startsWith('<')) {
         if (const Result<std::vector<SvgPath>> paths = readSvgPaths(bytes))

@@ -93,6 +93,18 @@ std::optional<Area> SvgClips::areaOfPath(const SvgElement &clipPath, const SvgSt
     return area;
 }
 
+/// A shape, or the letters of a text.
+std::vector<PenLine> SvgClips::linesOf(const SvgElement &shape, const SvgStyle &style)
+{
+    if (shape.name != QLatin1String("text"))
+        return svgLines(svgPathData(shape.name, shape.attributes, style.units));
+    std::vector<PenLine> lines;
+    if (const std::optional<SvgSetText> set = m_texts.set(shape, style))
+        for (const SvgLetter &letter : set->letters)
+            lines.insert(lines.end(), letter.lines.begin(), letter.lines.end());
+    return lines;
+}
+
 /// What a shape in a clip path, or one that is used there, adds to it.
 std::optional<Area> SvgClips::areaOfChild(const SvgElement &child, const SvgStyle &around, int depth)
 {
@@ -112,7 +124,7 @@ std::optional<Area> SvgClips::areaOfChild(const SvgElement &child, const SvgStyl
         placed.matrix = placed.matrix * SvgMatrix{1, 0, 0, 1, at("x", SvgAxis::Across), at("y", SvgAxis::Down)};
         own = SvgStyle::of(*shape, placed, m_tree.sheet());
     }
-    const std::vector<PenLine> lines = svgLines(svgPathData(shape->name, shape->attributes, own.units));
+    const std::vector<PenLine> lines = linesOf(*shape, own);
     if (!own.isDisplayed || !own.isVisible)
         return Area();
     Area area = areaOf(svgClosed(svgLoops(lines, own.matrix)),

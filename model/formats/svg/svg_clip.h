@@ -3,6 +3,7 @@
 
 #include "model/area/area_sets.h"
 #include "model/formats/svg/svg_style.h"
+#include "model/formats/svg/svg_text.h"
 
 #include <array>
 #include <functional>
@@ -29,7 +30,7 @@ using SvgClipPtr = std::shared_ptr<const SvgClip>; ///< null: there is no bound
 /// Finds what clip paths show.
 class SvgClips {
 public:
-    SvgClips(SvgTree &tree, AreaEffort &effort) : m_tree(tree), m_effort(effort) {}
+    SvgClips(SvgTree &tree, SvgTexts &texts, AreaEffort &effort) : m_tree(tree), m_texts(texts), m_effort(effort) {}
 
     /// What of `outer` a rectangle shows under a matrix.
     SvgClipPtr within(const SvgClipPtr &outer, const Rect &port, const SvgMatrix &matrix);
@@ -42,9 +43,11 @@ private:
     std::optional<Area> areaOfPath(const SvgElement &clipPath, const SvgStyle &style,
                                    const std::function<Rect()> &boxOf, int depth);
     std::optional<Area> areaOfChild(const SvgElement &child, const SvgStyle &around, int depth);
+    std::vector<PenLine> linesOf(const SvgElement &shape, const SvgStyle &style);
     SvgClipPtr both(const SvgClipPtr &outer, Area area);
 
     SvgTree &m_tree;
+    SvgTexts &m_texts;
     AreaEffort &m_effort;
     /// Clip paths that were found, by matrix: one often clips many elements.
     using Key = std::pair<const SvgElement *, std::array<double, 6>>;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "model/painting/geometry.h"
+#include "model/painting/text.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <array>
 #include <optional>
@@ -24,7 +26,7 @@ struct SvgPath {
         std::array<double, 4> colour;
     };
     std::optional<Shade> shade;
-    bool isEvenOdd = false;                      ///< the rule by which an area is inside its curves
+    bool isEvenOdd = false; ///< the rule by which an area is inside its curves
     double strokeWidth = 1; ///< user units of the drawing
     QString name;           ///< Inkscape's label, <title> or id; may be empty
     int group = -1;         ///< the index of a group of the drawing; −1: none
@@ -32,8 +34,10 @@ struct SvgPath {
 
 /// A <g>, or an element that works like one.
 struct SvgGroup {
-    QString name;    ///< as that of a path
-    int parent = -1; ///< the index of a group before this one; −1: none
+    QString name;            ///< as that of a path
+    int parent = -1;         ///< the index of a group before this one; −1: none
+    SharedText text{};       ///< of a <text> that can be typed in again; its place is in units of the document
+    std::size_t letters = 0; ///< how many paths such a text has
 };
 
 /// How much of a drawing strokes cannot show.
@@ -42,6 +46,7 @@ struct SvgLosses {
     int texts = 0, images = 0;
     /// definitions that are used by what is drawn
     int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;
+    QStringList fonts;  ///< families that are not installed, so that others stand in
     int cycles = 0;     ///< <use> elements that contain themselves
     int rules = 0;      ///< selectors of style sheets that were not understood
     bool isCut = false; ///< whether there was more than is read

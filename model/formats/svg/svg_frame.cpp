@@ -48,11 +48,14 @@ void dissolveGroups(SvgDrawing &drawing)
     for (const SvgPath &path : drawing.paths)
         if (path.group >= 0)
             ++held[std::size_t(path.group)];
+    for (std::size_t i = 0; i < groups.size(); ++i) // Where letters are no single paths, as faded ones, it is no text.
+        if (groups[i].text && std::size_t(held[i]) != groups[i].letters)
+            groups[i].text = {};
     std::vector<QString> handed(groups.size());
     for (std::size_t i = groups.size(); i-- > 0;) // Groups come before those within them.
         if (held[i] > 0 && groups[i].parent >= 0)
             ++held[std::size_t(groups[i].parent)];
-    const auto isKept = [&](std::size_t i) { return held[i] > 1; };
+    const auto isKept = [&](std::size_t i) { return held[i] > 1 || (held[i] > 0 && groups[i].text); };
     std::vector<SvgGroup> kept;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const int parent = groups[i].parent;
@@ -64,7 +67,7 @@ void dissolveGroups(SvgDrawing &drawing)
         if (!isKept(i))
             continue;
         into[i] = int(kept.size());
-        kept.push_back({name, outer});
+        kept.push_back({name, outer, groups[i].text, groups[i].letters});
     }
     for (SvgPath &path : drawing.paths) {
         if (path.group < 0)

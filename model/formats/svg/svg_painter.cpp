@@ -202,9 +202,10 @@ void SvgPainter::addArea(const SvgShape &shape, const SvgLoops &whole, bool isEv
     setLoops(area, loops);
     if (paint.replaced && paint.gradient) {
         const SvgStyle &style = shape.style;
-        const std::optional<std::vector<SvgShade>> shades = svgShades(
-            {*paint.gradient, svgBox(shape.lines), style.matrix, style.units, boxOf(loops), opacity, style.isFaded},
-            m_tree);
+        const std::optional<std::vector<SvgShade>> shades =
+            svgShades({*paint.gradient, shape.box ? *shape.box : svgBox(shape.lines), style.matrix, style.units,
+                       boxOf(loops), opacity, style.isFaded},
+                      m_tree);
         if (shades) {
             addShades(shape, area, loops, paint, *shades);
             return;
@@ -280,7 +281,7 @@ Area SvgPainter::areaOfPath(const SvgPath &path, AreaEffort &effort) const
 
 /// Divides the paths behind the first ones where others of them lie over them, so that together they have an opacity.
 /// Empty if the effort is spent.
-std::vector<SvgPath> SvgPainter::faded(std::size_t first, double opacity, AreaEffort &effort) const
+std::vector<SvgPath> SvgPainter::faded(std::size_t first, double opacity, AreaEffort &effort)
 {
     struct Piece {
         Area area;
@@ -326,6 +327,8 @@ std::vector<SvgPath> SvgPainter::faded(std::size_t first, double opacity, AreaEf
             result.push_back(paths[i]);
             setOpacity(result.back(), opacity);
         } else {
+            if (paths[i].group >= 0) // Its letters are not what they were.
+                m_out.groups[std::size_t(paths[i].group)].text = {};
             for (const Piece &piece : pieces) {
                 result.push_back(paths[i]);
                 SvgPath &path = result.back();

@@ -17,6 +17,7 @@ struct SvgShape {
     SvgClipPtr clip;
     QString name;
     int group = -1;
+    std::optional<Rect> box{}; ///< by which gradients count, user units; no value: that of the lines
 };
 
 class SvgPainter {
@@ -41,7 +42,7 @@ private:
     void addShades(const SvgShape &shape, const SvgPath &area, const SvgLoops &loops, const SvgPaint &paint,
                    const std::vector<SvgShade> &shades);
     std::optional<Area> seenOf(const SvgLoops &loops, bool isEvenOdd, const SvgClipPtr &clip);
-    std::vector<SvgPath> faded(std::size_t first, double opacity, AreaEffort &effort) const;
+    std::vector<SvgPath> faded(std::size_t first, double opacity, AreaEffort &effort);
     Area areaOfPath(const SvgPath &path, AreaEffort &effort) const;
     bool countCurves(std::size_t curves);
     double tolerance() const;

@@ -134,8 +134,18 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     return stroke;
 }
 
+/// A text of a drawing whose units are `scale` canvas units, and whose point `corner` comes to (0, 0).
+SharedText placedText(const SharedText &text, Point corner, double scale)
+{
+    if (!text)
+        return {};
+    Text placed = *text;
+    placed.place = Affine::scaling({}, scale, scale) * Affine::translation(-1 * corner) * placed.place;
+    return problemOf(placed).isEmpty() ? SharedText(std::move(placed)) : SharedText();
+}
+
 /// The groups that have strokes, in them or in groups within them.
-std::vector<Group> heldGroups(const SvgDrawing &drawing, const StrokeList &strokes)
+std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const StrokeList &strokes)
 {
     std::vector<bool> held(drawing.groups.size() + 1, false); // by id
     for (const StrokePtr &stroke : strokes)
@@ -144,8 +154,8 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, const StrokeList &strok
     std::vector<Group> groups;
     for (std::size_t i = 0; i < drawing.groups.size(); ++i)
         if (held[i + 1])
-            groups.push_back(
-                {GroupId(i + 1), drawing.groups[i].name, GroupId(drawing.groups[i].parent + 1), true, false});
+            groups.push_back({GroupId(i + 1), drawing.groups[i].name, GroupId(drawing.groups[i].parent + 1), true,
+                              false, placedText(drawing.groups[i].text, corner, drawing.scale)});
     return groups;
 }
 
@@ -179,7 +189,7 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
         stroke->group = GroupId(path.group + 1);
         painting.strokes.push_back(std::make_shared<const Stroke>(std::move(*stroke)));
     }
-    painting.groups = heldGroups(drawing, painting.strokes);
+    painting.groups = heldGroups(drawing, {area.left, area.top}, painting.strokes);
     return painting;
 }
 
@@ -199,6 +209,9 @@ QString leftOutOf(const SvgDrawing &drawing)
         {l.rules, FileMessages::tr("%n style rule(s)", nullptr, l.rules)},
         {l.cycles, FileMessages::tr("%n <use> of itself", nullptr, l.cycles)},
     })};
+    if (!l.fonts.isEmpty())
+        sentences << FileMessages::tr("Other fonts stand in for those that are not installed: %1.")
+                         .arg(l.fonts.join(QStringLiteral(", ")));
     if (l.isCut)
         sentences << FileMessages::tr("There is more in the drawing than is read; the rest was left out.");
     sentences.removeAll(QString());

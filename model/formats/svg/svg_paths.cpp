@@ -7,9 +7,11 @@
 #include "model/formats/svg/svg_painter.h"
 #include "model/formats/svg/svg_shapes.h"
 #include "model/formats/svg/svg_style.h"
+#include "model/formats/svg/svg_text.h"
 #include "model/shaping/transform.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -22,8 +24,8 @@ namespace {
 
 constexpr int deepestNesting = 256;
 constexpr int deepestGroups = 32;
-constexpr int mostDrawn = 200'000; ///< the greatest number of elements, including those of every <use>
-constexpr int mostCopied = 50'000; ///< the greatest number of elements among these that a <use> repeats
+constexpr int mostDrawn = 200'000;               ///< the greatest number of elements, including those of every <use>
+constexpr int mostCopied = 50'000;               ///< the greatest number of elements among these that a <use> repeats
 constexpr std::uint64_t mostSteps = 100'000'000; ///< for the areas of clips
 
 bool isOnlyDefined(const QString &element)
@@ -93,8 +95,9 @@ public:
         for (const SvgElement *definition : m_lost)
             ++countOf(definition->name);
         losses.cycles = int(m_cycles.size());
+        losses.fonts = m_texts.missing();
         losses.rules = m_tree.sheet().unread();
-        losses.isCut = losses.isCut || m_tree.isCut();
+        losses.isCut = losses.isCut || m_tree.isCut() || m_texts.isCut();
         dissolveGroups(m_out);
         return std::move(m_out);
     }
@@ -159,7 +162,7 @@ private:
         if (is("use"))
             use(element, style, place);
         else if (is("text"))
-            m_out.losses.texts += style.isVisible ? 1 : 0;
+            addText(element, style, place);
         else if (is("image") || is("foreignObject"))
             m_out.losses.images += style.isVisible ? 1 : 0;
         else if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
@@ -220,6 +223,10 @@ private:
         if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
             return svgBox(svgMapped(svgLines(data), style.matrix));
         Rect box;
+        if (element.name == QLatin1String("text")) {
+            const std::optional<SvgSetText> set = m_texts.set(element, style);
+            return set ? svgBox(svgMapped(boxLines(set->box), style.matrix)) : box;
+        }
         if (element.name == QLatin1String("use")) {
             const SvgElement *target = m_tree.target(element);
             if (!target || element.isCycle)
@@ -313,6 +320,52 @@ private:
             drawMarkers(shape, data.contains(u'a', Qt::CaseInsensitive), place);
     }
 
+    /// A text is a group of its letters, a shape each.
+    void addText(const SvgElement &element, const SvgStyle &style, Place place)
+    {
+        const std::optional<SvgSetText> set = m_texts.set(element, style);
+        m_out.losses.texts += !set && style.isVisible ? 1 : 0;
+        if (!set || set->letters.empty())
+            return;
+        if (place.groupDepth < deepestGroups) {
+            static const QRegularExpression counted(QStringLiteral("^text[0-9-]*$"));
+            const QString own = element.givenName();
+            m_out.groups.push_back({!place.name.isEmpty()           ? place.name
+                                    : counted.match(own).hasMatch() ? QString()
+                                                                    : own,
+                                    place.group});
+            place.group = int(m_out.groups.size()) - 1;
+            keepText(*set, style, place);
+        }
+        for (const SvgLetter &letter : set->letters)
+            m_painter.paint({letter.lines, *letter.style, place.clip, letter.characters, place.group, set->box});
+    }
+
+    /// Notes of a text's group what it was made from, where its letters are as Suffuse's texts have them: areas of one
+    /// colour, a path each, and all of them whole.
+    void keepText(const SvgSetText &set, const SvgStyle &style, const Place &place)
+    {
+        const SvgStyle &look = *set.letters.front().style;
+        const bool isPlain = look.stroke == QLatin1String("none") && look.isVisible &&
+                             svgReference(look.inContext(look.fill)).isEmpty() && look.fill != QLatin1String("none");
+        if (!set.text || !isPlain ||
+            (place.clip && !place.clip->holds(svgBox(svgMapped(boxLines(set.box), style.matrix)))))
+            return;
+        Text text = *set.text;
+        const SvgMatrix &m = style.matrix;
+        text.place = Affine{m.a, m.c, m.b, m.d, {m.e, m.f}} * text.place;
+        m_out.groups.back().text = SharedText(std::move(text));
+        m_out.groups.back().letters = set.letters.size();
+    }
+
+    static std::vector<PenLine> boxLines(const Rect &box)
+    {
+        PenLine line;
+        const Point a{box.left, box.top}, b{box.right, box.top}, c{box.right, box.bottom}, d{box.left, box.bottom};
+        line.curves = {straightCubic(a, b), straightCubic(b, c), straightCubic(c, d), straightCubic(d, a)};
+        return {line};
+    }
+
     /// Draws markers at the nodes of a shape. Those in the middle of one with arcs are left out, since arcs have more
     /// nodes here than in the drawing; so are those on shapes in markers.
     void drawMarkers(const SvgShape &shape, bool hasArcs, Place place)
@@ -356,8 +409,9 @@ private:
     std::set<const SvgElement *> m_lost, m_cycles;
     int m_drawn = 0, m_copied = 0;
     SvgPainter m_painter{m_tree, m_out, m_lost};
+    SvgTexts m_texts{m_tree, letterShaper()};
     AreaEffort m_clipEffort{mostSteps};
-    SvgClips m_clips{m_tree, m_clipEffort};
+    SvgClips m_clips{m_tree, m_texts, m_clipEffort};
 };
 
 } // namespace

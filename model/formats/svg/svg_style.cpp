@@ -3,7 +3,6 @@
 #include "model/formats/svg/css_colours.h"
 #include "model/formats/svg/svg_shapes.h"
 
-#include <QMap>
 #include <QRegularExpression>
 #include <QSet>
 
@@ -44,21 +43,15 @@ std::vector<double> dashesFrom(const QString &text, const SvgUnits &units)
     return dashes;
 }
 
-/// The size of a font, of which per cents and em are shares of the one around it.
-double fontSizeFrom(const QString &text, const SvgUnits &around)
-{
-    const SvgUnits units{around.fontSize, around.fontSize, around.fontSize};
-    const double size = svgLength(text, units, SvgAxis::Across).value_or(around.fontSize);
-    return size > 0 ? size : around.fontSize;
-}
-
 const QSet<QString> &knownProperties()
 {
     static const QStringList list =
         QStringLiteral("fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
                        "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
                        "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
-                       "filter transform vector-effect font-size overflow paint-order")
+                       "filter transform vector-effect overflow paint-order font-size font-family font-weight "
+                       "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
+                       "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
             .split(u' ');
     static const QSet<QString> names(list.begin(), list.end());
     return names;
@@ -82,7 +75,7 @@ bool isValid(const QString &property, const QString &value)
     return true;
 }
 
-using Properties = QMap<QString, QString>;
+using Properties = SvgProperties;
 
 /// The properties of an element: the strongest declaration of each.
 Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
@@ -91,6 +84,8 @@ Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
     const auto set = [&properties](const QString &name, const QString &value) {
         if (knownProperties().contains(name) && isValid(name, value))
             properties.insert(name, value);
+        else if (name == QLatin1String("font"))
+            properties.insert(svgFontShorthand(value));
     };
     for (const QXmlStreamAttribute &a : element.attributes)
         if (a.namespaceUri().isEmpty())
@@ -108,18 +103,9 @@ Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
     return properties;
 }
 
-/// Calls `use` with the value of a property that is given.
-template <class Use>
-void takeFrom(const Properties &all, const char *name, Use use)
-{
-    const auto it = all.constFind(QLatin1String(name));
-    if (it != all.constEnd() && *it != QLatin1String("inherit"))
-        use(*it);
-}
-
 void takePen(const Properties &all, const SvgUnits &units, Pen &pen)
 {
-    const auto take = [&all](const char *name, auto use) { takeFrom(all, name, use); };
+    const auto take = [&all](const char *name, auto use) { svgTake(all, name, use); };
     const auto length = [&units](const QString &v) { return svgLength(v, units, SvgAxis::Any); };
     take("stroke-width", [&](const QString &v) { pen.width = *length(v); });
     take("stroke-linecap", [&](const QString &v) {
@@ -150,7 +136,7 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     style.isDisplayed = true, style.keepsWidth = false, style.overflows = false;
     style.clipPath.clear(), style.mask.clear(), style.filter.clear();
     const Properties all = propertiesOf(element, sheet);
-    const auto take = [&all](const char *name, auto use) { takeFrom(all, name, use); };
+    const auto take = [&all](const char *name, auto use) { svgTake(all, name, use); };
     const auto share = [&take](const char *name, double &value) {
         take(name, [&value](const QString &text) { value = *shareOf(text); });
     };
@@ -163,7 +149,12 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
     style.opacity = 1;
     share("opacity", style.opacity);
     style.isFaded = parent.isFaded || style.opacity < 1;
-    take("font-size", [&](const QString &v) { style.units.fontSize = fontSizeFrom(v, parent.units); });
+    take("font-size", [&](const QString &v) { style.units.fontSize = svgFontSize(v, parent.units); });
+    style.font = SvgFont::of(all, parent.font, style.units);
+    if (const QStringView space =
+            element.attributes.value(QLatin1String("http://www.w3.org/XML/1998/namespace"), QLatin1String("space"));
+        !space.isEmpty() && !all.contains(QLatin1String("white-space")))
+        style.font.keepsSpace = space == QLatin1String("preserve");
     takePen(all, style.units, style.pen);
     take("fill-rule", [&](const QString &v) { style.isEvenOdd = v == QLatin1String("evenodd"); });
     take("clip-rule", [&](const QString &v) { style.isClipEvenOdd = v == QLatin1String("evenodd"); });

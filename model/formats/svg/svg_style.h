@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/area/pen_outline.h"
+#include "model/formats/svg/svg_font.h"
 #include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 #include "model/formats/svg/svg_tree.h"
@@ -18,13 +19,14 @@ using SvgColour = std::array<double, 4>; ///< sRGB-encoded red, green, blue and 
 struct SvgStyle {
     SvgMatrix matrix;
     SvgUnits units;
-    QString fill = "black", stroke = "none"; ///< as written in CSS
+    QString fill = "black", stroke = "none";              ///< as written in CSS
     QString contextFill = "none", contextStroke = "none"; ///< what context-fill and context-stroke mean
     QString order;                                        ///< paint-order: what is painted first
     QString markers[3] = {"none", "none", "none"};
     SvgColour current{0, 0, 0, 1};
     double fillOpacity = 1, strokeOpacity = 1;
     Pen pen; ///< of strokes, in user units
+    SvgFont font;
     bool isVisible = true;
     bool isFaded = false;       ///< whether the element or something around it has an opacity below 1
     bool isEvenOdd = false;     ///< fill-rule

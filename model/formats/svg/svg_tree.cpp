@@ -98,6 +98,7 @@ QString SvgElement::givenName() const
 QString SvgTree::read(QXmlStreamReader &xml)
 {
     std::vector<SvgElement *> open{&m_root};
+    std::size_t textDepth = 0; ///< of the outermost <text> that is open
     QString sheet;
     while (!xml.atEnd()) {
         const auto token = xml.readNext();
@@ -109,11 +110,14 @@ QString SvgTree::read(QXmlStreamReader &xml)
                 m_sheet.add(sheet);
             sheet.clear();
             open.pop_back();
+            textDepth = textDepth < open.size() ? textDepth : 0;
         } else if (token == QXmlStreamReader::Characters && isSheet) {
             sheet += xml.text();
         } else if (token == QXmlStreamReader::Characters && inner.name == QLatin1String("title") && open.size() > 2) {
             QString &title = open[open.size() - 2]->title;
             title += xml.text().left(std::max<qsizetype>(0, 2 * longestName - title.size()));
+        } else if (token == QXmlStreamReader::Characters && textDepth > 0) {
+            takeCharacters(xml.text(), inner);
         } else if (token == QXmlStreamReader::StartElement) {
             if (open.size() > deepestElement || m_elements.size() >= mostElements) {
                 m_isCut = true;
@@ -121,6 +125,8 @@ QString SvgTree::read(QXmlStreamReader &xml)
                 continue;
             }
             take(xml, inner);
+            if (textDepth == 0 && inner.children.back()->name == QLatin1String("text"))
+                textDepth = open.size();
             open.push_back(inner.children.back().get());
         }
     }
@@ -143,6 +149,23 @@ void SvgTree::take(QXmlStreamReader &xml, SvgElement &parent)
         m_named.insert(element->id, element.get());
     m_elements.push_back(element.get());
     parent.children.push_back(std::move(element));
+}
+
+void SvgTree::takeCharacters(QStringView characters, SvgElement &parent)
+{
+    if (parent.children.empty() || parent.children.back()->name != SvgElement::characterData) {
+        if (m_elements.size() >= mostElements) {
+            m_isCut = true;
+            return;
+        }
+        auto element = std::make_unique<SvgElement>();
+        element->name = SvgElement::characterData;
+        element->parent = &parent;
+        element->index = int(m_elements.size());
+        m_elements.push_back(element.get());
+        parent.children.push_back(std::move(element));
+    }
+    parent.children.back()->characters += characters;
 }
 
 const SvgElement *SvgTree::find(QStringView reference) const

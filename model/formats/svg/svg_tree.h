@@ -12,8 +12,11 @@
 namespace suffuse {
 
 struct SvgElement : CssElement {
+    static constexpr QLatin1String characterData{"#text"};
     QXmlStreamAttributes attributes;
     QString title; ///< the text of its <title>
+    /// Characters within a <text> are elements among its children, named characterData; these are their characters.
+    QString characters;
     std::vector<std::unique_ptr<SvgElement>> children;
     int index = 0; ///< its place in the order of the document
     /// Whether it is a <use> of something that contains it, directly or through others, which would never end.
@@ -46,6 +49,7 @@ public:
 
 private:
     void take(QXmlStreamReader &xml, SvgElement &parent);
+    void takeCharacters(QStringView characters, SvgElement &parent);
     void markCycles();
 
     SvgElement m_root;

@@ -148,7 +148,7 @@ private slots:
     {
         QFile svg(path("drawing.svg"));
         QVERIFY(svg.open(QIODevice::WriteOnly));
-        svg.write("<svg viewBox='0 0 300 200'><path d='M50 100h200' stroke='red' stroke-width='40'/><text/></svg>");
+        svg.write("<svg viewBox='0 0 300 200'><path d='M50 100h200' stroke='red' stroke-width='40'/><image/></svg>");
         svg.close();
         Session s;
         QCOMPARE(s.window.openFile(svg.fileName()), &s.window);
