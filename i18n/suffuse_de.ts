@@ -9350,6 +9350,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::TextTool</name>
     <message>
+        <source>Something in this text is locked: unlock it to change the text.</source>
+        <translation>Etwas in diesem Text ist gesperrt: Zum Ändern des Textes entsperren.</translation>
+    </message>
+    <message>
         <source>The font “%1” is not installed here, so these letters stay as they are. Choose another one above, or type on: new letters are those of a font like it.</source>
         <translation>Die Schrift „%1“ ist hier nicht installiert, daher bleiben diese Buchstaben, wie sie sind. Oben eine andere wählen oder weiterschreiben: Neue Buchstaben kommen aus einer ähnlichen Schrift.</translation>
     </message>

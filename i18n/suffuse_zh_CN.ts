@@ -9299,6 +9299,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::TextTool</name>
     <message>
+        <source>Something in this text is locked: unlock it to change the text.</source>
+        <translation>此文字中有内容被锁定：请先解锁再更改文字。</translation>
+    </message>
+    <message>
         <source>The font “%1” is not installed here, so these letters stay as they are. Choose another one above, or type on: new letters are those of a font like it.</source>
         <translation>此处未安装字体“%1”，因此这些字保持原样。请在上方另选字体，或继续键入：新的字将使用相近的字体。</translation>
     </message>

@@ -264,6 +264,15 @@ SharedText textOf(const Painting &painting, GroupId group)
     return found ? found->text : SharedText();
 }
 
+bool isTextLocked(const Painting &painting, GroupId group)
+{
+    Stroke member;
+    member.group = group;
+    return painting.isLocked(member) || std::ranges::any_of(painting.strokes, [group](const StrokePtr &stroke) {
+               return stroke->locked && stroke->group == group;
+           });
+}
+
 GroupId textAround(const Painting &painting, const Stroke &stroke)
 {
     for (const GroupId id : groupsAround(painting, stroke.group))
@@ -322,9 +331,7 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
     const Painting &painting = *document.painting();
     const Group *present = groupOf(painting, group);
     const Text was = present && present->text && before ? *present->text : Text();
-    Stroke member;
-    member.group = present ? group : 0;
-    if (painting.isLocked(member) || !problemOf(text).isEmpty())
+    if ((present && isTextLocked(painting, group)) || !problemOf(text).isEmpty())
         return {};
     std::vector<Letter> old, now = lettersIn(after, text);
     if (present && before)

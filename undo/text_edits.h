@@ -30,7 +30,8 @@ struct TextChange {
 /// group stays, above the letters.
 ///
 /// `before` is how the text of the group is set now, or null for a group that there is not yet: it is put on top.
-/// A text of which no letter has ink is no group. Locked texts stay as they are.
+/// A text of which no letter has ink is no group. Locked texts, and those in which a stroke is locked, stay as they
+/// are.
 Edit setText(Document &document, GroupId group, const Text &text, const LaidText *before, const LaidText &after,
              const TextChange &change);
 
@@ -40,6 +41,8 @@ std::vector<StrokeId> lettersOf(const Painting &painting, GroupId group, const L
 
 /// The text of a group, or none.
 SharedText textOf(const Painting &painting, GroupId group);
+/// Whether a text cannot be typed in: it is locked, or a stroke of it is.
+bool isTextLocked(const Painting &painting, GroupId group);
 /// The innermost group around a stroke that is a text, or 0.
 GroupId textAround(const Painting &painting, const Stroke &stroke);
 /// The text whose letters are all that is selected, or some of it; 0 if none is, or other strokes are.

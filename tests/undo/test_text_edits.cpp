@@ -362,6 +362,17 @@ private slots:
         QVERIFY(length(page.letter(2)->origin - page.letter(0)->origin - Point{10, 20}) < 1e-9);
     }
 
+    void textsWithALockedLetterStay()
+    {
+        Page page;
+        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        page.push(setLocked(page.document, {page.letter(1)->id}, true));
+        QVERIFY(isTextLocked(*page.document.painting(), group));
+        const int steps = page.stack.count();
+        page.retype(group, QStringLiteral("xy"));
+        QCOMPARE(page.stack.count(), steps);
+    }
+
     void lockedTextsStay()
     {
         Page page;

@@ -1,6 +1,7 @@
 #include "app/session/lettering/text_entry.h"
 
 #include "app/session/editor.h"
+#include "undo/restore_edit.h"
 #include "undo/text_edits.h"
 
 #include <QScopedValueRollback>
@@ -42,6 +43,7 @@ void TextEntry::begin(const Text &text)
     m_text.string.clear();
     m_shown = m_text;
     m_laid = m_layout.lay(m_shown);
+    m_plain = m_editor.document().painting();
     m_caret = m_anchor = 0;
     m_isOpen = true;
     m_isOld = m_isThere = false;
@@ -53,12 +55,18 @@ void TextEntry::begin(const Text &text)
 void TextEntry::open(GroupId group)
 {
     finish();
-    const SharedText text = textOf(*m_editor.document().painting(), group);
+    const Painting &painting = *m_editor.document().painting();
+    const SharedText text = textOf(painting, group);
     if (!text)
         return;
+    if (isTextLocked(painting, group)) {
+        emit locked();
+        return;
+    }
     m_group = group;
     m_text = m_shown = *text;
     m_laid = m_layout.lay(m_shown);
+    m_plain = m_editor.document().painting();
     m_caret = m_anchor = m_text.string.size();
     m_isOpen = true;
     m_isOld = m_isThere = true;
@@ -74,6 +82,7 @@ void TextEntry::settle()
         return;
     compose({}, 0);
     m_gesture.commit();
+    keepForRedo();
     m_past.clear();
     m_future.clear();
     m_last = Kind::None;
@@ -109,6 +118,7 @@ void TextEntry::close()
     m_isOpen = false;
     m_gesture.commit();
     m_group = 0;
+    m_plain.reset();
     m_preedit.clear();
     m_past.clear();
     m_future.clear();
@@ -161,7 +171,7 @@ void TextEntry::note(Kind kind, bool goesOn)
     if (!m_past.empty() && !m_editor.undecided())
         m_past.clear();
     if (!(goesOn && m_last == kind && !m_past.empty())) {
-        m_past.push_back({m_text, m_caret, m_anchor});
+        m_past.push_back(state());
         if (m_past.size() > mostSteps)
             m_past.erase(m_past.begin());
     }
@@ -270,13 +280,15 @@ bool TextEntry::hasTyped() const
 
 bool TextEntry::takeBack()
 {
-    if (!hasTyped())
+    if (!hasTyped()) {
+        keepForRedo();
         return false;
+    }
     compose({}, 0);
-    m_future.push_back({m_text, m_caret, m_anchor});
-    const State state = std::move(m_past.back());
+    m_future.push_back(state());
+    const State before = std::move(m_past.back());
     m_past.pop_back();
-    restore(state);
+    restore(before);
     return true;
 }
 
@@ -285,10 +297,10 @@ bool TextEntry::typeAgain()
     if (!m_isOpen || m_future.empty())
         return false;
     compose({}, 0);
-    m_past.push_back({m_text, m_caret, m_anchor});
-    const State state = std::move(m_future.back());
+    m_past.push_back(state());
+    const State after = std::move(m_future.back());
     m_future.pop_back();
-    restore(state);
+    restore(after);
     return true;
 }
 
@@ -298,7 +310,39 @@ void TextEntry::restore(const State &state)
     m_caret = state.caret;
     m_anchor = state.anchor;
     m_last = Kind::None;
-    show(std::min(m_caret, m_anchor));
+    if (!state.painting) {
+        show(std::min(m_caret, m_anchor));
+        return;
+    }
+    m_laid = m_layout.lay(m_text);
+    put(restorePainting(m_editor.document(), *state.painting), m_text);
+    emit changed();
+}
+
+/// What was taken back becomes a step that is undone: it can be redone then like any other one.
+void TextEntry::keepForRedo()
+{
+    if (m_future.empty())
+        return;
+    const State last = std::move(m_future.front());
+    m_past.clear();
+    m_future.clear();
+    restore(last);
+    m_gesture.commit();
+    m_editor.undo();
+}
+
+/// Puts an edit of the document in, after which it shows a text.
+void TextEntry::put(Edit edit, Text shown)
+{
+    const QScopedValueRollback shows(m_shows, true);
+    if (!m_gesture.isOpen())
+        m_gesture = m_editor.begin(tr("Text"));
+    m_gesture.show(std::move(edit));
+    m_shown = std::move(shown);
+    m_isThere = bool(textOf(*m_editor.document().painting(), m_group));
+    if (m_preedit.isEmpty())
+        m_plain = m_editor.document().painting();
 }
 
 void TextEntry::show(std::optional<qsizetype> at)
@@ -311,14 +355,9 @@ void TextEntry::show(std::optional<qsizetype> at)
         change.at = at;
         change.letter = letterWith(m_editor.brush(), shown.size * scaleOf(shown.place), m_editor.clock().time());
         change.likeNeighbours = !m_usesBrush;
-        const QScopedValueRollback shows(m_shows, true);
         Edit edit = setText(m_editor.document(), m_group, shown, &m_laid, laid, change);
-        if (!m_gesture.isOpen())
-            m_gesture = m_editor.begin(tr("Text"));
-        m_gesture.show(std::move(edit));
-        m_shown = std::move(shown);
         m_laid = std::move(laid);
-        m_isThere = bool(textOf(*m_editor.document().painting(), m_group));
+        put(std::move(edit), std::move(shown));
     }
     emit changed();
 }
@@ -327,21 +366,27 @@ void TextEntry::follow(const Change &change)
 {
     if (!m_isOpen || m_shows)
         return;
-    const SharedText text = textOf(*m_editor.unsettled().painting(), m_group);
-    if (change.reset || (m_isThere && !text)) { // Its making was undone, it was deleted, or made plain.
+    if (change.strokes.empty() && !change.order && !change.canvas && !change.reset)
+        return;
+    m_past.clear(); // They would take back what somebody else has changed, too.
+    m_future.clear();
+    const PaintingPtr painting = m_editor.unsettled().painting();
+    const SharedText text = textOf(*painting, m_group);
+    // Its making was undone, it was deleted, made plain or locked.
+    if (change.reset || (m_isThere && !text) || isTextLocked(*painting, m_group)) {
         close();
         return;
     }
+    m_plain = m_preedit.isEmpty() ? painting : nullptr;
     if (!text || *text == m_shown)
         return;
+    m_plain = painting;
     m_isThere = true;
     m_preedit.clear();
     m_text = m_shown = *text;
     m_laid = m_layout.lay(m_shown);
     m_caret = std::min(m_caret, m_text.string.size());
     m_anchor = std::min(m_anchor, m_text.string.size());
-    m_past.clear();
-    m_future.clear();
     emit changed();
 }
 

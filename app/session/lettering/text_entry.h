@@ -26,10 +26,10 @@ public:
     bool isOpen() const { return m_isOpen; }
     /// Begins a text of which nothing is there yet, with the values of `text`.
     void begin(const Text &text);
-    /// Takes a text into the hand; it must be one, visible and not locked. The caret stands at its end.
+    /// Takes a text into the hand, which must be one and visible; not one that is locked. The caret stands at its end.
     void open(GroupId group);
-    /// What was typed is a step, and is typed on: before saving, for example. What an input method has not decided is
-    /// left out.
+    /// What was typed is a step, and is typed on: before saving, for example. What was taken back is a step that can be
+    /// redone. What an input method has not decided is left out.
     void settle();
     /// Leaves the text: what was typed is a step, and its letters are selected. What an input method has not decided is
     /// left out.
@@ -67,6 +67,8 @@ public:
     /// Whether something was typed that can be taken back by itself.
     bool hasTyped() const;
     bool canTypeAgain() const { return !m_future.empty(); }
+    /// Returns false where nothing typed is left to take back; what was taken back before is a step then, which the
+    /// undo stack can redo after whatever it undoes next.
     bool takeBack();
     bool typeAgain();
 
@@ -79,11 +81,13 @@ signals:
     void closed();
     /// The font is not there: what is typed now is ignored, once, and the next time another font stands in.
     void fontMissing(const QString &family);
+    void locked(); ///< the text that should be opened is locked, or something in it is
 
 private:
     struct State {
         Text text;
         qsizetype caret = 0, anchor = 0;
+        PaintingPtr painting; ///< that shows it, so that the very strokes come back; null: not known
     };
     enum class Kind { None, Typed, Erased, Changed };
 
@@ -91,8 +95,11 @@ private:
     /// step.
     void note(Kind kind, bool goesOn);
     void replace(qsizetype from, qsizetype to, const QString &characters, Kind kind);
+    State state() const { return {m_text, m_caret, m_anchor, m_plain}; }
     void show(std::optional<qsizetype> at);
+    void put(Edit edit, Text shown);
     void restore(const State &state);
+    void keepForRedo();
     void follow(const Change &change);
     void close();
     bool refusesForFont();
@@ -103,9 +110,10 @@ private:
     bool m_isOpen = false;
     bool m_shows = false; ///< it is changing the document itself
     GroupId m_group = 0;
-    Text m_text;     ///< as typed
-    Text m_shown;    ///< with what is composed
-    LaidText m_laid; ///< of m_shown
+    Text m_text;         ///< as typed
+    Text m_shown;        ///< with what is composed
+    PaintingPtr m_plain; ///< the painting as it shows m_text; null: not known
+    LaidText m_laid;     ///< of m_shown
     QString m_preedit;
     qsizetype m_preeditCaret = 0;
     qsizetype m_caret = 0, m_anchor = 0; ///< in m_text

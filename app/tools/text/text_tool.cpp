@@ -63,6 +63,9 @@ TextTool::TextTool(CanvasWidget &canvas, QObject *parent)
                "type on: new letters are those of a font like it.")
                 .arg(family));
     });
+    const auto sayLocked = [this] { say(tr("Something in this text is locked: unlock it to change the text.")); };
+    connect(&m_entry, &TextEntry::locked, this, sayLocked);
+    connect(&m_values, &TextValues::locked, this, sayLocked);
     connect(&m_editor, &Editor::brushChanged, this, [this] {
         if (m_entry.isOpen())
             m_entry.useBrush();
@@ -161,8 +164,8 @@ GroupId TextTool::textAt(const PointerEvent &event) const
     std::set<GroupId> asked;
     for (auto at = painting.strokes.size(); at-- > 0;) {
         const Stroke &stroke = *painting.strokes[at];
-        if (stroke.group == 0 || !asked.insert(stroke.group).second || !painting.isVisible(stroke) ||
-            painting.isLocked(stroke))
+        if (stroke.group == 0 || !painting.isVisible(stroke) || painting.isLocked(stroke) ||
+            !asked.insert(stroke.group).second)
             continue;
         const SharedText text = textOf(painting, stroke.group);
         const std::optional<Affine> back = text ? text->place.inverse() : std::nullopt;

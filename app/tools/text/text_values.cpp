@@ -98,7 +98,9 @@ void TextValues::changeValues(const TextRow::Change &how)
     Document &document = m_editor.document();
     const GroupId group = selectedText(document);
     const SharedText text = textOf(*document.painting(), group);
-    if (text) {
+    if (text && isTextLocked(*document.painting(), group)) {
+        emit locked();
+    } else if (text) {
         Text next = *text;
         change(next);
         const LaidText before = m_layout.lay(*text), after = m_layout.lay(next);

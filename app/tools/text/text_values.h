@@ -25,6 +25,9 @@ public:
     /// What was selected when the text was taken into the hand.
     void noteChosen(const std::set<StrokeId> &strokes) { m_chosen = strokes; }
 
+signals:
+    void locked(); ///< the text that should be changed is locked, or something in it is
+
 private:
     void changeValues(const TextRow::Change &how);
     std::vector<Cubic> selectedCurve() const;

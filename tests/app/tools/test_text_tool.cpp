@@ -3,6 +3,7 @@
 #include "app/tools/text/text_row.h"
 #include "app/tools/text/text_tool.h"
 #include "tests/app/selecting.h"
+#include "undo/group_edits.h"
 #include "undo/text_edits.h"
 
 #include <QCheckBox>
@@ -220,6 +221,85 @@ private slots:
         QCOMPARE(s.editor().undoStack().index(), 0);
     }
 
+    /// What comes back has its colours, its times and its numbers: it is what it was.
+    void takenBackAreTheSameLetters()
+    {
+        Typing s;
+        s.write("abc");
+        recolour(s, 1);
+        const Painting before = s.painting();
+        s.editor().clock().setTime(before.end() + 5'000'000);
+        s.click(s.placeOf(1));
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        s.type("x");
+        const Painting typed = s.painting();
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.painting(), before);
+        s.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.painting(), typed);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        s.key(Qt::Key_Home);
+        s.key(Qt::Key_Right);
+        s.key(Qt::Key_Delete);
+        QCOMPARE(s.names(), QString("ac"));
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.painting(), before);
+    }
+
+    /// An older step that is undone takes nothing typed out of what can be redone.
+    void redoneAfterAnOlderStep()
+    {
+        Typing s;
+        s.write("ab");
+        recolour(s, 1);
+        const Painting before = s.painting();
+        s.click(s.placeOf(2));
+        s.key(Qt::Key_End);
+        s.type("c");
+        s.type(" d");
+        const Painting typed = s.painting();
+        for (int i = 0; i < 3; ++i) // two words, and the colour
+            s.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!(s.letter(1)->fill->colour == red));
+        QCOMPARE(s.names(), QString("ab"));
+        while (s.editor().canRedo())
+            s.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.painting(), typed);
+        s.use(Command::Undo);
+        QCOMPARE(s.painting(), before);
+    }
+
+    void redoneAfterItWasLeft()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("one two");
+        const Painting typed = s.painting();
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        const Painting one = s.painting();
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.painting(), one);
+        QVERIFY(s.editor().canRedo());
+        s.editor().redo();
+        QCOMPARE(s.painting(), typed);
+    }
+
+    /// What somebody else changes while a text is in hand is not taken back together with what is typed.
+    void takenBackAfterSomethingElse()
+    {
+        Typing s;
+        s.write("ab");
+        s.click(s.placeOf(2));
+        s.key(Qt::Key_End);
+        s.type("c");
+        recolour(s, 0);
+        s.type("d");
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.names(), QString("abc"));
+        QCOMPARE(s.letter(0)->fill->colour, red);
+    }
+
     void savedInTheMiddle()
     {
         Typing s;
@@ -353,7 +433,8 @@ private slots:
         s.use(Command::Undo);
         QCOMPARE(s.string(), QString("one twotwo"));
         s.key(Qt::Key_Escape);
-        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoStack().index(), 1);
+        QVERIFY(s.editor().canRedo());
     }
 
     void linesUpAndDown()
@@ -446,7 +527,7 @@ private slots:
         s.key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(textOf(s.painting(), s.group())->weight, 400.0f);
         s.key(Qt::Key_Escape);
-        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoStack().index(), 1);
     }
 
     void theRowChangesTheSelectedText()
@@ -540,6 +621,30 @@ private slots:
         QCOMPARE(s.string(), QString("abcd"));
         QCOMPARE(s.letter(0), first);
         s.key(Qt::Key_Escape);
+    }
+
+    /// Not even by typing in the rest of its text.
+    void aLockedLetterStays()
+    {
+        Typing s;
+        s.write("abc");
+        const StrokeId b = s.letter(1)->id;
+        s.editor().push(setLocked(s.editor().document(), {b}, true), "lock");
+        const Painting before = s.painting();
+        s.click(s.inkOf(0));
+        QVERIFY(!s.tool().takesText());
+        QVERIFY(s.tool().hint().contains("locked"));
+        s.type("x");
+        QCOMPARE(s.painting(), before);
+        s.editor().document().setSelection({{s.letter(0)->id, s.letter(2)->id}, {}});
+        s.row().findChild<QCheckBox *>("vertical")->click();
+        QCOMPARE(s.painting(), before);
+        QVERIFY(s.tool().hint().contains("locked"));
+        s.editor().push(setLocked(s.editor().document(), {b}, false), "unlock");
+        s.click(s.inkOf(0));
+        QVERIFY(s.tool().takesText());
+        s.editor().push(setLocked(s.editor().document(), {b}, true), "lock");
+        QVERIFY(!s.tool().takesText()); // by a dock, while it is in hand
     }
 
     void lockedTextsAreLeftAlone()
