@@ -23,22 +23,31 @@ Rect controlBoxOf(const std::vector<Stroke> &strokes)
     return box;
 }
 
-/// Moves the strokes back in time, as far as it takes for all segments to be born by `now`: pasted paint is seen at
-/// once.
+/// Moves the strokes back in time, as far as it takes for all segments and fills to be born by `now`: pasted paint is
+/// seen at once.
 void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
 {
     Microseconds latest = now;
-    for (const Stroke &stroke : strokes)
+    for (const Stroke &stroke : strokes) {
         for (const Segment &segment : stroke.segments)
             latest = std::max(latest, segment.born);
+        if (stroke.fill)
+            latest = std::max(latest, stroke.fill->born);
+    }
     const Microseconds by = latest - now;
-    for (Stroke &stroke : strokes)
+    for (Stroke &stroke : strokes) {
         for (Segment &segment : stroke.segments) {
             const Microseconds shift = std::min(by, segment.born);
             segment.born -= shift;
             for (Rewet &rewet : segment.rewet)
                 rewet.time -= shift;
         }
+        if (stroke.fill) {
+            Fill fill = *stroke.fill;
+            fill.born -= std::min(by, fill.born);
+            stroke.fill = fill;
+        }
+    }
 }
 
 /// Puts all strokes into one group of that name.

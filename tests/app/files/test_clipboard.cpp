@@ -207,6 +207,28 @@ private slots:
         QCOMPARE(session.editor().clock().time(), Microseconds(1'000'000));
     }
 
+    /// The fill of a stroke is wetted with its last segment, or later.
+    void fillsOfWhatIsPastedAreSeen()
+    {
+        for (const Microseconds later : {0, 500'000}) {
+            Session session;
+            session.editor().clock().setTime(1'000'000);
+            Painting from;
+            Stroke stroke = *makeStroke(1, 3, 10);
+            for (Segment &segment : stroke.segments)
+                segment.born = 44'000'000;
+            Fill fill;
+            fill.born = 44'000'000 + later;
+            stroke.fill = fill;
+            from.strokes.push_back(std::make_shared<const Stroke>(stroke));
+            const std::unique_ptr<QMimeData> data(clipboard::mimeOf(from, 60'000'000));
+            QCOMPARE(clipboard::paste(session.editor(), *data, {}), QString());
+            const Stroke &pasted = *session.painting().strokes.front();
+            QCOMPARE(pasted.fill->born, Microseconds(1'000'000));
+            QCOMPARE(pasted.segments.front().born, Microseconds(1'000'000 - later));
+        }
+    }
+
     void cutAndPasteAtAPlace()
     {
         Session session;
