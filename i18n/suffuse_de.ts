@@ -5508,6 +5508,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>„%1“ gespeichert, %2</translation>
     </message>
     <message>
+        <source>%1 (without what is still being drawn)</source>
+        <translation>%1 (ohne das, was noch gezeichnet wird)</translation>
+    </message>
+    <message>
         <source>Saved “%1”, but %2</source>
         <translation>„%1“ gespeichert, aber %2</translation>
     </message>

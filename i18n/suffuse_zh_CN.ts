@@ -5491,6 +5491,10 @@ Arrow keys work too.</source>
         <translation>已保存“%1”，%2</translation>
     </message>
     <message>
+        <source>%1 (without what is still being drawn)</source>
+        <translation>%1（不含仍在绘制的内容）</translation>
+    </message>
+    <message>
         <source>Saved “%1”, but %2</source>
         <translation>已保存“%1”，但 %2</translation>
     </message>

@@ -46,11 +46,17 @@ public:
     /// Ends what the tool has in hand as the release of the button would, before something else is done.
     void finishGesture() { m_input.finish(); }
     /// Finishes what the tool holds between two presses, an outline for example, so that it belongs to the painting:
-    /// before a command that is about all that is seen.
+    /// before all of it is put away.
     void settleTool()
     {
         if (tool() && !isPressed())
             tool()->settle();
+    }
+    /// Before the painting is written to a file, which ends nothing: what the tool holds goes on being in its hand.
+    void settleWritten()
+    {
+        if (tool() && !isPressed())
+            tool()->settleWritten();
     }
     Tool *tool() const { return m_input.hand().tool(); }
     /// Whether the tool has seen a press and no release yet.

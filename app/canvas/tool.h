@@ -53,6 +53,9 @@ public:
     virtual void cancel() = 0;
     /// Finishes what is in hand between two presses, as far as it is something, before another tool is taken.
     virtual void settle() {}
+    /// Makes a step of what the painting has of it already, such as typed letters, and goes on with it, before the
+    /// painting is written. What is drawn and not in the painting yet stays in hand.
+    virtual void settleWritten() {}
     /// Changes the size by so many steps, for a command. A tool without a size does nothing.
     virtual void stepSize(int /*steps*/) {}
     virtual void stepOpacity(int /*steps*/) {}

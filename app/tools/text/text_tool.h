@@ -29,6 +29,7 @@ public:
     bool isBusy() const override { return m_isPressed || m_entry.hasTyped(); }
     void cancel() override;
     void settle() override;
+    void settleWritten() override { settle(); } // it leaves the caret where it is
     bool takesText() const override { return m_entry.isOpen(); }
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;

@@ -109,7 +109,8 @@ bool FileSaving::startSavingAs()
 
 void FileSaving::startSavingCopy()
 {
-    m_canvas.settleTool();
+    m_canvas.settleWritten();
+    m_leavesDraft = m_editor.document().draft() != nullptr;
     const QFileInfo origin(m_editor.suggestedPath().isEmpty() ? m_editor.displayName() + ".suffuse"
                                                               : m_editor.suggestedPath());
     //: name of the file that a copy is saved to, beside that of the painting
@@ -131,7 +132,8 @@ void FileSaving::startSavingCopy()
 void FileSaving::startSavingTo(const QString &path, bool whatever)
 {
     m_savingWorked = true;
-    m_canvas.settleTool();
+    m_canvas.settleWritten();
+    m_leavesDraft = m_editor.document().draft() != nullptr;
     m_editor.extras().view = workspaceOf(m_canvas, m_editor);
     m_editor.startSaving(path, whatever);
     m_window.statusBar()->showMessage(tr("Saving “%1”…").arg(QFileInfo(path).fileName()));
@@ -177,21 +179,28 @@ void FileSaving::showOutcome(const SaveOutcome &outcome)
     const QString name = QFileInfo(outcome.path).fileName();
     if (outcome.isCopy) {
         if (outcome.isSaved())
-            m_window.statusBar()->showMessage(tr("A copy is saved as “%1”.").arg(name), shownMs);
+            m_window.statusBar()->showMessage(withDraft(tr("A copy is saved as “%1”.").arg(name)), shownMs);
         else if (askAfterFailedSave(&m_window, outcome.message))
             startSavingCopy();
         return;
     }
     m_savingWorked = outcome.isSaved();
     if (outcome.wasThere) {
-        sayUntilChange(*m_window.statusBar(), m_editor.document(), tr("“%1” is saved already.").arg(name), shownMs);
+        sayUntilChange(*m_window.statusBar(), m_editor.document(), withDraft(tr("“%1” is saved already.").arg(name)),
+                       shownMs);
         return;
     }
     if (outcome.isSaved()) {
         settings::addRecentFile(outcome.path);
         m_window.statusBar()->showMessage(
             outcome.message.isEmpty()
-                ? tr("Saved “%1”, %2").arg(name, m_window.locale().formattedDataSize(outcome.bytes))
+                ? withDraft(tr("Saved “%1”, %2").arg(name, m_window.locale().formattedDataSize(outcome.bytes)))
+/// What is drawn and not let go is seen like paint, and is not in the file.
+QString FileSaving::withDraft(const QString &said) const
+{
+    return m_leavesDraft ? tr("%1 (without what is still being drawn)").arg(said) : said;
+}
+
                 : tr("Saved “%1”, but %2").arg(name, outcome.message),
             shownMs);
         return;
@@ -214,7 +223,7 @@ void FileSaving::showOutcome(const SaveOutcome &outcome)
 void FileSaving::fileChangedOutside(const QByteArray &hash)
 {
     if (m_asking || m_editor.isSaving() || hash == m_editor.fileHash())
-        return;                                           // saving looks for itself
+        return;                                         // saving looks for itself
     if (m_canvas.tool() && m_canvas.tool()->isBusy()) { // not in the middle of a stroke
         QTimer::singleShot(saveLaterMs, this, [this, hash] { fileChangedOutside(hash); });
         return;

@@ -38,6 +38,7 @@ public:
 private:
     void addRows(Commands &table);
     /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
+    QString withDraft(const QString &said) const;
     bool startSaving();
     bool startSavingAs();
     void startSavingCopy();
@@ -55,5 +56,6 @@ private:
     bool m_savingWorked = true; ///< the last attempt
     bool m_asking = false;      ///< about a file that another program changed
 };
+    bool m_leavesDraft = false; ///< something is in hand that was not saved with the rest
 
 } // namespace suffuse
