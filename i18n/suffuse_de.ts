@@ -1014,10 +1014,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasure(s).</source>
         <translation>
-            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n radierendes Segment.</numerusform>
-            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n radierende Segmente.</numerusform>
+            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n Radierung.</numerusform>
+            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n Radierungen.</numerusform>
         </translation>
     </message>
     <message>

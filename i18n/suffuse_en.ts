@@ -69,10 +69,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasure(s).</source>
         <translation>
-            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasing segment.</numerusform>
-            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasing segments.</numerusform>
+            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasure.</numerusform>
+            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasures.</numerusform>
         </translation>
     </message>
 </context>

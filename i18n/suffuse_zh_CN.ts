@@ -1007,9 +1007,9 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasure(s).</source>
         <translation>
-            <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分：%n 个擦除线段。</numerusform>
+            <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分：%n 处擦除。</numerusform>
         </translation>
     </message>
     <message>

@@ -1,5 +1,7 @@
 #include "model/shaping/chains.h"
 
+#include <algorithm>
+
 namespace suffuse {
 
 std::vector<Chain> chainsOf(const Stroke &stroke)
@@ -67,6 +69,31 @@ bool isEndNode(const Stroke &stroke, int node)
 {
     const NodeSides sides = sidesOf(stroke, node);
     return (sides.before < 0) != (sides.after < 0);
+}
+
+bool isClosed(const Stroke &stroke, const Chain &chain)
+{
+    return stroke.segments[std::size_t(chain.first)].bezier[0] == stroke.segments[std::size_t(chain.last)].bezier[3];
+}
+
+std::vector<int> nodesTogether(const Stroke &stroke, int node)
+{
+    const NodeSides sides = sidesOf(stroke, node);
+    if (sides.before < 0 && sides.after < 0)
+        return {};
+    if (sides.before >= 0 && sides.after >= 0)
+        return {node};
+    const Chain chain = chainAt(stroke, std::max(sides.before, sides.after));
+    return isClosed(stroke, chain) ? std::vector{chain.first, endNode(stroke, chain.last)} : std::vector{node};
+}
+
+int erasureCount(const Stroke &stroke)
+{
+    int count = 0;
+    for (const Chain &chain : chainsOf(stroke))
+        count += std::all_of(stroke.segments.begin() + chain.first, stroke.segments.begin() + chain.last + 1,
+                             [](const Segment &segment) { return segment.lift; });
+    return count;
 }
 
 std::vector<int> endNodesOf(const Stroke &stroke)

@@ -15,6 +15,8 @@ struct Chain {
 };
 /// All chains of a stroke, in order.
 std::vector<Chain> chainsOf(const Stroke &stroke);
+/// How many chains lay no paint: erasures, as people count them.
+int erasureCount(const Stroke &stroke);
 /// The chain that a segment belongs to.
 Chain chainAt(const Stroke &stroke, int segment);
 

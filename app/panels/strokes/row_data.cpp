@@ -54,16 +54,10 @@ QVariant groupSwitchData(const Group &group, const GroupMarks &marks, int column
                                       : switchData(group.visible, group.locked, column, role);
 }
 
-/// How a stroke of several chains, or one that was erased softly, is made up: "3 pieces, 12 erasures". A chain that
-/// lays paint is a piece.
+/// How a stroke of several chains, or one that was erased softly, is made up: "3 pieces, 12 erasures".
 QString makeUpOf(const Stroke &stroke)
 {
-    int pieces = 0, erasures = 0;
-    for (const Chain &chain : chainsOf(stroke)) {
-        const auto begin = stroke.segments.begin() + chain.first, end = stroke.segments.begin() + chain.last + 1;
-        const bool lays = std::any_of(begin, end, [](const Segment &s) { return !s.lift; });
-        ++(lays ? pieces : erasures);
-    }
+    const int erasures = erasureCount(stroke), pieces = int(chainsOf(stroke).size()) - erasures;
     QStringList parts;
     if (pieces > 1)
         parts << StrokesModel::tr("%n piece(s)", nullptr, pieces);

@@ -200,14 +200,9 @@ QString copy(Editor &editor)
     Painting painting = asPainting(*editor.document().painting(), selection);
     if (painting.strokes.empty())
         return selection.isEmpty() ? QString() : erasuresAlone();
-    const int erasing = erasingSegments(painting);
+    const int erasures = erasuresIn(painting);
     QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
-    if (erasing == 0)
-        return {};
-    return QCoreApplication::translate("Clipboard",
-                                       "As SVG, for other programs, what was erased softly is left out: "
-                                       "%n erasing segment(s).",
-                                       nullptr, erasing);
+    return leftOutOf(SvgStrokes{{}, erasures});
 }
 
 QString cut(Editor &editor)

@@ -6,6 +6,7 @@
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
 #include "model/painting/influence.h"
+#include "model/shaping/chains.h"
 
 #include <QXmlStreamWriter>
 
@@ -288,7 +289,7 @@ private:
 
 } // namespace
 
-int erasingSegments(const Painting &painting)
+int erasuresIn(const Painting &painting)
 {
     std::ptrdiff_t count = 0;
     for (const StrokePtr &stroke : painting.strokes)
@@ -299,7 +300,16 @@ int erasingSegments(const Painting &painting)
 
 SvgStrokes svgOf(const Painting &painting)
 {
-    SvgStrokes svg{{}, erasingSegments(painting)};
+    return svg.erasures == 0 ? QString()
+                             : QCoreApplication::translate("Clipboard",
+                                                           "As SVG, for other programs, what was erased softly is left "
+                                                           "out: %n erasure(s).",
+                                                           nullptr, svg.erasures);
+}
+
+SvgStrokes svgOf(const Painting &painting, const Rect &area)
+{
+    SvgStrokes svg{{}, erasuresIn(painting)};
     QXmlStreamWriter xml(&svg.bytes);
     Rect box = influenceOf(painting, painting.end());
     if (box.isEmpty())

@@ -12,11 +12,14 @@ struct SvgStrokes {
     QByteArray bytes;
     int erasing = 0; ///< segments that take paint away, which SVG has nothing for: they are left out
 };
-/// The visible strokes of a painting, in their groups: a <path> for the area of a fill, in its colour or gradient, and one
-/// for each run of segments that look alike, in its colour and as wide as the dry paint is seen; each chain is a subpath.
-/// A stroke of several paths is a group. The view box is the influence of the strokes, in canvas units.
-SvgStrokes svgOf(const Painting &painting);
-/// How many segments of visible strokes take paint away.
-int erasingSegments(const Painting &painting);
+/// The visible strokes of a painting, in their groups: a <path> for the area of a fill, in its colour or gradient, and
+/// one for each run of segments that look alike, in its colour and as wide as the dry paint is seen; each chain is a
+/// subpath. A stroke of several paths is a group. The view box is the influence of the strokes, in canvas units.
+/// With an `area` that is the view box.
+SvgStrokes svgOf(const Painting &painting, const Rect &area = {});
+/// Empty, or what is said of erasures that a drawing leaves out, translated.
+QString leftOutOf(const SvgStrokes &svg);
+/// How many erasures the visible strokes have.
+int erasuresIn(const Painting &painting);
 
 } // namespace suffuse

@@ -268,6 +268,9 @@ private slots:
         Segment lift = stroke.segments.front();
         lift.start = lift.lift = true;
         stroke.segments.push_back(lift);
+        lift.start = false; // It is one erasure, of two segments.
+        std::ranges::reverse(lift.bezier);
+        stroke.segments.push_back(lift);
         bench.editor.push(replaceStrokes(bench.editor.document(), {stroke}), "lift");
         bench.select({1}, {{1, int(stroke.segments.size()) - 1}});
         QVERIFY(clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection())
@@ -276,11 +279,11 @@ private slots:
         Painting copied =
             clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection());
         const SvgStrokes svg = svgOf(copied);
-        QCOMPARE(svg.erasing, 1);
+        QCOMPARE(svg.erasures, 1);
         const auto paths = readSvgPaths(svg.bytes);
         QVERIFY(bool(paths));
         const QString leftOut = clipboard::copy(bench.editor);
-        QVERIFY2(leftOut.contains("1"), qPrintable(leftOut));
+        QVERIFY2(leftOut.contains("1 erasure"), qPrintable(leftOut));
         bench.select({2});
         QCOMPARE(clipboard::copy(bench.editor), QString());
     }
