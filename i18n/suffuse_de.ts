@@ -6734,6 +6734,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Knoten einfügen</translation>
     </message>
     <message>
+    <message>
+        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
+        <translation>Ein Knoten allein hat keine Farbe: die Knoten an beiden Enden eines Segments auswählen, oder mit „Auswahl“ den ganzen Strich.</translation>
+    </message>
         <source>Move nodes</source>
         <translation>Knoten verschieben</translation>
     </message>

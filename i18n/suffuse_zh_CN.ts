@@ -6691,6 +6691,10 @@ Arrow keys work too.</source>
         <translation>插入节点</translation>
     </message>
     <message>
+    <message>
+        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
+        <translation>单独的节点没有颜料：请选择线段两端的节点，或用选择工具选取整条笔画。</translation>
+    </message>
         <source>Move nodes</source>
         <translation>移动节点</translation>
     </message>

@@ -196,7 +196,11 @@ QString erasuresAlone()
 
 QString copy(Editor &editor)
 {
-    const Selection &selection = editor.document().selection();
+    return copy(editor, editor.document().selection());
+}
+
+QString copy(Editor &editor, const Selection &selection)
+{
     Painting painting = asPainting(*editor.document().painting(), selection);
     if (painting.strokes.empty())
         return selection.isEmpty() ? QString() : erasuresAlone();

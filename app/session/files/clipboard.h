@@ -30,9 +30,10 @@ QMimeData *mimeOf(Painting painting, Microseconds time);
 /// window wait.
 bool canPaste(const QMimeData *data);
 
-/// Both return an empty string, or what other programs do not get, or why nothing is copied. Nothing is cut that could
+/// All return an empty string, or what other programs do not get, or why nothing is copied. Nothing is cut that could
 /// not be pasted.
 QString copy(Editor &editor);
+QString copy(Editor &editor, const Selection &selection);
 QString cut(Editor &editor);
 /// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
 /// Returns an empty string, or what could not be pasted and why, which includes the parts of an SVG drawing that

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
+#include "app/session/files/clipboard.h"
 #include "app/tools/nodes/node_tool.h"
 #include "model/shaping/coarse_nodes.h"
 #include "undo/node_edits.h"
@@ -99,6 +100,35 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
         Commands::tr("Replace selected segments by one that goes on smoothly"), anySegments, [this] { bridge(); });
     add(ReverseStrokes, "reverseStrokes", Commands::tr("&Reverse"), "reverse", Commands::tr("Shift+R"),
         Commands::tr("Let the selected strokes run from end to start"), anyStrokes, [this] { reverse(); });
+    askBeforeCopying();
+}
+
+/// Where nodes are selected, they are meant and not their whole strokes, as in Inkscape: what is cut, copied or doubled
+/// are the segments between them. A node alone has no paint.
+void NodeCommands::askBeforeCopying()
+{
+    for (const Command command : {Command::Cut, Command::Copy, Command::Duplicate})
+        m_table.ask(command, [this, command] {
+            if (m_nodes.empty() || m_tool.isBusy())
+                return false;
+            constexpr int shownMs = 8000;
+            Selection between{{}, chosenSegments()};
+            for (const SegmentRef &segment : between.segments)
+                between.strokes.insert(segment.stroke);
+            if (between.isEmpty()) {
+                emit m_table.said(tr("A node alone has no paint: select the nodes at both ends of a segment, or take "
+                                     "the whole stroke with the Select tool."),
+                                  shownMs);
+                return true;
+            }
+            if (command == Command::Copy) { // The nodes stay selected.
+                if (const QString leftOut = clipboard::copy(m_editor, between); !leftOut.isEmpty())
+                    emit m_table.said(leftOut, shownMs);
+                return true;
+            }
+            m_editor.document().setSelection(std::move(between));
+            return false;
+        });
 }
 
 void NodeCommands::update()

@@ -43,6 +43,7 @@ signals:
     void chosen(const std::set<suffuse::NodeRef> &nodes);
 
 private:
+    void askBeforeCopying();
     void setKind(NodeKind kind);
     void insertBetween();
     void breakAtNodes();

@@ -1,10 +1,14 @@
 // Commands and keys of the Segments tool, and the brush that goes on with a stroke.
 #include "app/session/commands/commands.h"
+#include "app/session/files/clipboard.h"
+#include "model/formats/files.h"
 #include "tests/app/nodes.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
 
+#include <QClipboard>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -51,6 +55,112 @@ private slots:
         s.use(Command::BridgeSegments);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QCOMPARE(s.stroke().segments.size(), std::size_t(3));
+    }
+
+    /// A node stands for itself and not for its stroke.
+    void aNodeAloneIsNotCopied()
+    {
+        for (const Command command : {Command::Cut, Command::Copy, Command::Duplicate}) {
+            NodeSession s;
+            QGuiApplication::clipboard()->setText("before");
+            const Stroke before = s.stroke();
+            const int steps = s.steps();
+            s.click(nodeAt[2]);
+            s.use(command);
+            QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+            QVERIFY(s.stroke() == before);
+            QCOMPARE(s.steps(), steps);
+            QCOMPARE(s.tool().nodes(), s.nodes({2}));
+            QCOMPARE(QGuiApplication::clipboard()->text(), QString("before"));
+            const QString said = s.window.statusBar()->currentMessage();
+            QVERIFY2(said.contains("node alone"), qPrintable(said));
+        }
+    }
+
+    void segmentsBetweenNodesAreCutCopiedAndDoubled()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        const auto copied = [] {
+            return readTextForm(QGuiApplication::clipboard()->mimeData()->data(clipboard::strokesMime), {});
+        };
+        s.drag({280, 260}, {420, 380});
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2}));
+        s.use(Command::Copy);
+        QCOMPARE(copied()->strokes.size(), std::size_t(1));
+        QCOMPARE(copied()->strokes.front()->segments.size(), std::size_t(1));
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2}));
+        QVERIFY(s.stroke() == before);
+        s.use(Command::Duplicate);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.painting().strokes.back()->segments.size(), std::size_t(1));
+        s.use(Command::Undo);
+        s.editor().document().setSelection({{s.id}, {}});
+        s.drag({280, 260}, {420, 380});
+        QGuiApplication::clipboard()->setText("before");
+        s.use(Command::Cut);
+        QCOMPARE(copied()->strokes.front()->segments.size(), std::size_t(1));
+        QCOMPARE(chainsOf(s.stroke()), (std::vector<Chain>{{0, 0}, {1, 2}})); // as Delete Segments leaves it
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+    /// Where a closed outline begins and ends is one node.
+    void theSeamOfAClosedOutlineIsOneNode()
+    {
+        NodeSession s;
+        const StrokeId id = s.addSquare();
+        const Stroke before = s.stroke(id);
+        const auto cornerOf = [&](int k) { return nodePosition(s.stroke(id), k); };
+        const auto isClosedNow = [&] { return isClosed(s.stroke(id), chainsOf(s.stroke(id)).front()); };
+        s.drag({300, 400}, {280, 370});
+        QVERIFY(isClosedNow());
+        QVERIFY(length(cornerOf(0) - Point{280, 370}) < 1.5);
+        QCOMPARE(cornerOf(0), cornerOf(4));
+        QCOMPARE(cornerOf(1), nodePosition(before, 1));
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{id, 0}, {id, 4}}));
+        s.key(Qt::Key_Right); // by key, too
+        QVERIFY(isClosedNow() && cornerOf(0).x > 280);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke(id) == before);
+
+        // Shift+click takes it in and off as a whole.
+        s.click({300, 400});
+        s.click({500, 400}, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{id, 0}, {id, 1}, {id, 4}}));
+        s.click({300, 400}, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{id, 1}}));
+        // Tab goes around, and on to the same node but once.
+        s.click({300, 400});
+        std::vector<std::set<NodeRef>> way;
+        for (int i = 0; i < 4; ++i) {
+            s.key(Qt::Key_Tab);
+            way.push_back(s.tool().nodes());
+        }
+        QCOMPARE(way, (std::vector<std::set<NodeRef>>{{{id, 1}}, {{id, 2}}, {{id, 3}}, {{id, 0}, {id, 4}}}));
+
+        // Without it the outline goes on around, as without any other node.
+        s.use(Command::Delete);
+        QCOMPARE(s.stroke(id).segments.size(), std::size_t(3));
+        QVERIFY(isClosedNow());
+        std::set<std::pair<double, double>> corners;
+        for (int k = 0; k < 3; ++k)
+            corners.insert({cornerOf(k).x, cornerOf(k).y});
+        QCOMPARE(corners, (std::set<std::pair<double, double>>{{500, 400}, {500, 600}, {300, 600}}));
+        s.use(Command::Undo);
+        QVERIFY(s.stroke(id) == before);
+    }
+
+    void tabGoesOnFromASegment()
+    {
+        NodeSession s;
+        s.editor().document().setSelection({{s.id}, {{s.id, 2}}});
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({3}));
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}, {s.id, 2}}});
+        s.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
     }
 
     void commandsSetTheKind()
