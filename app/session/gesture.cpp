@@ -46,6 +46,11 @@ void Gesture::floatBy(const Affine &map, SpreadRule rule)
         m_state->floatBy(map, rule);
 }
 
+bool Gesture::isRefused() const
+{
+    return m_state && m_state->isRefused();
+}
+
 std::set<StrokeId> Gesture::strokes() const
 {
     return m_state ? m_state->strokes() : std::set<StrokeId>();

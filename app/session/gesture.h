@@ -56,6 +56,9 @@ public:
     void giveUp();
 
 private:
+    /// Strokes cannot be painted under the map that was shown last, so all of them are shown where they were. What
+    /// floats is put in the document before this is known.
+    bool isRefused() const;
     std::unique_ptr<GestureState> m_state; ///< null: not open
 };
 

@@ -5,6 +5,8 @@
 #include "undo/node_edits.h"
 #include "undo/text_edits.h"
 
+#include <unordered_map>
+
 namespace suffuse {
 
 namespace {
@@ -90,7 +92,17 @@ void GestureState::floatBy(const Affine &map, SpreadRule rule)
 
 void GestureState::showMapped()
 {
-    showEach([this](const Stroke &stroke) { return transformed(stroke, m_map, m_rule); }, &m_map);
+    std::unordered_map<StrokeId, Stroke> mapped;
+    m_isRefused = false;
+    for (const auto &[id, taken] : m_taken) { // All of them or none: what belongs together stays together.
+        std::optional<Stroke> result = tryTransformed(*taken.before, m_map, m_rule);
+        m_isRefused = !result;
+        if (m_isRefused)
+            break;
+        mapped.emplace(id, std::move(*result));
+    }
+    const Affine map = m_isRefused ? Affine() : m_map;
+    showEach([&](const Stroke &stroke) { return m_isRefused ? stroke : std::move(mapped.at(stroke.id)); }, &map);
 }
 
 std::set<StrokeId> GestureState::strokes() const

@@ -29,6 +29,7 @@ public:
     void showEach(const std::function<Stroke(const Stroke &)> &change, const Affine *map = nullptr);
     void floatBy(const Affine &map, SpreadRule rule);
     std::set<StrokeId> strokes() const;
+    bool isRefused() const { return m_isRefused; }
     const Stroke *before(StrokeId stroke) const;
     void rest();
     void commit();
@@ -68,7 +69,8 @@ private:
     SpreadRule m_rule = SpreadRule::Scales;
     Affine m_liftedAt; ///< the map under which the strokes were lifted
     bool m_maps = false;
-    bool m_afloat = false; ///< something is shown that the document does not have
+    bool m_isRefused = false; ///< the map that is shown
+    bool m_afloat = false;    ///< something is shown that the document does not have
 };
 
 } // namespace suffuse

@@ -255,7 +255,7 @@ void SelectTool::dragSelection(const PointerEvent &event)
         by = m_snap.move(by, view, m_canvas.devicePixelRatioF());
     }
     show(Affine::translation(by));
-    say(SelectHints::ofMove(by));
+    say(m_gesture.isRefused() ? TransformBar::refusal() : SelectHints::ofMove(by));
 }
 
 void SelectTool::dragHandle(const PointerEvent &event)
@@ -278,7 +278,8 @@ void SelectTool::dragHandle(const PointerEvent &event)
     if (map.inverse())
         show(map);
     const double angle = std::atan2(m_map.c, m_map.a);
-    say(m_handle->kind == Kind::Scale    ? SelectHints::ofScale(m_map)
+    say(m_gesture.isRefused()            ? TransformBar::refusal()
+        : m_handle->kind == Kind::Scale  ? SelectHints::ofScale(m_map)
         : m_handle->kind == Kind::Rotate ? SelectHints::ofTurn(angle)
                                          : SelectHints::ofSkew(m_map));
     if (m_handle->kind == Kind::Rotate)
@@ -299,13 +300,18 @@ void SelectTool::endDrag(bool cancelled)
     const bool centre = m_handle && m_handle->kind == Kind::Centre;
     const Point about = m_map(m_handles.centre());
     const bool ownCentre = length(m_handles.centre() - m_handles.box().centre()) > 1e-9 * m_handles.box().width();
+    if (!cancelled)
+        m_editor.settle(); // What floats is refused when it is put into the document.
+    const bool isRefused = !cancelled && m_gesture.isRefused();
     if (cancelled)
         m_gesture.giveUp();
     else
         m_gesture.commit();
+    if (isRefused)
+        emit m_commands.said(TransformBar::refusal(), 8000);
     m_stale = true;
     handles();
-    if (!cancelled && !centre && ownCentre)
+    if (!cancelled && !isRefused && !centre && ownCentre)
         m_handles.setCentre(about); // The centre stays where it was on the strokes.
     m_handle.reset();
     m_snap.clear();

@@ -170,6 +170,11 @@ Affine TransformBar::mapFor(Number number, double value) const
 void TransformBar::enter(Number number, double value, ValueEntry *entry)
 {
     m_editor.settle();
+QString TransformBar::refusal()
+{
+    return tr("Some of these strokes would become too small, too large or too far away to be painted.");
+}
+
     m_stale = true;
     refresh(); // The fields must show the box of this moment before a value is taken.
     if (m_box.isEmpty())
@@ -181,7 +186,7 @@ void TransformBar::enter(Number number, double value, ValueEntry *entry)
     const Affine map = mapFor(number, value);
     Edit edit = transformSelection(m_editor.document(), map, rule);
     if (edit.isEmpty() && !map.isIdentity())
-        showHint(number, tr("Some of these strokes would become too small, too large or too far away to be painted."));
+        showHint(number, refusal());
     m_editor.push(std::move(edit), name, entry);
     m_stale = true;
     refresh();

@@ -27,6 +27,9 @@ public:
     /// Shows the angle by which a drag turns the selection, in radians; no value where nothing is being turned.
     void showTurn(std::optional<double> angle);
 
+    /// What is said where strokes cannot become what they are to.
+    static QString refusal();
+
 protected:
     void showEvent(QShowEvent *event) override;
 

@@ -4,6 +4,7 @@
 #include "tests/app/selecting.h"
 
 #include <QSettings>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -64,6 +65,27 @@ private slots:
         s.use(Command::Undo);
         s.dragHandle({Kind::Scale, 1, 0}, {100, 31}, ctrl);
         QVERIFY(near(s.box(1).width(), 300) && near(s.box(1).height(), 150));
+    }
+
+    /// What cannot be painted any more is not done by halves, and not in silence.
+    void aRefusedDragSaysWhy()
+    {
+        for (const bool spreads : {true, false}) {
+            StrokePtr dense = line(1, {300, 300}, {500, 400});
+            Stroke changed = *dense;
+            for (Segment &segment : changed.segments)
+                segment.density = 8e11f;
+            Selecting s({std::make_shared<const Stroke>(changed), line(2, {320, 320}, {480, 380})});
+            s.canvas().fit();
+            const PaintingPtr before = s.editor().document().painting();
+            s.select({1, 2});
+            if (!spreads)
+                s.use(Command::ScaleSpread);
+            s.dragHandle({Kind::Scale, 1, 1}, {200, 100});
+            QCOMPARE(*s.editor().document().painting() == *before, spreads);
+            QCOMPARE(s.steps(), spreads ? 0 : 1);
+            QCOMPARE(s.window.statusBar()->currentMessage().contains("too small, too large or too far away"), spreads);
+        }
     }
 
     /// Through the opposite side and on: mirrored, across that side alone, also in proportion.
