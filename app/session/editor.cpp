@@ -101,9 +101,15 @@ void Editor::followDocument(const Change &change)
         m_clock.runFrom(latestBirth(painting, change.strokes));
 }
 
-Gesture Editor::begin(const QString &name)
+Gesture Editor::begin(const QString &name, GestureSteps *steps)
 {
-    return Gesture(m_gestures.begin(name));
+    return Gesture(m_gestures.begin(name, steps));
+}
+
+GestureSteps *Editor::stepsInHand(bool back) const
+{
+    GestureSteps *steps = m_gestures.open() ? m_gestures.open()->steps() : nullptr;
+    return steps && steps->canStep(back) ? steps : nullptr;
 }
 
 bool Editor::isStepping() const
@@ -169,17 +175,23 @@ QString Editor::undoText() const
 
 QString Editor::redoText() const
 {
+    if (stepsInHand(false))
+        return m_gestures.open()->name();
     return undecided() ? QString() : m_undoStack.redoText();
 }
 
 void Editor::undo()
 {
+    if (GestureSteps *steps = stepsInHand(true))
+        return steps->step(true);
     commit();
     m_undoStack.undo();
 }
 
 void Editor::redo()
 {
+    if (GestureSteps *steps = stepsInHand(false))
+        return steps->step(false);
     commit();
     m_undoStack.redo();
 }

@@ -59,7 +59,8 @@ public:
     /// step.
     void push(Edit edit, const QString &text, ValueEntry *entry = nullptr);
     /// Begins something that is not decided yet; `name` is its step's, translated. What was open is committed.
-    Gesture begin(const QString &name);
+    /// With `steps`, which must outlive it, undo and redo go through the changes within it first.
+    Gesture begin(const QString &name, GestureSteps *steps = nullptr);
     /// Whatever is open becomes a step.
     void commit() { m_gestures.commit(); }
     /// A gesture is open and in the hand: frames may be quick ones.
@@ -73,7 +74,7 @@ public:
 
     /// An open gesture is a step for these.
     bool canUndo() const { return undecided() || m_undoStack.canUndo(); }
-    bool canRedo() const { return !undecided() && m_undoStack.canRedo(); }
+    bool canRedo() const { return stepsInHand(false) || (!undecided() && m_undoStack.canRedo()); }
     QString undoText() const;
     QString redoText() const;
     void undo();
@@ -162,6 +163,8 @@ signals:
     void saved(const suffuse::SaveOutcome &outcome);
 
 private:
+    /// The open gesture's own changes, where they can be gone through; null: there are none.
+    GestureSteps *stepsInHand(bool back) const;
     Edit placed(Edit edit);
     void pushDone(Edit back, const QString &text);
     bool goesOn(const ValueEntry &entry) const;

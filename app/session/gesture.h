@@ -15,6 +15,16 @@ namespace suffuse {
 
 class GestureState;
 
+/// Changes that follow each other within one gesture, as in a window that stays open: undo and redo go through them
+/// before they come to the steps of the undo stack.
+class GestureSteps {
+public:
+    virtual ~GestureSteps() = default;
+    virtual bool canStep(bool back) const = 0;
+    /// Shows in the gesture what was shown one change before, or after.
+    virtual void step(bool back) = 0;
+};
+
 /// What is shown in a gesture is in the document, but in no step: `commit` makes one step of all of it, `giveUp` puts
 /// everything back, and so does a handle that is destroyed. So the steps that can be redone, and the one that is saved,
 /// stay what they are until the gesture is decided; one that comes back to its start leaves no trace at all.
@@ -46,6 +56,9 @@ public:
     /// only their picture moves, until the hand rests, the view or the moment changes, or somebody asks for the
     /// document.
     void floatBy(const Affine &map, SpreadRule rule);
+    /// Strokes cannot be painted under the map that was shown last, so all of them are shown where they were. What
+    /// floats is put in the document before this is known.
+    bool isRefused() const;
     std::set<StrokeId> strokes() const;
     /// A stroke as it was when it was taken, or null.
     const Stroke *before(StrokeId stroke) const;
@@ -56,9 +69,6 @@ public:
     void giveUp();
 
 private:
-    /// Strokes cannot be painted under the map that was shown last, so all of them are shown where they were. What
-    /// floats is put in the document before this is known.
-    bool isRefused() const;
     std::unique_ptr<GestureState> m_state; ///< null: not open
 };
 

@@ -21,9 +21,9 @@ GestureDesk::GestureDesk(Document &document, Host host) : m_document(document), 
     });
 }
 
-std::unique_ptr<GestureState> GestureDesk::begin(const QString &name)
+std::unique_ptr<GestureState> GestureDesk::begin(const QString &name, GestureSteps *steps)
 {
-    auto gesture = std::make_unique<GestureState>(*this, name);
+    auto gesture = std::make_unique<GestureState>(*this, name, steps);
     take(*gesture);
     m_rests = true; // until it shows something: no frame comes of a press alone, and none would tell that it rests
     return gesture;

@@ -10,6 +10,7 @@
 namespace suffuse {
 
 class GestureState;
+class GestureSteps;
 
 /// Exchanges what a gesture shows with the document, and decides it when somebody else needs the document: whatever is
 /// begun commits what is open; an exchange that comes from elsewhere, a step of the undo stack, has it given up before,
@@ -26,7 +27,7 @@ public:
 
     GestureDesk(Document &document, Host host);
 
-    std::unique_ptr<GestureState> begin(const QString &name);
+    std::unique_ptr<GestureState> begin(const QString &name, GestureSteps *steps = nullptr);
     const GestureState *open() const { return m_open; }
     /// The hand of what is open does not rest.
     bool isMoving() const { return m_open && !m_rests; }

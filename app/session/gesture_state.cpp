@@ -20,7 +20,9 @@ bool mapsPicture(const Affine &map, SpreadRule rule)
 
 } // namespace
 
-GestureState::GestureState(GestureDesk &desk, const QString &name) : m_desk(&desk), m_name(name) {}
+GestureState::GestureState(GestureDesk &desk, const QString &name, GestureSteps *steps)
+    : m_desk(&desk), m_name(name), m_steps(steps)
+{}
 
 void GestureState::show(Edit edit)
 {

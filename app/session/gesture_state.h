@@ -16,20 +16,21 @@
 namespace suffuse {
 
 class GestureDesk;
+class GestureSteps;
 
 /// Of a Gesture, which says what its functions do, and of the desk on which it lies while it is open. It may outlive
 /// the desk, and shows nothing then.
 class GestureState {
 public:
-    GestureState(GestureDesk &desk, const QString &name);
+    GestureState(GestureDesk &desk, const QString &name, GestureSteps *steps = nullptr);
 
     void show(Edit edit);
     void take(const std::set<StrokeId> &strokes);
     /// Where all of it is one map, texts follow it.
     void showEach(const std::function<Stroke(const Stroke &)> &change, const Affine *map = nullptr);
     void floatBy(const Affine &map, SpreadRule rule);
-    std::set<StrokeId> strokes() const;
     bool isRefused() const { return m_isRefused; }
+    std::set<StrokeId> strokes() const;
     const Stroke *before(StrokeId stroke) const;
     void rest();
     void commit();
@@ -37,6 +38,7 @@ public:
 
     // For the desk.
     const QString &name() const { return m_name; }
+    GestureSteps *steps() const { return m_steps; } ///< null: it has none
     /// The way back so far; null: nothing has been changed.
     const Edit *back() const { return m_back ? &*m_back : nullptr; }
     /// Puts what floats into the document.
@@ -62,6 +64,7 @@ private:
 
     QPointer<GestureDesk> m_desk;
     QString m_name;
+    GestureSteps *m_steps = nullptr;
     std::optional<Edit> m_back;
     std::map<StrokeId, Taken> m_taken;
     std::map<GroupId, Text> m_texts; ///< of which all strokes are taken, as they were

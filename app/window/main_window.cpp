@@ -24,6 +24,7 @@
 #include "app/window/files/pasting.h"
 #include "app/window/free_hand.h"
 #include "app/window/layout/docks.h"
+#include "app/window/layout/side_windows.h"
 #include "app/window/layout/status_line.h"
 #include "app/window/layout/tool_rack.h"
 #include "app/window/layout/window_layout.h"
@@ -155,6 +156,7 @@ void MainWindow::makeParts(const Workplace &place)
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
     new AtPointer(place, m_parts);
+    new SideWindows(place, m_parts);
 }
 
 void MainWindow::addRows()

@@ -272,10 +272,25 @@ void AlongDialog::showFields()
 
 void AlongDialog::set(const CurveAlong &curve)
 {
+    if (m_finished)
+        return;
+    note();
     m_set[m_quantity] = curve;
     m_axis = curve.axis;
     showQuantity();
-    apply();
+    m_set[m_quantity] = shown();
+    showValues();
+}
+
+/// Before something is changed: that is stepped back to. A drag is one change.
+void AlongDialog::note()
+{
+    if (m_curve->isDragging() && m_beforeDrag)
+        return;
+    m_past.emplace_back(m_quantity, m_set);
+    m_future.clear();
+    if (m_curve->isDragging())
+        m_beforeDrag = m_set;
 }
 
 void AlongDialog::setEnd(std::size_t knot, double value)
@@ -298,20 +313,38 @@ void AlongDialog::apply()
 {
     if (m_finished)
         return; // The strokes have gone while a drag went on.
-    if (m_curve->isDragging() && !m_beforeDrag)
-        m_beforeDrag = m_set;
+    note();
     m_set[m_quantity] = shown();
     showValues();
 }
 
 void AlongDialog::giveUpDrag()
 {
-    if (!m_finished && m_beforeDrag)
+    if (!m_finished && m_beforeDrag) {
         m_set = *m_beforeDrag;
+        m_past.pop_back();
+    }
     m_beforeDrag.reset();
     showFields();
     if (!m_finished)
         showValues();
+}
+
+void AlongDialog::step(bool back)
+{
+    if (m_curve->isDragging() && back) { // as by its own key
+        m_curve->dropDrag();
+        giveUpDrag();
+        showQuantity();
+        return;
+    }
+    auto &from = back ? m_past : m_future, &to = back ? m_future : m_past;
+    const Quantity quantity = from.back().first; // that was changed
+    to.emplace_back(quantity, std::move(m_set));
+    m_set = std::move(from.back().second);
+    from.pop_back();
+    showValues();
+    choose(quantity);
 }
 
 /// Shows what was set so far.
@@ -322,7 +355,7 @@ void AlongDialog::showValues()
         values[quantity] = [&set = set](double place, double old) { return set.valueAt(place, old); };
     const QScopedValueRollback applying(m_applying, true);
     if (!m_gesture.isOpen())
-        m_gesture = m_editor.begin(tr("Change along the stroke"));
+        m_gesture = m_editor.begin(tr("Change along the stroke"), this);
     m_gesture.show(setAlong(m_editor.document(), runsToSet(), values));
     if (!m_curve->isDragging())
         m_gesture.rest();
@@ -362,14 +395,19 @@ void AlongDialog::documentChanged(const Change &change)
         return;
     const bool ours =
         std::any_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_runs.contains(id); });
-    if (change.reset || ours) {
+    const Painting &painting = *m_editor.unsettled().painting();
+    const bool isGone =
+        std::any_of(m_runs.begin(), m_runs.end(), [&](const auto &run) { return !painting.find(run.first); });
+    if (change.reset || isGone) {
         m_finished = true;
         accept();
         return;
     }
-    for (const StrokeId id : change.strokes)
-        m_earlier.erase(id); // What was done to it elsewhere goes on from what was done here.
-    if (change.selection)
+    for (const StrokeId id : change.strokes) { // What was done to it elsewhere goes on from what was done here.
+        m_earlier.erase(id);
+        m_runs.erase(id);
+    }
+    if (change.selection || ours)
         follow();
 }
 
@@ -384,6 +422,8 @@ void AlongDialog::follow()
     m_curve->dropDrag();
     m_beforeDrag.reset();
     m_set.clear();
+    m_past.clear();
+    m_future.clear();
     m_refined.reset();
     m_runs = runsOf(m_editor.document());
     showSubject();

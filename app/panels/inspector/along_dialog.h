@@ -6,6 +6,8 @@
 #include <QDialog>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 class QButtonGroup;
 class QComboBox;
@@ -20,9 +22,10 @@ class NumberField;
 
 /// The dialog "Along the Stroke". It sets quantities over the arc length of the runs of segments that are selected, and
 /// names their stroke in its title. All that is done in it shows at once and is one undo step; Cancel takes it back.
-/// Where something else is selected it goes on with that, and OK and Cancel decide what was done before, too. When
-/// something else changes the strokes that it is about, it closes by itself and keeps what was done.
-class AlongDialog : public QDialog {
+/// Undo and redo go through the changes of one curve first. Where something else is selected it goes on with that, and
+/// OK and Cancel decide what was done before, too. Where something else changes the strokes that it is about, it goes
+/// on from there; where one of them goes, it closes by itself and keeps what was done.
+class AlongDialog : public QDialog, private GestureSteps {
     Q_OBJECT
 
 public:
@@ -45,6 +48,10 @@ public:
     void reject() override;
 
 private:
+    using CurvesSet = std::map<Quantity, CurveAlong>;
+
+    bool canStep(bool back) const override { return !(back ? m_past : m_future).empty(); }
+    void step(bool back) override;
     void addChoice();
     void addFields();
     void showQuantity();
@@ -58,6 +65,7 @@ private:
     void set(const CurveAlong &curve);
     void scaleBy(double amount);
     void setEnd(std::size_t knot, double value);
+    void note();
     void apply();
     void showValues();
     void giveUpDrag();
@@ -73,9 +81,11 @@ private:
     Gesture m_gesture;                   ///< open from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
     ValueAxis m_axis;
-    std::optional<PlaceCurve> m_from;     ///< belongs to the curve that is shown, as in CurveAlong
-    std::map<Quantity, CurveAlong> m_set; ///< the curves that were set in this dialog
-    std::optional<std::map<Quantity, CurveAlong>> m_beforeDrag; ///< what was set when the drag of the curve began
+    std::optional<PlaceCurve> m_from;      ///< belongs to the curve that is shown, as in CurveAlong
+    CurvesSet m_set;                       ///< the curves that were set in this dialog
+    std::optional<CurvesSet> m_beforeDrag; ///< what was set when the drag of the curve began
+    /// What was set before and after each change, with the quantity that was shown. The last is the next to step to.
+    std::vector<std::pair<Quantity, CurvesSet>> m_past, m_future;
     bool m_applying = false;
     bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 

@@ -356,7 +356,9 @@ void KeyboardFocus::takeTypedBefore(const QObject &watched, QEvent::Type type)
                       type == QEvent::Shortcut;
     auto *field = does ? qobject_cast<EntryField *>(QApplication::focusWidget()) : nullptr;
     const auto *widget = qobject_cast<const QWidget *>(&watched);
-    if (!field || &watched == field || !panelOf(field) || (!widget && type != QEvent::Shortcut))
+    // Windows that stay open beside the main one have some of its shortcuts.
+    if (!field || &watched == field || (!panelOf(field) && type != QEvent::Shortcut) ||
+        (!widget && type != QEvent::Shortcut))
         return;
     if (type == QEvent::Shortcut || !widget->isAncestorOf(field))
         field->takeTyped();

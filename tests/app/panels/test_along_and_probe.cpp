@@ -5,6 +5,7 @@
 #include "app/widgets/curves/age_plot.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/formats/files.h"
 #include "model/painting/validate.h"
 #include "render/probe.h"
 #include "tests/app/panel_bench.h"
@@ -179,7 +180,10 @@ private slots:
         dialog->choose(AlongDialog::Ramp);
         dragCurve(*dialog->curve(), {1, 0.2}, {1, 0.8});
         QVERIFY(bench.stroke(2).segments.size() > 4);
-        bench.editor.undo();
+        for (int change = 0; change < 4; ++change) {
+            QVERIFY(bench.stroke(2) != *makeStroke(2, 4, 20));
+            bench.editor.undo();
+        }
         QCOMPARE(bench.stroke(2), *makeStroke(2, 4, 20));
         QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
     }
@@ -398,6 +402,109 @@ private slots:
         QVERIFY(*bench.editor.document().painting() == *before);
     }
 
+    /// Undo takes back the last change of the curve, and not all that was done in the window.
+    void undoGoesThroughTheChangesOfTheCurve()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 3});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9});
+        const PaintingPtr first = bench.editor.document().painting();
+        const std::vector<double> knots = dialog->curve()->curve().knots;
+        dialog->choose(Quantity::Red);
+        type(*dialog->start(), "40");
+        const PaintingPtr second = bench.editor.document().painting();
+        QVERIFY(!(*second == *first));
+        bench.editor.undo();
+        QVERIFY(*bench.editor.document().painting() == *first);
+        QVERIFY(dialog && dialog->isVisible());
+        bench.editor.undo();
+        QVERIFY(*bench.editor.document().painting() == *before);
+        QCOMPARE(bench.steps(), 0);
+        QVERIFY(bench.editor.canRedo());
+        bench.editor.redo();
+        QVERIFY(*bench.editor.document().painting() == *first);
+        QCOMPARE(dialog->curve()->curve().knots, knots); // of the quantity that was changed
+        bench.editor.redo();
+        QVERIFY(*bench.editor.document().painting() == *second);
+        QVERIFY(!bench.editor.canRedo());
+        bench.editor.undo();
+        dialog->accept();
+        QCOMPARE(bench.steps(), 1);
+        QVERIFY(*bench.editor.document().painting() == *first);
+    }
+
+    /// What else changes the strokes leaves the window open, which goes on from there.
+    void stepsBeforeItLeaveItOpen()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const PaintingPtr before = bench.editor.document().painting();
+        bench.editor.push(changeStrokes(bench.editor.document(), {1},
+                                        [](Stroke &s) {
+                                            for (Segment &segment : s.segments)
+                                                segment.density = 5;
+                                        }),
+                          "density");
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        QVERIFY(std::abs(dialog->start()->value().value() - 5) < 1e-6);
+        bench.editor.undo();
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(std::abs(dialog->start()->value().value() - 9) < 1e-6);
+        QVERIFY(*bench.editor.document().painting() == *before);
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "7");
+        bench.editor.commit(); // as saving does
+        bench.editor.undo();
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(*bench.editor.document().painting() == *before);
+        QVERIFY(std::abs(dialog->start()->value().value() - 9) < 1e-6);
+        dialog->reject();
+        QVERIFY(*bench.editor.document().painting() == *before);
+    }
+
+    void commandsWorkInWindowsThatStayOpen()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        const PaintingPtr before = s.editor().document().painting();
+        s.use(Command::Select);
+        s.editor().document().setSelection({{s.painting().strokes.front()->id}, {}});
+        auto *panel = s.window.findChild<InspectorPanel *>();
+        s.use(Command::AlongStrokes);
+        QPointer<AlongDialog> dialog = panel->along();
+        QVERIFY(QTest::qWaitForWindowActive(dialog));
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9});
+        const PaintingPtr changed = s.editor().document().painting();
+        QVERIFY(!(*changed == *before));
+        QTest::keyClick(dialog->curve(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(*s.editor().document().painting() == *before);
+        QTest::keyClick(dialog->curve(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(*s.editor().document().painting() == *changed);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("a.suffuse");
+        QVERIFY(s.window.saveTo(file));
+        type(*dialog->start(), "3");
+        dialog->start()->selectAll();
+        QTest::keyClicks(dialog->start(), "4"); // Return is not needed before it is saved.
+        QTest::keyClick(dialog->start(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QVERIFY(hashOf(*loadPainting(file)) == hashOf(s.painting()));
+        QVERIFY(!s.editor().isModified());
+        QCOMPARE(s.painting().strokes.front()->segments[0].density, 4.0f);
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->reject();
+    }
+
     void strokesGoUnderAnOpenCurveEditor()
     {
         for (const bool undo : {false, true}) {
@@ -413,15 +520,18 @@ private slots:
                 bench.editor.undo();
             else
                 bench.editor.push(deleteSelection(bench.editor.document()), "delete");
-            QVERIFY(!dialog || !dialog->isVisible());
+            QCOMPARE(dialog && dialog->isVisible(), undo); // it goes with its stroke
             const PaintingPtr after = bench.editor.document().painting();
             if (dialog)
                 QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({0.5, 0.1}).toPoint());
-            QTRY_VERIFY(!dialog);
-            if (undo)
+            QCOMPARE(bench.editor.document().painting(), after);
+            if (undo) {
                 QCOMPARE(bench.stroke(1).segments[0].density, 9.0f);
-            else
+                dialog->reject();
+            } else {
                 QVERIFY(!bench.editor.document().painting()->find(1));
+            }
+            QTRY_VERIFY(!dialog);
         }
     }
 
