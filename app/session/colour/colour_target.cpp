@@ -43,6 +43,8 @@ void ColourTarget::choose(Kind kind)
 void ColourTarget::useTool(ToolUse use)
 {
     m_isToolPainting = use == ToolUse::Paints;
+    if (use == ToolUse::PaintsOver)
+        use = ToolUse::Paints;
     if (use == ToolUse::Either || use == m_use)
         return;
     m_use = use;

@@ -25,8 +25,9 @@ public:
     /// What happens to a selection of several colours: all become the one that is picked, or all shift as the shown one
     /// does.
     enum class Mode { Set, Shift };
-    /// What a tool is about, as far as colours go. `Either`: it goes on with what the tool before it was about.
-    enum class ToolUse { Paints, Refines, Either };
+    /// What a tool is about, as far as colours go. `PaintsOver`: it paints with the brush's colour, and with nothing
+    /// else of the brush. `Either`: it goes on with what the tool before it was about.
+    enum class ToolUse { Paints, PaintsOver, Refines, Either };
 
     explicit ColourTarget(Editor &editor);
 
@@ -36,7 +37,7 @@ public:
     /// Brush or Selection, as the user chooses; holds until a tool of another use is taken.
     void choose(Kind kind);
     void useTool(ToolUse use);
-    /// The tool in use paints by itself. What was in use before `Either` does not count.
+    /// The tool in use paints by itself, with the brush. What was in use before `Either` does not count.
     bool isToolPainting() const { return m_isToolPainting; }
     /// From now on this swatch is meant, until something else is chosen or selected, or it is gone.
     void editSwatch(std::size_t index);

@@ -22,7 +22,7 @@ public:
     explicit AttributeBrushTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
-    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Paints; }
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::PaintsOver; }
     QWidget *options() override;
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;

@@ -365,10 +365,12 @@ private slots:
             QCOMPARE(s.editor().brush().name, QString("glow"));
             QVERIFY(s.window.action(tool).isChecked());
         }
-        // What only looks on between two tools does not paint.
-        s.use(Command::Eyedropper);
-        s.use(Command::Favourite1);
-        QVERIFY(s.window.action(Command::Brush).isChecked());
+        // What only looks on between two tools does not paint, and what paints values has no use for a brush.
+        for (const Command tool : {Command::Eyedropper, Command::AttributeBrush}) {
+            s.use(tool);
+            s.use(Command::Favourite1);
+            QVERIFY(s.window.action(Command::Brush).isChecked());
+        }
     }
 
 private:
