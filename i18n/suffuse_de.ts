@@ -3124,6 +3124,10 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
         <source>The colour of the brush. Click: take it.</source>
         <translation>Die Farbe des Pinsels. Klick: diese nehmen.</translation>
     </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourTarget</name>

@@ -3112,6 +3112,10 @@ Shift: all change as the shown one does, and keep their differences.</source>
         <source>The colour of the brush. Click: take it.</source>
         <translation>画笔的颜色。点击：使用它。</translation>
     </message>
+    <message>
+        <source>several</source>
+        <translation>多种</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourTarget</name>

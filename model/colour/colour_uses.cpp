@@ -264,9 +264,19 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
         return std::tuple(!(coloured && isGrey(colour)), count.segments, std::size_t(-1) - count.first);
     };
     summary.strokes = parts.size();
-    summary.usual = std::ranges::max_element(counts, {}, rank)->first;
-    for (const auto &[colour, count] : counts)
-        summary.several = summary.several || !samePaint(colour, summary.usual);
+    const Colour usual = summary.usual = std::ranges::max_element(counts, {}, rank)->first;
+    std::size_t most = 0;
+    for (const auto &[colour, count] : counts) {
+        const std::array<bool, 4> differ{colour.red != usual.red, colour.yellow != usual.yellow,
+                                         colour.blue != usual.blue, colour.opacity != usual.opacity};
+        for (std::size_t i = 0; i < differ.size(); ++i)
+            summary.differ[i] = summary.differ[i] || differ[i];
+        if (samePaint(colour, usual) || count.segments <= most)
+            continue;
+        most = count.segments;
+        summary.other = colour;
+        summary.several = true;
+    }
     return summary;
 }
 

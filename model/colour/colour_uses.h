@@ -4,12 +4,14 @@
 #include "model/painting/painting.h"
 #include "model/painting/selection.h"
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace suffuse {
 
-/// The one colour by which a stroke is shown in lists: that of the segment in its middle or, where it is its fill alone,
-/// that of the fill.
+/// The one colour by which a stroke is shown in lists: that of the segment in its middle or, where it is its fill
+/// alone, that of the fill.
 Colour shownColourOf(const Stroke &stroke);
 
 /// A stroke as it was at some moment, and which of its colours are meant.
@@ -51,6 +53,8 @@ struct ColourSummary {
     Colour usual;         ///< that most segments have, opacity included; of several, the first. A fill counts as many
                           ///< times as its stroke has segments
     bool several = false; ///< they differ in red, yellow or blue
+    std::optional<Colour> other;  ///< of several, the one that most segments have but for the usual one
+    std::array<bool, 4> differ{}; ///< whether they do in red, in yellow, in blue, in opacity
     std::size_t strokes = 0;
     std::size_t segments = 0; ///< that lay paint or, if none does, that bound fills
     bool onlyFills = false;   ///< whether nothing but fills has a colour

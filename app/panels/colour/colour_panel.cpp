@@ -92,7 +92,8 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     // A drag is about what was selected at the press. It ends when all know what is selected now.
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.selection)
-            QMetaObject::invokeMethod(this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
     });
     showRecent();
     refresh();
@@ -154,13 +155,28 @@ void ColourPanel::addSliders(QVBoxLayout &column)
     m_screenRows = new ScreenColourRows(this);
     column.addWidget(m_rows);
     column.addWidget(m_screenRows);
-    connect(m_rows, &ColourRows::edited, this, [&target](int channel, double value, ValueEntry *entry) {
+    connect(m_rows, &ColourRows::edited, this, [this, &target](int channel, double value, ValueEntry *entry) {
         if (channel == ColourRows::Opacity)
             return target.setOpacity(float(value), entry);
+        if (showsNone()) { // Of several colours one channel is set, and they differ in the others as before.
+            const auto withChannel = [=](Colour each) {
+                ColourRows::channelOf(each, channel) = float(value);
+                return each;
+            };
+            return target.changeEach(withChannel, entry);
+        }
         Colour colour = target.colour();
         ColourRows::channelOf(colour, channel) = float(value);
         target.setPaint(colour, entry);
     });
+    connect(m_rows, &ColourRows::editedRelative, this, [&target](int channel, const ValueMap &map) {
+        target.changeEach([channel, &map](Colour each) {
+            float &value = ColourRows::channelOf(each, channel);
+            value = float(map(value).value_or(value));
+            return each;
+        });
+    });
+    connect(m_screenRows, &ScreenColourRows::eachEdited, &target, &ColourTarget::changeEach);
     connect(m_screenRows, &ScreenColourRows::paintEdited, &target, &ColourTarget::setPaint);
     connect(m_screenRows, &ScreenColourRows::opacityEdited, &target,
             [&target](double value, ValueEntry *entry) { target.setOpacity(float(value), entry); });
@@ -212,17 +228,39 @@ void ColourPanel::refresh()
     const ColourTarget &target = m_editor.colourTarget();
     const Colour colour = target.colour();
     const bool ofBrush = target.kind() == ColourTarget::Kind::Brush;
+    const ColourSummary summary = target.kind() == ColourTarget::Kind::Selection ? target.selected() : ColourSummary();
+    const bool isOneOfSeveral = showsNone();
+    const auto differs = [&](std::size_t channel) { // The opacity is set for itself, whatever the mode.
+        return summary.differ[channel] && (channel == ColourRows::Opacity || isOneOfSeveral);
+    };
     m_hint->showHint({}); // Whatever was refused, this is the colour now.
-    m_wheel->setColour(colour);
+    m_wheel->setColour(colour, isOneOfSeveral);
     m_rows->setColour(colour);
+    m_rows->setOneOfSeveral({differs(0), differs(1), differs(2), differs(ColourRows::Opacity)});
     m_screenRows->setColour(colour);
+    m_screenRows->setOneOfSeveral(isOneOfSeveral, differs(ColourRows::Opacity));
     m_current->setColour(colour);
+    m_current->setOther(summary.other);
     m_current->setToolTip(ofBrush ? tr("The colour that is painted with") : m_header->text());
     m_previous->setColour(beside());
     m_previous->setAccessibleName(ofBrush ? tr("Previous colour") : tr("Colour of the brush"));
     m_previous->setToolTip(ofBrush ? tr("The colour painted with last. Click: back to it.")
                                    : tr("The colour of the brush. Click: take it."));
-    m_hex->showText(hexOf(colour));
+    showHex();
+}
+
+/// Where several colours are selected and all are to become one, none of them is shown as if all had it. To shift them
+/// the one is needed from which they are shifted.
+bool ColourPanel::showsNone() const
+{
+    const ColourTarget &target = m_editor.colourTarget();
+    return target.isOneOfSeveral() && target.mode() == ColourTarget::Mode::Set;
+}
+
+void ColourPanel::showHex()
+{
+    m_hex->setPlaceholderText(showsNone() ? tr("several") : QString());
+    m_hex->showText(showsNone() ? QString() : hexOf(m_editor.colourTarget().colour()));
 }
 
 void ColourPanel::takeHex(const QString &text)
@@ -233,7 +271,7 @@ void ColourPanel::takeHex(const QString &text)
     } else {
         m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
     }
-    m_hex->showText(hexOf(m_editor.colourTarget().colour()));
+    showHex();
 }
 
 void ColourPanel::rememberUsed()

@@ -58,6 +58,8 @@ private:
     void addSliders(QVBoxLayout &column);
     void chooseSliders(int index);
     void refresh();
+    bool showsNone() const;
+    void showHex();
     void takeHex(const QString &text);
     Colour beside() const;
     void rememberUsed();

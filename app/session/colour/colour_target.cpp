@@ -212,6 +212,12 @@ void ColourTarget::setOpacity(float opacity, ValueEntry *entry)
         colourSelection(thinned, tr("Change opacity"), entry);
 }
 
+void ColourTarget::changeEach(const std::function<Colour(const Colour &)> &map, ValueEntry *entry)
+{
+    if (kind() == Kind::Selection)
+        colourSelection(map, tr("Change colour"), entry);
+}
+
 void ColourTarget::take(const Colour &colour)
 {
     if (kind() == Kind::Brush && colour.opacity != 1)

@@ -53,6 +53,8 @@ public:
     Colour colour() const;
     /// Only while the kind is Selection.
     const ColourSummary &selected() const { return *m_selected; }
+    /// The shown colour is one of several that are selected.
+    bool isOneOfSeveral() const { return kind() == Kind::Selection && m_selected->several; }
 
     /// Whose colour it is, for people: "Colour of the brush", "Colours of 3 strokes".
     QString title() const;
@@ -61,6 +63,8 @@ public:
     /// were there then.
     void setPaint(const Colour &colour, ValueEntry *entry = nullptr);
     void setOpacity(float opacity, ValueEntry *entry = nullptr);
+    /// Of what is selected, each colour becomes what the map makes of it. A drag with one entry is one step.
+    void changeEach(const std::function<Colour(const Colour &)> &map, ValueEntry *entry = nullptr);
     /// As if the colour was taken out of a palette: an opaque one says nothing of how thin the brush paints, and of a
     /// selection the opacity stays in any case.
     void take(const Colour &colour);

@@ -9,9 +9,11 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/brush/brush_grid.h"
 #include "app/widgets/colour/colour_chips.h"
+#include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/colour/colour_swatch.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/colour/colour_shift.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -141,6 +143,10 @@ QWidget *BrushPalette::makeNumbers()
     connect(m_size, &SliderField::edited, this,
             [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
+    connect(m_opacity, &SliderField::editedRelative, this, [this](const ValueMap &map) {
+        m_editor.colourTarget().changeEach(
+            [&map](const Colour &each) { return withOpacity(each, float(map(each.opacity).value_or(each.opacity))); });
+    });
     connect(m_opacity, &SliderField::edited, &m_editor.colourTarget(),
             [this](double opacity, ValueEntry *entry) { m_editor.colourTarget().setOpacity(float(opacity), entry); });
     connect(m_zoom, &SliderField::edited, this, [this](double scale) { m_canvas.setZoom(scale); });
@@ -202,7 +208,10 @@ void BrushPalette::refresh()
     const Brush &brush = m_editor.brush();
     m_grid->showInHand(brush);
     const Colour colour = m_editor.colourTarget().colour();
+    const ColourTarget &target = m_editor.colourTarget();
+    const ColourSummary summary = target.kind() == ColourTarget::Kind::Selection ? target.selected() : ColourSummary();
     m_colour->setColour(colour);
+    m_colour->setOther(summary.other);
     m_colour->setToolTip(m_editor.colourTarget().title());
     m_whose->setText(m_editor.colourTarget().title());
     m_whose->setToolTip(m_editor.colourTarget().title());
@@ -211,6 +220,7 @@ void BrushPalette::refresh()
     m_size->setValue(brush.spread());
     m_flow->setValue(double(brush.peak));
     m_opacity->setValue(double(colour.opacity));
+    m_opacity->setOneOfSeveral(summary.differ[ColourRows::Opacity]);
 }
 
 } // namespace suffuse

@@ -55,6 +55,13 @@ void ColourRows::setColour(const Colour &colour)
     setColour({colour.red, colour.yellow, colour.blue, colour.opacity}, colour);
 }
 
+void ColourRows::setOneOfSeveral(const std::array<bool, 4> &channels)
+{
+    for (std::size_t channel = 0; channel < channels.size(); ++channel)
+        if (m_rows[channel])
+            m_rows[channel]->setOneOfSeveral(channels[channel]);
+}
+
 float &ColourRows::channelOf(Colour &colour, int channel)
 {
     switch (channel) {

@@ -20,6 +20,8 @@ public:
     /// Mixed channels are nullopt. `shown` is the colour from which the gradients start.
     void setColour(const std::array<std::optional<double>, 4> &channels, const Colour &shown);
     void setColour(const Colour &colour);
+    /// In these channels the colour is one of several that differ (SliderField::setOneOfSeveral).
+    void setOneOfSeveral(const std::array<bool, 4> &channels);
 
     static float &channelOf(Colour &colour, int channel);
     static float channelOf(const Colour &colour, int channel);

@@ -42,6 +42,12 @@ void ColourSwatch::setColour(std::optional<Colour> colour)
 }
 
 void ColourSwatch::setSide(int pixels)
+void ColourSwatch::setOther(std::optional<Colour> other)
+{
+    m_other = other;
+    update();
+}
+
 {
     m_side = pixels;
     updateGeometry();
@@ -84,6 +90,11 @@ void ColourSwatch::paintEvent(QPaintEvent *)
         paintColour(painter, shape, *m_colour);
     } else {
         painter.setPen(palette().color(QPalette::Text));
+        if (m_other) {
+            QPainterPath half;
+            half.addPolygon(QPolygonF({area.topRight(), area.bottomRight(), area.bottomLeft()}));
+            painter.fillPath(shape.intersected(half), toOpaqueScreen(*m_other));
+        }
         painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("—"));
     }
     const bool marked = hasFocus() || isDown();

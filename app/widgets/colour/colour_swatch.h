@@ -22,6 +22,9 @@ public:
     explicit ColourSwatch(QWidget *parent = nullptr);
 
     void setColour(std::optional<Colour> colour);
+    /// A second one, which has the lower right half: the first is one of several.
+    void setOther(std::optional<Colour> other);
+    const std::optional<Colour> &other() const { return m_other; }
     const std::optional<Colour> &colour() const { return m_colour; }
     void setSide(int pixels);
 
@@ -34,6 +37,7 @@ protected:
 
 private:
     std::optional<Colour> m_colour;
+    std::optional<Colour> m_other;
     int m_side = 24;
     QPoint m_pressed;
 };

@@ -59,10 +59,11 @@ QSize ColourWheel::minimumSizeHint() const
     return {120, 120};
 }
 
-void ColourWheel::setColour(const Colour &colour)
+void ColourWheel::setColour(const Colour &colour, bool isOneOfSeveral)
 {
     if (m_part != Part::None)
         return; // The wheel itself is being dragged.
+    m_isOneOfSeveral = isOneOfSeveral;
     m_shares = toShares(colour, m_shares.hue);
     m_opacity = colour.opacity;
     update();
@@ -222,6 +223,10 @@ void ColourWheel::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     paintRing(painter);
     paintTriangle(painter);
+    if (hasFocus())
+        paintFocus(painter);
+    if (m_isOneOfSeveral && m_part == Part::None)
+        return;
     const double radius = 0.5 * (outerRadius() - innerRadius());
     paintMarker(painter, ringPoint(m_shares.hue), toOpaqueScreen(pureHue(m_shares.hue)), radius - 2, hasFocus());
     paintMarker(painter, trianglePoint(m_shares.chroma, m_shares.black), toOpaqueScreen(colour()), 5.5, hasFocus());

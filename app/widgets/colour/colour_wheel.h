@@ -17,8 +17,9 @@ class ColourWheel : public QWidget {
 public:
     explicit ColourWheel(QWidget *parent = nullptr);
 
-    /// Shows a colour, and emits nothing. For a grey the ring keeps its hue. The opacity is kept for `colour()`.
-    void setColour(const Colour &colour);
+    /// Shows a colour, and emits nothing. For a grey the ring keeps its hue. The opacity is kept for `colour()`. One of
+    /// several has no marks: keys go on from it, and what is picked is that of all.
+    void setColour(const Colour &colour, bool isOneOfSeveral = false);
     Colour colour() const { return fromShares(m_shares, m_opacity); }
 
     /// Where a hue lies on the ring, and a mixture in the triangle, in pixels of the widget.
@@ -59,6 +60,7 @@ private:
     HueShares m_shares{0, 1, 0};
     float m_opacity = 1;
     Part m_part = Part::None;
+    bool m_isOneOfSeveral = false;
     HueShares m_pressed; ///< what was shown when the drag began
     ValueEntry m_entry;
     QElapsedTimer m_sinceStep;

@@ -75,6 +75,8 @@ ScreenColourRows::ScreenColourRows(QWidget *parent) : QWidget(parent)
         auto *field = new SliderField(row == Opacity ? specOf(Quantity::Opacity) : screenSpec(row), *grid, row, this);
         m_rows[std::size_t(row)] = field;
         connect(field, &SliderField::refused, this, &ScreenColourRows::refused);
+        connect(field, &SliderField::editedRelative, this,
+                [this, row](const ValueMap &map) { changeEach(row, map, nullptr); });
         if (row == Opacity)
             connect(field, &SliderField::edited, this, &ScreenColourRows::opacityEdited);
         else
@@ -93,24 +95,49 @@ void ScreenColourRows::setModel(Model model)
 
 void ScreenColourRows::setColour(const Colour &colour)
 {
-    if (!samePaint(colour, m_colour)) { // else the rows have it more exactly than it can be computed back
-        const std::array<double, 3> rgb = srgbFromRyb(colour);
-        for (std::size_t i = 0; i < 3; ++i)
-            m_channels[std::size_t(firstOfRgb) + i] = std::clamp(rgb[i], 0.0, 1.0);
-        const auto [low, high] = std::ranges::minmax(rgb);
-        m_channels[Value] = high;
-        if (high > leastShare)
-            m_channels[Saturation] = (high - low) / high;
-        if (high - low > leastShare) {
-            const double chroma = high - low;
-            const double sixths = high == rgb[0]   ? (rgb[1] - rgb[2]) / chroma
-                                  : high == rgb[1] ? 2 + (rgb[2] - rgb[0]) / chroma
-                                                   : 4 + (rgb[0] - rgb[1]) / chroma;
-            m_channels[Hue] = sixths / 6 - std::floor(sixths / 6);
-        }
-    }
+    if (!samePaint(colour, m_colour)) // else the rows have it more exactly than it can be computed back
+        m_channels = channelsOf(colour, m_channels);
     m_colour = colour;
     showChannels();
+}
+
+void ScreenColourRows::setOneOfSeveral(bool paint, bool opacity)
+{
+    m_isOneOfSeveral = paint;
+    for (int row = 0; row <= Opacity; ++row)
+        m_rows[std::size_t(row)]->setOneOfSeveral(row == Opacity ? opacity : paint);
+}
+
+/// A grey has the hue from before, and black the saturation, too.
+ScreenColourRows::Channels ScreenColourRows::channelsOf(const Colour &colour, Channels before)
+{
+    const std::array<double, 3> rgb = srgbFromRyb(colour);
+    for (std::size_t i = 0; i < 3; ++i)
+        before[std::size_t(firstOfRgb) + i] = std::clamp(rgb[i], 0.0, 1.0);
+    const auto [low, high] = std::ranges::minmax(rgb);
+    before[Value] = high;
+    if (high > leastShare)
+        before[Saturation] = (high - low) / high;
+    if (high - low > leastShare) {
+        const double chroma = high - low;
+        const double sixths = high == rgb[0]   ? (rgb[1] - rgb[2]) / chroma
+                              : high == rgb[1] ? 2 + (rgb[2] - rgb[0]) / chroma
+                                               : 4 + (rgb[0] - rgb[1]) / chroma;
+        before[Hue] = sixths / 6 - std::floor(sixths / 6);
+    }
+    return before;
+}
+
+void ScreenColourRows::changeEach(int row, const ValueMap &map, ValueEntry *entry)
+{
+    const auto mapped = [row, map](const Colour &each) {
+        if (row == Opacity)
+            return withOpacity(each, float(map(each.opacity).value_or(each.opacity)));
+        const Channels channels = channelsOf(each, {});
+        const std::optional<double> value = map(channels[std::size_t(row)]);
+        return value ? withOpacity(colourOfRgb(with(channels, row, *value)), each.opacity) : each;
+    };
+    emit eachEdited(mapped, entry);
 }
 
 ScreenColourRows::Channels ScreenColourRows::with(Channels channels, int row, double value)
@@ -125,6 +152,9 @@ ScreenColourRows::Channels ScreenColourRows::with(Channels channels, int row, do
 
 void ScreenColourRows::change(int row, double value, ValueEntry *entry)
 {
+    if (m_isOneOfSeveral)
+        return changeEach(
+            row, [value](double) { return std::optional(value); }, entry);
     const Channels next = with(m_channels, row, value);
     const Colour colour = withOpacity(colourOfRgb(next), m_colour.opacity);
     if (row < firstOfRgb) { // what was set by hue, saturation and value is not computed back from red, green and blue

@@ -52,7 +52,12 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
         });
     });
     connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, step()); });
-    connect(m_number, &NumberField::steppedMixed, this, &SliderField::stepAll);
+    connect(m_number, &NumberField::steppedMixed, this, [this](double steps) {
+        if (m_isOneOfSeveral && m_value)
+            stepToOne(steps);
+        else
+            stepAll(steps);
+    });
     connect(m_number, &NumberField::refused, this, &SliderField::refused);
 }
 
@@ -74,9 +79,10 @@ void SliderField::showMixed(bool mixed)
     const QString says = mixed ? changeKind() == ValueChange::Scale ? scales : shifts : QString();
     m_slider->setStatusTip(says);
     m_slider->setToolTip(mixed ? m_toolTip + '\n' + says : m_toolTip);
-    m_number->setToolTip(mixed ? m_toolTip + '\n' +
-                                     tr("The values differ. A number makes them one; *1.2 or +2 changes each of them.")
-                               : m_toolTip);
+    m_number->setToolTip(mixed || m_isOneOfSeveral
+                             ? m_toolTip + '\n' +
+                                   tr("The values differ. A number makes them one; *1.2 or +2 changes each of them.")
+                             : m_toolTip);
 }
 
 ValueChange::Kind SliderField::changeKind() const
@@ -194,6 +200,14 @@ void SliderField::stepAll(double steps)
     setValue(m_value);
 }
 
+/// From the one that is shown by the slider, which all become.
+void SliderField::stepToOne(double steps)
+{
+    const double unit = m_spec.step > 0 ? m_spec.step : 0.01 * (m_spec.maximum - m_spec.minimum);
+    emit refused({});
+    emit edited(std::clamp(*m_value + steps * unit, m_spec.minimum, m_spec.maximum), step());
+}
+
 int SliderField::toPosition(double value) const
 {
     const double low = m_spec.sliderMinimum, high = m_spec.sliderMaximum;
@@ -225,13 +239,22 @@ void SliderField::setValue(std::optional<double> value)
     // A change goes on being shown where it has made the values equal, by a limit: it can be taken back.
     const bool mixed = !value || m_amount;
     m_number->setMixedText(changeText());
-    m_number->setValue(mixed ? std::nullopt : value);
+    m_number->setValue(mixed || m_isOneOfSeveral ? std::nullopt : value);
     const QSignalBlocker blocker(m_slider);
     if (mixed != m_slider->isMixed())
         showMixed(mixed);
     if (!m_slider->isSliderDown())
         m_slider->setValue(mixed ? positionOf(m_amount.value_or(ValueChange::neutral(changeKind())))
                                  : toPosition(*value));
+}
+
+void SliderField::setOneOfSeveral(bool several)
+{
+    if (several == m_isOneOfSeveral)
+        return;
+    m_isOneOfSeveral = several;
+    setValue(m_value);
+    showMixed(m_slider->isMixed());
 }
 
 void SliderField::setEnabled(bool enabled)

@@ -48,6 +48,9 @@ public:
     SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent);
 
     void setValue(std::optional<double> value); ///< nullopt: mixed; emits nothing
+    /// The value is one of several that differ: the number says "—". Unlike where they are mixed, the slider stands at
+    /// the value and makes it that of all.
+    void setOneOfSeveral(bool several);
     /// The change of mixed values that is shown, if any. It counts from the painting `entry().start()`.
     std::optional<ValueChange> change() const;
     /// The values are what they are now; the handle goes back to the middle.
@@ -91,6 +94,7 @@ private:
     void changeAll(double amount, ValueEntry *entry);
     void noteAmount();
     void stepAll(double steps);
+    void stepToOne(double steps);
     void giveUp();
     ValueEntry *step();
     int toPosition(double value) const;
@@ -108,6 +112,7 @@ private:
     BarSlider *m_slider;
     NumberField *m_number;
     std::optional<double> m_value;
+    bool m_isOneOfSeveral = false;
     std::optional<double> m_amount;       ///< of the change of mixed values that is shown
     std::vector<double> m_amounts;        ///< those of steps since the change began to be counted
     std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition

@@ -286,6 +286,34 @@ private slots:
         QVERIFY(mode.isVisibleTo(&s.panel));
         QCOMPARE(s.panel.header()->text(), QString("Colours of 2 stroke(s)"));
         QCOMPARE(mode.currentIndex(), 0);
+        // None of them is shown as if both had it.
+        ColourRows &rows = *s.panel.findChild<ColourRows *>();
+        const ColourSwatch &current = *s.panel.findChild<ColourSwatch *>();
+        QCOMPARE(s.panel.hex()->text(), QString());
+        QCOMPARE(s.panel.hex()->placeholderText(), QString("several"));
+        QVERIFY(!rows.row(ColourRows::Red)->number()->value());
+        QVERIFY(rows.row(ColourRows::Opacity)->number()->value()); // which both have
+        QVERIFY(current.colour() && current.other() && *current.colour() != *current.other());
+        const QImage severalWheel = s.panel.wheel()->grab().toImage();
+        type(*rows.row(ColourRows::Red)->number(), "+2"); // each by itself
+        QVERIFY(std::abs(s.colour(s.second).red - pale.red - 0.02f) < 1e-5f);
+        QVERIFY(std::abs(s.colour(s.id).red - waveColour.red - 0.02f) < 1e-5f);
+        s.use(Command::Undo);
+        s.editor().laterChanges().flush();
+        QTest::keyClick(rows.row(ColourRows::Red)->number(), Qt::Key_Up);
+        QCOMPARE(s.colour(s.id).red, s.colour(s.second).red); // what is set sets all,
+        QCOMPARE(s.colour(s.second).blue, pale.blue);         // and nothing else
+        QCOMPARE(s.colour(s.id).blue, waveColour.blue);
+        s.use(Command::Undo);
+        s.editor().laterChanges().flush();
+        type(*s.panel.hex(), "#802040");
+        QCOMPARE(s.colour(s.id), s.colour(s.second));
+        s.editor().laterChanges().flush();
+        QCOMPARE(s.panel.hex()->text(), QString("#802040"));
+        QVERIFY(!current.other() && rows.row(ColourRows::Red)->number()->value());
+        QVERIFY(s.panel.wheel()->grab().toImage() != severalWheel); // it has its marks again
+        s.use(Command::Undo);
+        s.editor().laterChanges().flush();
         mode.setCurrentIndex(1);
         emit mode.activated(1);
         type(*s.panel.hex(), "#205020");
