@@ -339,6 +339,8 @@ void TimelineView::keyPressEvent(QKeyEvent *event)
 
 bool TimelineView::event(QEvent *event)
 {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
+        viewport()->update();
     if (event->type() != QEvent::ShortcutOverride)
         return QAbstractScrollArea::event(event);
     auto *key = static_cast<QKeyEvent *>(event);
@@ -372,6 +374,13 @@ void TimelineView::paintEvent(QPaintEvent *event)
     QPainter painter(viewport());
     const TimelinePicture picture(*viewport(), m_editor.unsettled(), m_editor.clock(), m_bars, axes());
     picture.paint(painter, event->rect(), m_pointer.retimed(), m_pointer.band());
+    if (hasFocus()) {
+        constexpr int width = 2;
+        painter.setRenderHint(QPainter::Antialiasing, false);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.drawRect(viewport()->rect().adjusted(width / 2, width / 2, -width / 2, -width / 2));
+    }
 }
 
 void TimelineView::mousePressEvent(QMouseEvent *event)

@@ -232,6 +232,15 @@ void ColourWheel::paintEvent(QPaintEvent *)
     paintMarker(painter, trianglePoint(m_shares.chroma, m_shares.black), toOpaqueScreen(colour()), 5.5, hasFocus());
 }
 
+/// Around the ring, in the room that markers leave: the ring itself has every colour.
+void ColourWheel::paintFocus(QPainter &painter)
+{
+    constexpr double gap = 2.5, width = 2;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), width));
+    painter.drawEllipse(centre(), outerRadius() + gap, outerRadius() + gap);
+}
+
 void ColourWheel::paintRing(QPainter &painter)
 {
     QConicalGradient gradient(centre(), 90);

@@ -54,13 +54,14 @@ private:
     void pickInTriangle(QPointF at);
     void giveUp();
     ValueEntry *entryOfStep();
+    void paintFocus(QPainter &painter);
     void paintRing(QPainter &painter);
     void paintTriangle(QPainter &painter);
 
     HueShares m_shares{0, 1, 0};
     float m_opacity = 1;
-    Part m_part = Part::None;
     bool m_isOneOfSeveral = false;
+    Part m_part = Part::None;
     HueShares m_pressed; ///< what was shown when the drag began
     ValueEntry m_entry;
     QElapsedTimer m_sinceStep;

@@ -212,6 +212,10 @@ void SwatchGrid::paintEvent(QPaintEvent *)
         else
             painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
                              fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
+        if (hasFocus()) {
+            painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+            painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
+        }
     }
     for (int i = 0; i < shown(width()); ++i) {
         QPainterPath shape;

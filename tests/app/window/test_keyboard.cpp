@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QShortcutEvent>
@@ -125,6 +126,33 @@ private slots:
         auto *tree = s.window.findChild<QDockWidget *>("strokesDock")->findChild<QTreeView *>();
         QVERIFY(!isTaken(*tree, Qt::CTRL | Qt::Key_D));
         QVERIFY(!isTaken(*tree, Qt::Key_F6));
+    }
+
+    /// Who goes from place to place by the keyboard sees where they are.
+    void whatHasTheKeyboardShowsIt()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.window.setAttribute(Qt::WA_KeyboardFocusChange); // as F6 does
+        int places = 0;
+        for (auto *dock : s.window.findChildren<QDockWidget *>()) {
+            dock->raise();
+            QCoreApplication::processEvents();
+            for (QWidget *widget : focusableIn(*dock)) {
+                if (!widget->isVisible() || !widget->isEnabled() || !(widget->focusPolicy() & Qt::TabFocus) ||
+                    qobject_cast<QLabel *>(widget)) // to be copied by the mouse
+                    continue;
+                s.canvas().setFocus();
+                const QImage without = widget->grab().toImage();
+                widget->setFocus(Qt::TabFocusReason);
+                QVERIFY2(widget->hasFocus(), qPrintable(widget->accessibleName()));
+                QVERIFY2(widget->grab().toImage() != without,
+                         qPrintable(dock->objectName() + ' ' + widget->metaObject()->className() + ' ' +
+                                    widget->accessibleName()));
+                ++places;
+            }
+        }
+        QVERIFY2(places > 40, qPrintable(QString::number(places)));
     }
 
     /// The timeline keeps the keyboard after a click, but it has no use for letters.
@@ -314,7 +342,7 @@ private slots:
         QCOMPARE(s.editor().undoStack().count(), steps + 1);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
         QCOMPARE(s.editor().undoStack().count(), steps + 1); // the list's row, not the painting
-        QTest::keyClick(&view, Qt::Key_Return);      // with nothing to end it gives the keyboard back
+        QTest::keyClick(&view, Qt::Key_Return);              // with nothing to end it gives the keyboard back
         QTRY_VERIFY(s.canvas().hasFocus());
     }
 
