@@ -5,6 +5,7 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/entry_field.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
@@ -400,3 +401,4 @@ void StrokesView::dataChanged(const QModelIndex &topLeft, const QModelIndex &bot
 }
 
 } // namespace suffuse
+    const UndoEndsDrag ends;

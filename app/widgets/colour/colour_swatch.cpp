@@ -1,6 +1,7 @@
 #include "app/widgets/colour/colour_swatch.h"
 
 #include "app/session/colour_convert.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
@@ -41,13 +42,13 @@ void ColourSwatch::setColour(std::optional<Colour> colour)
     update();
 }
 
-void ColourSwatch::setSide(int pixels)
 void ColourSwatch::setOther(std::optional<Colour> other)
 {
     m_other = other;
     update();
 }
 
+void ColourSwatch::setSide(int pixels)
 {
     m_side = pixels;
     updateGeometry();
@@ -76,6 +77,7 @@ void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
     drag->setMimeData(dragDataOf(*m_colour));
     drag->setPixmap(grab());
     drag->setHotSpot(m_pressed);
+    const UndoEndsDrag ends;
     drag->exec(Qt::CopyAction);
 }
 
@@ -88,13 +90,13 @@ void ColourSwatch::paintEvent(QPaintEvent *)
     shape.addRoundedRect(area, 3, 3);
     if (m_colour) {
         paintColour(painter, shape, *m_colour);
-    } else {
-        painter.setPen(palette().color(QPalette::Text));
         if (m_other) {
             QPainterPath half;
             half.addPolygon(QPolygonF({area.topRight(), area.bottomRight(), area.bottomLeft()}));
             painter.fillPath(shape.intersected(half), toOpaqueScreen(*m_other));
         }
+    } else {
+        painter.setPen(palette().color(QPalette::Text));
         painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("—"));
     }
     const bool marked = hasFocus() || isDown();

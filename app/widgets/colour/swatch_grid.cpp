@@ -2,6 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
@@ -264,6 +265,7 @@ void SwatchGrid::startDrag(int index)
     drag->setMimeData(dragDataOf(m_swatches[std::size_t(index)].colour));
     drag->setPixmap(grab(cell(index)));
     drag->setHotSpot({cellSide / 2, cellSide / 2});
+    const UndoEndsDrag ends;
     drag->exec(Qt::CopyAction);
 }
 

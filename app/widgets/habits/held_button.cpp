@@ -1,7 +1,10 @@
 #include "app/widgets/habits/held_button.h"
 
 #include <QApplication>
+#include <QDrag>
+#include <QKeyEvent>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QWidget>
 
 namespace suffuse {
@@ -97,6 +100,22 @@ void endDragsIn(const QWidget &panel)
     for (QObject *child : panel.findChildren<QObject *>())
         if (auto *held = dynamic_cast<HeldButton *>(child))
             held->letGo();
+}
+
+UndoEndsDrag::UndoEndsDrag() : UndoEndsDrag(&QDrag::cancel) {}
+
+UndoEndsDrag::UndoEndsDrag(std::function<void()> end) : m_end(std::move(end))
+{
+    // The filter that comes last is asked first, and QDrag adds its own when it begins.
+    QTimer::singleShot(0, this, [this] { qApp->installEventFilter(this); });
+}
+
+bool UndoEndsDrag::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::KeyPress || !static_cast<QKeyEvent *>(event)->matches(QKeySequence::Undo))
+        return QObject::eventFilter(watched, event);
+    m_end();
+    return true;
 }
 
 bool givesUpDrag(const QKeyEvent &key)

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <QObject>
+
+#include <functional>
+
 class QKeyEvent;
 class QWidget;
 
@@ -10,11 +14,26 @@ namespace suffuse {
 /// the pointer moves on without a button.
 void endDragsWhenCovered(QWidget &dragged);
 
-/// Ends what is dragged on such widgets in a panel, in the same way: after a command that selects something else, since a
-/// drag is about what was selected at the press.
+/// Ends what is dragged on such widgets in a panel, in the same way: after a command that selects something else, since
+/// a drag is about what was selected at the press.
 void endDragsIn(const QWidget &panel);
 
 /// Whether a key gives a drag up: Esc, Delete or undo, as on the canvas.
 bool givesUpDrag(const QKeyEvent &key);
+
+/// While it lives, and a QDrag goes on, undo gives the drag up as Esc does: to be made before `QDrag::exec`, which
+/// takes all keys and has no use for any other.
+class UndoEndsDrag : public QObject {
+    Q_OBJECT
+
+public:
+    UndoEndsDrag(); ///< it ends QDrag's
+    explicit UndoEndsDrag(std::function<void()> end);
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    std::function<void()> m_end;
+};
 
 } // namespace suffuse

@@ -3,12 +3,15 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
+#include "app/widgets/habits/held_button.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
 #include <QMimeData>
+#include <QShortcut>
+#include <QTest>
 #include <QTreeView>
 
 using namespace suffuse;
@@ -37,6 +40,36 @@ private slots:
         bench.editor.undoStack().setIndex(0);
         QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
         QCOMPARE(model->strokeAt(model->index(0, 0)), StrokeId(4));
+    }
+
+    /// Undo gives up what is dragged from one place to another, as it does with every drag. QDrag takes all keys.
+    void undoEndsADragOfRows()
+    {
+        int ended = 0, undone = 0;
+        QWidget window;
+        QShortcut undo(QKeySequence::Undo, &window);
+        connect(&undo, &QShortcut::activated, &window, [&] { ++undone; });
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        {
+            const UndoEndsDrag ends([&] { ++ended; });
+            QCoreApplication::processEvents();
+            struct TakesAll : QObject { // as QDrag's own filter does
+                bool eventFilter(QObject *, QEvent *event) override
+                {
+                    return event->type() == QEvent::ShortcutOverride && (event->accept(), true);
+                }
+            } takesAll;
+            window.installEventFilter(&takesAll);
+            QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+            QCOMPARE(ended, 1);
+            QTest::keyClick(&window, Qt::Key_A);
+            QCOMPARE(ended, 1);
+            QCOMPARE(undone, 0);
+        }
+        QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(ended, 1);
+        QCOMPARE(undone, 1);
     }
 
     void groupsAreATree()
