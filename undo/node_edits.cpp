@@ -164,7 +164,8 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes, doubl
     Selection selection = document.selection();
     std::set<StrokeId> emptied;
     Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &before, const std::vector<int> &chosen) {
-        const BendsRemoved removed = withoutBends(before, chosen, gap);
+        std::vector<int> wanted = chosen;
+        const BendsRemoved removed = withoutBends(withSeamsBeside(before, wanted), wanted, gap);
         const Stroke &stroke = removed.stroke;
         const std::vector<int> &gone = removed.deleted;
         if (gone.empty())
@@ -237,8 +238,7 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
     return edit;
 }
 
-Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach,
-               SoftMove::Ends ends)
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach, SoftMove::Ends ends)
 {
     return reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &which) {
         return SoftMove(stroke, which, reach, ends).by(by);
@@ -300,8 +300,8 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
     const PaintingPtr painting = document.painting();
     Parts parts(document);
     for (const StrokePtr &stroke : painting->strokes) {
-        const bool isMeant = targets.contains(stroke->id) && painting->isVisible(*stroke) &&
-                             !painting->isLocked(*stroke);
+        const bool isMeant =
+            targets.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
         if (!isMeant || !mayErase(*stroke, path, radius)) {
             parts.keep(*stroke);
             continue;

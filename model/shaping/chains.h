@@ -39,6 +39,10 @@ int endNode(const Stroke &stroke, int segment);
 bool isInnerNode(const Stroke &stroke, int node);
 /// Whether a chain begins or ends at the node.
 bool isEndNode(const Stroke &stroke, int node);
+/// Whether a chain ends where it begins. Both ends are then one node for people, the seam.
+bool isClosed(const Stroke &stroke, const Chain &chain);
+/// A node or, at the seam of a closed chain, both ends of it.
+std::vector<int> nodesTogether(const Stroke &stroke, int node);
 /// The start and the end of each chain that lays paint, in order.
 std::vector<int> endNodesOf(const Stroke &stroke);
 

@@ -4,8 +4,10 @@
 #include "model/shaping/merge.h"
 #include "model/shaping/split.h"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace suffuse {
 
@@ -139,6 +141,38 @@ Stroke withoutNodes(const Stroke &stroke, const std::vector<int> &nodes, std::ve
     if (sources)
         *sources = std::move(from);
     return validOr(std::move(result), stroke);
+}
+
+Stroke withSeamsBeside(const Stroke &stroke, std::vector<int> &nodes)
+{
+    const std::set<int> chosen(nodes.begin(), nodes.end());
+    std::set<int> renumbered = chosen;
+    Stroke result = stroke;
+    for (const Chain &chain : chainsOf(stroke)) {
+        const int end = endNode(stroke, chain.last), count = chain.last - chain.first + 1;
+        const auto first = result.segments.begin() + chain.first, behind = result.segments.begin() + chain.last + 1;
+        const bool isAtSeam = chosen.contains(chain.first) || chosen.contains(end);
+        const bool isBornAtOnce = std::all_of(first, behind, [&](const Segment &s) { return s.born == first->born; });
+        int seam = chain.first + 1;
+        while (chosen.contains(seam))
+            ++seam;
+        if (!isAtSeam || seam > chain.last || !isBornAtOnce || !isClosed(stroke, chain))
+            continue;
+        const auto numberOf = [&](int node) { return chain.first + (node - seam + count) % count; };
+        for (int node = chain.first; node <= chain.last; ++node)
+            renumbered.erase(node);
+        renumbered.erase(end);
+        renumbered.insert(numberOf(chain.first));
+        for (int node = chain.first + 1; node <= chain.last; ++node)
+            if (chosen.contains(node))
+                renumbered.insert(numberOf(node));
+        const bool starts = std::exchange(first->start, false);
+        first->node = NodeKind::Corner;
+        std::rotate(first, result.segments.begin() + seam, behind);
+        first->start = starts;
+    }
+    nodes.assign(renumbered.begin(), renumbered.end());
+    return result;
 }
 
 Stroke withBridge(const Stroke &stroke, int first, int last)

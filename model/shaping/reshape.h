@@ -60,7 +60,12 @@ std::optional<Stroke> combined(const Stroke &a, const Stroke &b);
 /// No value if there is nothing to join.
 std::optional<Stroke> joinedWithin(const Stroke &stroke, int node, int other);
 
-/// Moves nodes together with their handles. If these are all nodes, only the origin moves.
+/// The stroke with each closed chain begun elsewhere that has its seam among the nodes, which get their new numbers; a
+/// seam is then an inner node. Chains stay of which all nodes are among them, or the parts of which are not born at one
+/// time, since segments are in the order of time.
+Stroke withSeamsBeside(const Stroke &stroke, std::vector<int> &nodes);
+
+/// Moves nodes together with their handles; a closed chain stays closed. If these are all nodes, only the origin moves.
 Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point by);
 /// Moves a handle to a place. The opposite handle of a smooth node turns with it, that of a symmetric node mirrors it.
 Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to);

@@ -44,11 +44,6 @@ struct HandleNode {
     Point place() const { return Point() + leaving; }
 };
 
-bool hasNode(const Stroke &stroke, int node)
-{
-    return sidesOf(stroke, node) != NodeSides{};
-}
-
 void moveNode(Stroke &stroke, int node, Point by)
 {
     const NodeSides sides = sidesOf(stroke, node);
@@ -62,18 +57,6 @@ void moveNode(Stroke &stroke, int node, Point by)
         s.bezier[0] = moved(s.bezier[0], by);
         s.bezier[1] = moved(s.bezier[1], by);
     }
-}
-
-/// A node, and the other end of its chain where that is closed and the node is an end.
-std::vector<int> nodesTogether(const Stroke &stroke, int node)
-{
-    const NodeSides sides = sidesOf(stroke, node);
-    if (sides.before >= 0 && sides.after >= 0)
-        return {node};
-    const Chain chain = chainAt(stroke, std::max(sides.before, sides.after));
-    if (stroke.segments[std::size_t(chain.first)].bezier[0] != stroke.segments[std::size_t(chain.last)].bezier[3])
-        return {node};
-    return {chain.first, endNode(stroke, chain.last)};
 }
 
 /// Turns or mirrors the handle that is opposite to the moved one, as the kind of the node demands.
@@ -126,8 +109,8 @@ Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point 
 {
     std::set<int> wanted;
     for (int node : nodes)
-        if (hasNode(stroke, node))
-            wanted.insert(node);
+        for (const int each : nodesTogether(stroke, node))
+            wanted.insert(each);
     Stroke result = stroke;
     if (int(wanted.size()) == nodeCount(stroke)) {
         result.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};

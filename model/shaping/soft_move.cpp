@@ -11,12 +11,7 @@ namespace suffuse {
 namespace {
 
 constexpr double leastPlaceShare = 0.75; ///< of the move; below it the segment of a place is too long for the reach
-constexpr double nearEnd = 0.25; ///< in reaches; an end that is nearer follows in any case
-
-bool isClosed(const Stroke &stroke, const Chain &chain)
-{
-    return stroke.segments[std::size_t(chain.first)].bezier[0] == stroke.segments[std::size_t(chain.last)].bezier[3];
-}
+constexpr double nearEnd = 0.25;         ///< in reaches; an end that is nearer follows in any case
 
 /// The way from the start of a chain to each of its nodes, in canvas units.
 std::vector<double> waysAlong(const Stroke &stroke, const Chain &chain)

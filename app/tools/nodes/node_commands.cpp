@@ -290,7 +290,18 @@ void NodeCommands::selectNext(int step)
             strokes.push_back(stroke.get());
     if (strokes.empty())
         return;
-    const NodeRef from = m_nodes.empty() ? NodeRef{} : step > 0 ? *m_nodes.rbegin() : *m_nodes.begin();
+    const std::set<SegmentRef> &segments = m_editor.document().selection().segments;
+    if (m_nodes.empty() && !segments.empty()) { // From a segment it goes on to its end, or back to its start.
+        const SegmentRef from = step > 0 ? *segments.rbegin() : *segments.begin();
+        if (const StrokePtr stroke = painting.find(from.stroke); stroke && from.segment < int(stroke->segments.size()))
+            emit chosen({{from.stroke, step > 0 ? endNode(*stroke, from.segment) : from.segment}});
+        return;
+    }
+    const StrokePtr chosenStroke =
+        m_nodes.empty() ? nullptr : m_editor.document().painting()->find(m_nodes.begin()->stroke);
+    const bool isSeam =
+        chosenStroke && m_nodes.size() == 2 && nodesTogether(*chosenStroke, m_nodes.begin()->node).size() == 2;
+    const NodeRef from = m_nodes.empty() ? NodeRef{} : (step > 0) != isSeam ? *m_nodes.rbegin() : *m_nodes.begin();
     std::size_t at = 0;
     while (at < strokes.size() && strokes[at]->id != from.stroke)
         ++at;
@@ -301,6 +312,10 @@ void NodeCommands::selectNext(int step)
     }
     const double gap = NodeMarks::gap(m_canvas.view(), m_canvas.devicePixelRatioF());
     std::vector<int> shown = coarseNodes(*strokes[at], gap);
+    std::erase_if(shown, [&](int node) { // A seam is passed once: at the beginning of the way.
+        const std::vector<int> both = nodesTogether(*strokes[at], node);
+        return both.size() == 2 && node == (step > 0 ? both.back() : both.front());
+    });
     const auto next = step > 0 ? std::upper_bound(shown.begin(), shown.end(), from.node)
                                : std::lower_bound(shown.begin(), shown.end(), from.node);
     if (next == (step > 0 ? shown.end() : shown.begin())) {

@@ -141,9 +141,24 @@ std::set<StrokeId> NodeTool::strokesOfNodes() const
     return strokes;
 }
 
+/// Nodes with the other ends of closed chains: a seam is one node for people.
+std::set<NodeRef> NodeTool::withSeams(const std::set<NodeRef> &nodes) const
+{
+    std::set<NodeRef> all;
+    StrokePtr stroke;
+    for (const NodeRef &ref : nodes) {
+        if (!stroke || stroke->id != ref.stroke)
+            stroke = m_editor.document().painting()->find(ref.stroke);
+        if (stroke)
+            for (const int node : nodesTogether(*stroke, ref.node))
+                all.insert(all.end(), {ref.stroke, node});
+    }
+    return all;
+}
+
 void NodeTool::selectNodes(std::set<NodeRef> nodes)
 {
-    m_nodes = std::move(nodes);
+    m_nodes = withSeams(nodes);
     // Segments and nodes are never both selected; where no node is left, this deselects the segments.
     if (!selection().segments.empty())
         select(Selection{selection().strokes, {}});
@@ -306,8 +321,12 @@ void NodeTool::clicked(const PointerEvent &event)
         selectNodes({*m_hit.within});
     } else if (m_hit.mark.node && nodesCount) {
         std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
-        if (!add || !nodes.erase(*m_hit.mark.node))
-            nodes.insert(*m_hit.mark.node);
+        const bool takesOff = nodes.contains(*m_hit.mark.node);
+        for (const NodeRef &node : withSeams({*m_hit.mark.node}))
+            if (takesOff)
+                nodes.erase(node);
+            else
+                nodes.insert(node);
         selectNodes(std::move(nodes));
     } else if (!(m_hit.mark.handle && nodesCount)) {
         clickedSegment(event);

@@ -48,6 +48,7 @@ public:
     const std::set<NodeRef> &nodes() const { return m_nodes; }
     /// Selects nodes of selected strokes, and deselects the segments.
     void selectNodes(std::set<NodeRef> nodes);
+    std::set<NodeRef> withSeams(const std::set<NodeRef> &nodes) const;
 
 protected:
     void pressed(const PointerEvent &event) override;
