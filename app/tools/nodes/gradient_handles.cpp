@@ -15,8 +15,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double knobRadius = 5.5;      ///< logical pixels
-constexpr double knobHitRadius = 8;     ///< logical pixels
+constexpr double knobRadius = 7;     ///< logical pixels: more than that of a node, which may lie on it
+constexpr double knobHitRadius = 10; ///< logical pixels
 constexpr double gradientStep = std::numbers::pi / 12;
 
 /// The selected strokes whose gradients can be changed, from bottom to top.

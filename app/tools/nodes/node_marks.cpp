@@ -164,10 +164,10 @@ void NodeMarks::thinOut()
     });
 }
 
-NodeMarks::Hit NodeMarks::hit(Point pixel) const
+NodeMarks::Hit NodeMarks::hit(Point pixel, double within) const
 {
     Hit hit;
-    double nearest = reach * m_dpr;
+    double nearest = within * m_dpr;
     for (const HandleMark &mark : m_handles)
         if (const double d = length(mark.pixel - pixel); d <= nearest) {
             nearest = d;

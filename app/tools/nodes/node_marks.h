@@ -45,6 +45,8 @@ class NodeMarks {
 public:
     /// Logical pixels around the pointer in which a mark is hit.
     static constexpr double reach = 8;
+    /// The same where something else lies around a mark, of which it leaves a ring.
+    static constexpr double narrowReach = 5;
 
     /// Takes over which nodes were shown before, as far as that still holds, and adds to it. `shown` must outlive the
     /// marks.
@@ -66,7 +68,7 @@ public:
         friend bool operator==(const Hit &, const Hit &) = default;
     };
     /// What the pointer hits at a pixel.
-    Hit hit(Point pixel) const;
+    Hit hit(Point pixel, double within = reach) const;
     /// Paints the marks; `hovered` stands out among them.
     void paint(QPainter &painter, const OverlayColours &colours, const Hit &hovered) const;
 

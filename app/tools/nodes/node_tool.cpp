@@ -182,10 +182,16 @@ bool NodeTool::meansErasure(const NodeRef &node) const
     return !nodes.empty() && std::ranges::none_of(nodes, [this](const NodeRef &n) { return m_nodes.contains(n); });
 }
 
+/// Where the knob of a gradient lies on a node, the middle is the node's, and the ring around it the knob's.
+NodeMarks::Hit NodeTool::markAt(Point pixel) const
+{
+    return marks().hit(pixel, m_gradient.isAt(pixel) ? NodeMarks::narrowReach : NodeMarks::reach);
+}
+
 NodeHit NodeTool::hitAt(const PointerEvent &event) const
 {
     NodeHit hit;
-    hit.mark = marks().hit(event.pixel);
+    hit.mark = markAt(event.pixel);
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::set<StrokeId> &shown = m_canvas.selection().strokes;
     const Painting &painting = *m_editor.document().painting();
@@ -249,7 +255,7 @@ void NodeTool::leave()
 
 void NodeTool::press(const PointerEvent &event)
 {
-    const bool isFree = marks().hit(event.pixel).isEmpty();
+    const bool isFree = markAt(event.pixel).isEmpty();
     if (isFree && m_gradient.press(event))
         return;
     const bool atWidth = isFree && m_width.isAt(event.pixel);

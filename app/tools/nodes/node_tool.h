@@ -76,6 +76,7 @@ private:
     void setHovered(const Hovered &hovered);
     /// The node, the handle, or the place on the curve of a selected stroke that the pointer is over.
     bool meansErasure(const NodeRef &node) const;
+    NodeMarks::Hit markAt(Point pixel) const;
     NodeHit hitAt(const PointerEvent &event) const;
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);

@@ -172,6 +172,30 @@ private slots:
         QVERIFY(length(end(true) - Point{350, 420}) < 1e-3);
     }
 
+    /// A knob on a node is the ring around it.
+    void anEndOfAGradientOnANodeIsDraggedByItsRing()
+    {
+        NodeSession s;
+        const auto fill = [](Stroke &stroke) {
+            Fill graded;
+            graded.gradient = Gradient{toOffset(nodeAt[0], stroke.origin), toOffset(nodeAt[4], stroke.origin), {}};
+            stroke.fill = graded;
+        };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
+        const Stroke before = s.stroke();
+        const Point ring = nodeAt[4] + Point{0, -7};
+        s.hover(ring);
+        QVERIFY(s.canvas().tool()->hint().contains("gradient"));
+        s.drag(ring, ring + Point{30, 40});
+        QCOMPARE(nodePosition(s.stroke(), 4), nodePosition(before, 4));
+        const Point end = s.stroke().origin + s.stroke().fill->gradient->to;
+        QVERIFY(length(end - (nodeAt[4] + Point{30, 40})) < 1.5);
+        s.use(Command::Undo);
+        s.drag(nodeAt[4], nodeAt[4] + Point{30, 40});
+        QVERIFY(length(nodePosition(s.stroke(), 4) - (nodeAt[4] + Point{30, 40})) < 1.5);
+        QCOMPARE(s.stroke().fill->gradient->to, before.fill->gradient->to);
+    }
+
     void severalNodesMoveTogether()
     {
         NodeSession s;
