@@ -3,10 +3,10 @@
 #include "app/dialogs/export/clock_box.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/numbers/decimal_box.h"
 #include "model/painting/influence.h"
 #include "render/image_io/image_io.h"
 #include "render/renderer.h"
-#include "app/widgets/numbers/decimal_box.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -263,8 +263,8 @@ SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent)
     auto *line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(8);
-    m_width = new QSpinBox(this);
-    m_height = new QSpinBox(this);
+    m_width = new WholeBox(this);
+    m_height = new WholeBox(this);
     for (QSpinBox *box : {m_width, m_height}) {
         box->setRange(1, largestSide);
         box->setSuffix(tr(" px"));

@@ -7,6 +7,7 @@
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/decimal_box.h"
 #include "render/image_io/image_io.h"
 
 #include <QCheckBox>
@@ -21,7 +22,8 @@
 namespace suffuse {
 
 ExportingDialog::ExportingDialog(const QString &title, QStandardPaths::StandardLocation place, QWidget *parent)
-    : QDialog(parent), m_place(place), m_form(new QWidget(this)), m_grid(new QGridLayout(m_form)), m_column(new QVBoxLayout(this))
+    : QDialog(parent), m_place(place), m_form(new QWidget(this)), m_grid(new QGridLayout(m_form)),
+      m_column(new QVBoxLayout(this))
 {
     setWindowTitle(title);
     setMinimumWidth(480);
@@ -58,7 +60,7 @@ void ExportingDialog::addFile(int row, const QString &tip)
 
 void ExportingDialog::addQuality(int row, Qt::Alignment alignment)
 {
-    m_quality = new QSpinBox(m_form);
+    m_quality = new WholeBox(m_form);
     m_quality->setRange(1, 100);
     m_quality->setValue(ImageOptions{}.quality);
     addField(row, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."), 2,

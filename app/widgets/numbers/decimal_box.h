@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <QSpinBox>
 
 #include <optional>
 
@@ -16,6 +17,20 @@ public:
     using QDoubleSpinBox::QDoubleSpinBox;
 
     double valueFromText(const QString &text) const override;
+    QValidator::State validate(QString &text, int &position) const override;
+
+private:
+    std::optional<double> read(const QString &text) const;
+};
+
+/// The same for whole numbers, to which results are rounded. What is typed counts when it is finished.
+class WholeBox : public QSpinBox {
+    Q_OBJECT
+
+public:
+    explicit WholeBox(QWidget *parent = nullptr);
+
+    int valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
 
 private:

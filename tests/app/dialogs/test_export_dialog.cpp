@@ -80,7 +80,7 @@ Pfm rendered(Editor &editor, const Rect &area, Microseconds time, int width)
 class TestExportDialog : public QObject {
     Q_OBJECT
 
-    static void enter(QDoubleSpinBox &box, const QString &text)
+    static void enter(QAbstractSpinBox &box, const QString &text)
     {
         box.setFocus();
         box.selectAll();
@@ -94,6 +94,33 @@ private slots:
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
         qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
+    }
+
+    /// Arithmetic works in pixels as in every other number.
+    void sizesAreCalculated()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, {});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        const int width = dialog.widthBox()->value(), height = dialog.heightBox()->value();
+        enter(*dialog.widthBox(), "512*2");
+        QCOMPARE(dialog.widthBox()->value(), 1024);
+        enter(*dialog.widthBox(), "512/2 px");
+        QCOMPARE(dialog.widthBox()->value(), 256);
+        enter(*dialog.widthBox(), "*2");
+        QCOMPARE(dialog.widthBox()->value(), 512);
+        QCOMPARE(dialog.heightBox()->value(), heightForWidth({0, 0, double(width), double(height)}, 512));
+        const int tall = dialog.heightBox()->value();
+        enter(*dialog.heightBox(), "/2");
+        QVERIFY(std::abs(dialog.heightBox()->value() - tall / 2.0) <= 1);
+        enter(*dialog.widthBox(), "1000/3");
+        QCOMPARE(dialog.widthBox()->value(), 333);
+        enter(*dialog.widthBox(), "many");
+        QCOMPARE(dialog.widthBox()->value(), 333);
+        dialog.quality()->setEnabled(true);
+        enter(*dialog.quality(), "30*3");
+        QCOMPARE(dialog.quality()->value(), 90);
     }
 
     void exportWritesThePicture()
