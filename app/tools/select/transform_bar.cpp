@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/numbers/display.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/painting/decimal.h"
 #include "undo/transform_edits.h"
@@ -66,7 +67,9 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
     auto *field = new NumberField(this);
     field->setToolTip(tip);
     field->setAccessibleName(tip);
-    field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.000")) + 12);
+    if (number != Number::Angle)
+        field->setDisplay(lengthDisplay());
+    field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.0") + canvasUnit()) + 12);
     const bool size = number == Number::Width || number == Number::Height;
     field->setRange(size ? smallestBox : -farthestBox, farthestBox);
     field->setStep(1);
@@ -167,14 +170,14 @@ Affine TransformBar::mapFor(Number number, double value) const
     return Affine::rotation(m_box.centre(), value * std::numbers::pi / 180);
 }
 
-void TransformBar::enter(Number number, double value, ValueEntry *entry)
-{
-    m_editor.settle();
 QString TransformBar::refusal()
 {
     return tr("Some of these strokes would become too small, too large or too far away to be painted.");
 }
 
+void TransformBar::enter(Number number, double value, ValueEntry *entry)
+{
+    m_editor.settle();
     m_stale = true;
     refresh(); // The fields must show the box of this moment before a value is taken.
     if (m_box.isEmpty())

@@ -239,6 +239,11 @@ private slots:
         QTest::keyClick(fields[1], Qt::Key_Up);
         QCOMPARE(s.box(1).top, 302.0);
         QCOMPARE(s.steps(), 1); // two steps of one field are one
+        // As all lengths they take units and per cent.
+        for (const auto &[typed, width] : {std::pair("120 u", 120.0), {"50%", 60.0}, {"+10%", 66.0}}) {
+            enter(2, typed);
+            QVERIFY2(near(s.box(1).width(), width), typed);
+        }
         s.select({});
         QTRY_VERIFY(!fields[0]->isEnabled());
     }
