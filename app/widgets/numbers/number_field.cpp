@@ -86,7 +86,7 @@ QString NumberField::whyRefused(const QString &text) const
 QString NumberField::inWords(double value) const
 {
     const double shown = m_display.toShown(value), size = std::abs(shown);
-    const bool isLarge = size >= 1e6 && size < 1e16, isSmall = size >= 1e-6 && size < 1e-3;
+    const bool isLarge = size >= 1e6 && size < 1e16, isSmall = size >= 1e-9 && size < 1e-3;
     if (!isSmall)
         return isLarge ? QLocale().toString(shown, 'f', 0) : m_display.number(value);
     QString text = QLocale().toString(shown, 'f', 9);
@@ -100,8 +100,8 @@ QString NumberField::rangeHint(double value) const
     double low = m_minimum, high = m_maximum;
     if (m_display.isReversed())
         std::swap(low, high);
-    // The smallest number of the machine says nothing to anybody.
-    if (const double shown = m_display.toShown(low); shown > 0 && shown < 1e-30)
+    // A tiny number says nothing to somebody who has typed none at all.
+    if (const double shown = m_display.toShown(low); shown > 0 && shown < (m_display.toShown(value) > 0 ? 1e-30 : 1e-4))
         return tr("%1 is out of range: more than 0 and up to %2 is possible.").arg(inWords(value), inWords(high));
     return tr("%1 is out of range: %2 to %3 is possible.").arg(inWords(value), inWords(low), inWords(high));
 }
