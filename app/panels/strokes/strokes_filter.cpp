@@ -4,6 +4,29 @@
 
 namespace suffuse {
 
+void StrokesFilter::setSourceModel(QAbstractItemModel *source)
+{
+    QSortFilterProxyModel::setSourceModel(source);
+    connect(source, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { follow(first); });
+}
+
+/// A row that is renamed decides about the groups around it, too, of which the base class does not think.
+void StrokesFilter::follow(const QModelIndex &changed)
+{
+    const QModelIndex group = changed.parent();
+    if (m_text.isEmpty() || m_isToLookAgain || !group.isValid() ||
+        filterAcceptsRow(group.row(), group.parent()) == mapFromSource(group).isValid())
+        return;
+    m_isToLookAgain = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_isToLookAgain = false;
+            invalidateRowsFilter();
+        },
+        Qt::QueuedConnection);
+}
+
 void StrokesFilter::setText(const QString &text)
 {
     if (text == m_text)

@@ -12,9 +12,15 @@ class StrokesFilter : public QSortFilterProxyModel {
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
+    void setSourceModel(QAbstractItemModel *source) override;
     /// Sets the text; an empty one shows all rows.
     void setText(const QString &text);
     const QString &text() const { return m_text; }
+    /// Whether the search leaves out rows of a group. `group` is an index of this model.
+    bool hidesSome(const QModelIndex &group) const
+    {
+        return rowCount(group) < sourceModel()->rowCount(mapToSource(group));
+    }
     /// Whether something in a group matches by its own name. `group` is an index of the source.
     bool holdsMatchWithin(const QModelIndex &group) const;
     /// The source's answer is right, since a row is always shown with its children, and asking must not cost a look at
@@ -32,8 +38,10 @@ protected:
 
 private:
     bool holdsMatch(const QModelIndex &index) const;
+    void follow(const QModelIndex &changed);
 
     QString m_text;
+    bool m_isToLookAgain = false;
 };
 
 } // namespace suffuse

@@ -237,7 +237,7 @@ private:
 } // namespace
 
 StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilter &filter, QWidget *parent)
-    : QTreeView(parent)
+    : QTreeView(parent), m_filter(filter)
 {
     auto *thumbnails = new StrokeThumbnails(this);
     connect(thumbnails, &StrokeThumbnails::ready, this, [this, &model, &filter](StrokeId id) {
@@ -280,7 +280,8 @@ QItemSelectionModel::SelectionFlags StrokesView::selectionCommand(const QModelIn
 }
 
 /// The row that F2 renames: the current one, if it is seen and selected, or the first that is. Rows that were moved or
-/// have just come leave none or a hidden one current.
+/// have just come leave none or a hidden one current. A group of which a search shows a part is never selected as a
+/// whole, and is meant where it is current.
 QModelIndex StrokesView::rowToRename() const
 {
     const auto isMeant = [this](const QModelIndex &index) {
@@ -288,10 +289,44 @@ QModelIndex StrokesView::rowToRename() const
                (selectionModel()->isSelected(index) || index.data(StrokesModel::WhollySelectedRole).toBool());
     };
     QModelIndex row = currentIndex().siblingAtColumn(StrokesModel::NameColumn);
-    if (!isMeant(row))
+    if (!isMeant(row) && !(isGroup(row) && !visualRect(row).isEmpty() && m_filter.hidesSome(row) && holdsSelected(row)))
         for (row = model()->index(0, StrokesModel::NameColumn); row.isValid() && !isMeant(row);)
             row = indexBelow(row);
     return row;
+}
+
+/// Whether a row that is shown below a group's is selected.
+bool StrokesView::holdsSelected(const QModelIndex &group) const
+{
+    for (int row = 0; row < model()->rowCount(group); ++row)
+        if (const QModelIndex below = model()->index(row, StrokesModel::NameColumn, group);
+            selectionModel()->isSelected(below) || (isGroup(below) && holdsSelected(below)))
+            return true;
+    return false;
+}
+
+/// Where a row goes that was alone in its group, and so the group with it, the frame goes to the neighbour.
+void StrokesView::rowsAboutToBeRemoved(const QModelIndex &parent, int start, int end)
+{
+    const QModelIndex current = currentIndex();
+    const bool isAlone = parent.isValid() && start == 0 && end == model()->rowCount(parent) - 1;
+    QPersistentModelIndex neighbour;
+    if (isAlone && current.isValid() && current.parent() == parent) {
+        QModelIndex row = model()->index(end, StrokesModel::NameColumn, parent);
+        neighbour = indexBelow(row);
+        for (row = parent; !neighbour.isValid() && row.isValid(); row = indexAbove(row))
+            if (row != parent)
+                neighbour = row;
+    }
+    QTreeView::rowsAboutToBeRemoved(parent, start, end);
+    if (neighbour.isValid())
+        QMetaObject::invokeMethod(
+            this,
+            [this, neighbour] {
+                if (!currentIndex().isValid() && neighbour.isValid())
+                    selectionModel()->setCurrentIndex(neighbour, QItemSelectionModel::NoUpdate);
+            },
+            Qt::QueuedConnection);
 }
 
 void StrokesView::keyPressEvent(QKeyEvent *event)
@@ -373,6 +408,7 @@ void StrokesView::mousePressEvent(QMouseEvent *event)
 void StrokesView::startDrag(Qt::DropActions actions)
 {
     selectWholeGroups();
+    const UndoEndsDrag ends;
     QTreeView::startDrag(actions);
 }
 
@@ -401,4 +437,3 @@ void StrokesView::dataChanged(const QModelIndex &topLeft, const QModelIndex &bot
 }
 
 } // namespace suffuse
-    const UndoEndsDrag ends;

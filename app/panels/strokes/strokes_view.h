@@ -33,6 +33,7 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
     /// A press takes the row of a group for selected if it looks so.
     void mousePressEvent(QMouseEvent *event) override;
+    void rowsAboutToBeRemoved(const QModelIndex &parent, int start, int end) override;
     void startDrag(Qt::DropActions actions) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 
@@ -40,7 +41,9 @@ private:
     static bool isGroup(const QModelIndex &index);
     QItemSelection wholeOf(const QModelIndex &group) const;
     QModelIndex rowToRename() const;
+    bool holdsSelected(const QModelIndex &group) const;
 
+    const StrokesFilter &m_filter;
     mutable bool m_ranging = false; ///< what the last event selected
 };
 

@@ -443,6 +443,44 @@ private slots:
         QVERIFY(panel.viewIndexOf(2).isValid()); // all in a group that is found
     }
 
+    /// The row with the frame is renamed, also a group's of which only a part is found; and where the new name is not
+    /// found, what has nothing else to show goes, and the frame goes to the neighbour.
+    void whatIsFoundIsRenamed()
+    {
+        Bench bench;
+        fillWithTrees(bench);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        QTreeView &view = *panel.view();
+        const auto rename = [&](const QString &name) {
+            QTest::keyClick(&view, Qt::Key_F2);
+            QLineEdit *editor = nullptr;
+            QTRY_VERIFY((editor = view.viewport()->findChild<QLineEdit *>()));
+            editor->selectAll();
+            QTest::keyClicks(editor, name);
+            QTest::keyClick(editor, Qt::Key_Return);
+            QTRY_VERIFY(!view.viewport()->findChild<QLineEdit *>());
+        };
+        bench.editor.push(changeStrokes(bench.editor.document(), {2}, [](Stroke &s) { s.name = "trunk"; }), "name");
+        panel.search()->setText("tr"); // 5, the group with 4 and 2
+        view.setFocus();
+        view.setCurrentIndex(panel.viewIndexOf(2).parent());
+        QCOMPARE(bench.editor.document().selection().strokes, (std::set<StrokeId>{2, 4}));
+        rename("wood");
+        QCOMPARE(bench.editor.document().painting()->groups.at(0).name, QString("wood"));
+        QCOMPARE(bench.stroke(4).name, QString("tree"));
+
+        panel.search()->setText("trunk"); // the group with 2 alone
+        QVERIFY(!panel.viewIndexOf(5).isValid() && panel.viewIndexOf(2).isValid());
+        bench.editor.push(changeStrokes(bench.editor.document(), {1}, [](Stroke &s) { s.name = "trunks"; }), "name");
+        QTRY_VERIFY(panel.viewIndexOf(1).isValid());
+        view.setCurrentIndex(panel.viewIndexOf(2));
+        rename("bark");
+        QCOMPARE(bench.stroke(2).name, QString("bark"));
+        QTRY_COMPARE(view.model()->rowCount(), 1); // 1 alone, without the group
+        QTRY_COMPARE(view.currentIndex(), panel.viewIndexOf(1));
+    }
+
     void aRangeTakesRowsNotGroups()
     {
         Bench bench;
