@@ -11,6 +11,7 @@ namespace suffuse {
 namespace {
 
 constexpr double mostPixels = 2e6;
+constexpr double leastScale = 1; ///< pixels a unit: a view from afar does not make the bounds coarse
 
 /// The pixels whose channels differ by at most `most` levels from those of one of them.
 Mask pixelsLike(const Picture8 &picture, int x, int y, int most)
@@ -26,13 +27,20 @@ Mask pixelsLike(const Picture8 &picture, int x, int y, int most)
     return mask;
 }
 
+/// How far a region grows, in pixels. Those that its bounds cover in part are unlike it and lie around it, so what is
+/// to reach under the bounds at all takes them, however few pixels a unit has.
+double growthOf(double units, double pixelsPerUnit)
+{
+    return units > 0 ? std::max(1.0, units * pixelsPerUnit + 0.5) : units * pixelsPerUnit;
+}
+
 } // namespace
 
 std::vector<std::vector<Cubic>> paintRegion(const PaintingPtr &painting, Microseconds T, Point at,
                                             const RegionWish &wish, double scale)
 {
     const Rect sheet = painting->canvas.area();
-    scale = std::min(scale, std::sqrt(mostPixels / (sheet.width() * sheet.height())));
+    scale = std::min(std::max(scale, leastScale), std::sqrt(mostPixels / (sheet.width() * sheet.height())));
     const int width = std::max(1, int(std::lround(sheet.width() * scale)));
     const int height = std::max(1, int(std::lround(sheet.height() * scale)));
     RenderRequest request;
@@ -47,7 +55,7 @@ std::vector<std::vector<Cubic>> paintRegion(const PaintingPtr &painting, Microse
         return {};
     const double pixels = request.view.scale; // a unit
     const Mask like = pixelsLike(picture, x, y, int(std::lround(255 * wish.tolerance)));
-    const Mask region = grown(regionAround(like, x, y, wish.gap * pixels), wish.grow * pixels);
+    const Mask region = grown(regionAround(like, x, y, wish.gap * pixels), growthOf(wish.grow, pixels));
     std::vector<std::vector<Cubic>> outlines = outlinesOf(region);
     for (std::vector<Cubic> &loop : outlines)
         for (Cubic &curve : loop)

@@ -94,6 +94,26 @@ private slots:
         QVERIFY(std::abs(extentOf(s.filled()) - extent - 5 * 900) < 1200);
     }
 
+    /// Of paint that is filled anew no rim is left, also where the view has few pixels for it.
+    void itReachesUnderItsBoundsInAnyView()
+    {
+        for (const double zoom : {0.3, 0.65, 1.0, 2.0}) {
+            Filling s;
+            s.editor().setBrush(*std::ranges::find(builtinBrushes(), "brush-pen", &Brush::name)); // has crisp edges
+            s.canvas().setZoom(zoom);
+            const StrokePtr below =
+                paintedAlong(outlineOf({.kind = ShapeKind::Ellipse}, {350, 250}, {600, 450}), s.editor().brush(),
+                             s.editor().document().takeStrokeId(), s.editor().clock().time(), ShapePaint::Fill);
+            s.editor().push(addStrokes(s.editor().document(), {below}, false), "ellipse");
+            s.editor().clock().setTime(s.painting().end());
+            s.editor().setColour({0.1f, 0.9f, 0.6f, 1});
+            s.click({475, 350});
+            QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+            const double was = extentOf(*below), is = extentOf(*s.painting().strokes.back());
+            QVERIFY2(is > was && is < 1.1 * was, qPrintable(QString("%1: %2 of %3").arg(zoom).arg(is).arg(was)));
+        }
+    }
+
     void holesStayOpen()
     {
         Filling s;
@@ -128,7 +148,8 @@ private slots:
         QVERIFY(s.tool().hint().contains("canvas"));
         s.click({sheet.right - 50, 300}); // an empty sheet is filled as a whole
         QCOMPARE(s.steps(), 1);
-        QVERIFY(std::abs(extentOf(s.filled()) - sheet.width() * sheet.height()) < 0.01 * sheet.width() * sheet.height());
+        QVERIFY(std::abs(extentOf(s.filled()) - sheet.width() * sheet.height()) <
+                0.01 * sheet.width() * sheet.height());
         QVERIFY(!s.tool().hint().contains("lies on"));
     }
 
