@@ -5508,12 +5508,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>„%1“ ist schon gespeichert.</translation>
     </message>
     <message>
-        <source>Saved “%1”, %2</source>
-        <translation>„%1“ gespeichert, %2</translation>
-    </message>
-    <message>
         <source>%1 (without what is still being drawn)</source>
         <translation>%1 (ohne das, was noch gezeichnet wird)</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>„%1“ gespeichert, %2</translation>
     </message>
     <message>
         <source>Saved “%1”, but %2</source>
@@ -5534,6 +5534,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>“%1” is open in another window. Choose another name, or close that window first.</source>
         <translation>„%1“ ist in einem anderen Fenster geöffnet. Bitte einen anderen Namen wählen oder zuerst jenes Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>“%1” has the lines and areas, for other programs.</source>
+        <translation>„%1“ enthält die Linien und Flächen, für andere Programme.</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
     </message>
 </context>
 <context>
@@ -6726,6 +6734,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Bridge segments</source>
         <translation>Segmente überbrücken</translation>
     </message>
+    <message>
+        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
+        <translation>Ein Knoten allein hat keine Farbe: die Knoten an beiden Enden eines Segments auswählen, oder mit „Auswahl“ den ganzen Strich.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>
@@ -6738,10 +6750,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Knoten einfügen</translation>
     </message>
     <message>
-    <message>
-        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
-        <translation>Ein Knoten allein hat keine Farbe: die Knoten an beiden Enden eines Segments auswählen, oder mit „Auswahl“ den ganzen Strich.</translation>
-    </message>
         <source>Move nodes</source>
         <translation>Knoten verschieben</translation>
     </message>
@@ -9376,6 +9384,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click or Return: type a text, or in the text that is there.</source>
         <translation>Klick oder Eingabe: einen Text schreiben, oder in den, der dort steht.</translation>
+    </message>
+    <message>
+        <source>Some of this text is locked. Object ▸ Unlock All lets it be typed in again.</source>
+        <translation>Ein Teil dieses Textes ist gesperrt. „Objekt ▸ Alle entsperren“ lässt wieder darin schreiben.</translation>
     </message>
 </context>
 <context>

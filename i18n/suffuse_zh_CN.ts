@@ -5491,12 +5491,12 @@ Arrow keys work too.</source>
         <translation>“%1”已是保存过的状态。</translation>
     </message>
     <message>
-        <source>Saved “%1”, %2</source>
-        <translation>已保存“%1”，%2</translation>
-    </message>
-    <message>
         <source>%1 (without what is still being drawn)</source>
         <translation>%1（不含仍在绘制的内容）</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>已保存“%1”，%2</translation>
     </message>
     <message>
         <source>Saved “%1”, but %2</source>
@@ -5517,6 +5517,14 @@ Arrow keys work too.</source>
     <message>
         <source>“%1” is open in another window. Choose another name, or close that window first.</source>
         <translation>“%1”已在另一个窗口中打开。请换个名称，或先关闭那个窗口。</translation>
+    </message>
+    <message>
+        <source>“%1” has the lines and areas, for other programs.</source>
+        <translation>“%1”包含线条和区域，供其他程序使用。</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG 图形</translation>
     </message>
 </context>
 <context>
@@ -6683,6 +6691,10 @@ Arrow keys work too.</source>
         <source>Bridge segments</source>
         <translation>桥接线段</translation>
     </message>
+    <message>
+        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
+        <translation>单独的节点没有颜料：请选择线段两端的节点，或用选择工具选取整条笔画。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>
@@ -6695,10 +6707,6 @@ Arrow keys work too.</source>
         <translation>插入节点</translation>
     </message>
     <message>
-    <message>
-        <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
-        <translation>单独的节点没有颜料：请选择线段两端的节点，或用选择工具选取整条笔画。</translation>
-    </message>
         <source>Move nodes</source>
         <translation>移动节点</translation>
     </message>
@@ -9325,6 +9333,10 @@ Arrow keys work too.</source>
     <message>
         <source>Click or Return: type a text, or in the text that is there.</source>
         <translation>点击或回车：键入文字，或在已有的文字中键入。</translation>
+    </message>
+    <message>
+        <source>Some of this text is locked. Object ▸ Unlock All lets it be typed in again.</source>
+        <translation>此文字有部分被锁定。“对象 ▸ 全部解锁”后即可再次编辑。</translation>
     </message>
 </context>
 <context>

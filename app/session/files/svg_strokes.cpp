@@ -8,6 +8,7 @@
 #include "model/painting/influence.h"
 #include "model/shaping/chains.h"
 
+#include <QCoreApplication>
 #include <QXmlStreamWriter>
 
 #include <cmath>
@@ -149,7 +150,8 @@ std::vector<std::pair<double, Colour>> stopsOf(const Fill &fill)
     const QColor first = toOpaqueScreen(a), last = toOpaqueScreen(b), middle = toOpaqueScreen(between(0.5));
     double bend = 0;
     for (const auto &channel : {&QColor::redF, &QColor::greenF, &QColor::blueF})
-        bend = std::max(bend, std::abs(0.5 * double((first.*channel)() + (last.*channel)()) - double((middle.*channel)())));
+        bend = std::max(bend,
+                        std::abs(0.5 * double((first.*channel)() + (last.*channel)()) - double((middle.*channel)())));
     const int parts = std::clamp(int(std::ceil(std::sqrt(bend / seen))), 1, mostParts);
     std::vector<std::pair<double, Colour>> stops;
     for (int i = 0; i <= parts; ++i)
@@ -291,14 +293,14 @@ private:
 
 int erasuresIn(const Painting &painting)
 {
-    std::ptrdiff_t count = 0;
+    int count = 0;
     for (const StrokePtr &stroke : painting.strokes)
         if (painting.isVisible(*stroke))
-            count += std::ranges::count_if(stroke->segments, &Segment::lift);
-    return int(count);
+            count += erasureCount(*stroke);
+    return count;
 }
 
-SvgStrokes svgOf(const Painting &painting)
+QString leftOutOf(const SvgStrokes &svg)
 {
     return svg.erasures == 0 ? QString()
                              : QCoreApplication::translate("Clipboard",
@@ -311,7 +313,7 @@ SvgStrokes svgOf(const Painting &painting, const Rect &area)
 {
     SvgStrokes svg{{}, erasuresIn(painting)};
     QXmlStreamWriter xml(&svg.bytes);
-    Rect box = influenceOf(painting, painting.end());
+    Rect box = area.isEmpty() ? influenceOf(painting, painting.end()) : area;
     if (box.isEmpty())
         box = painting.canvas.area();
     xml.writeStartDocument();

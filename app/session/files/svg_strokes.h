@@ -10,7 +10,7 @@ namespace suffuse {
 /// Strokes as an SVG document.
 struct SvgStrokes {
     QByteArray bytes;
-    int erasing = 0; ///< segments that take paint away, which SVG has nothing for: they are left out
+    int erasures = 0; ///< which SVG has nothing for: they are left out
 };
 /// The visible strokes of a painting, in their groups: a <path> for the area of a fill, in its colour or gradient, and
 /// one for each run of segments that look alike, in its colour and as wide as the dry paint is seen; each chain is a

@@ -2,13 +2,15 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
+#include "app/session/files/import_strokes.h"
 #include "app/session/files/saving_watch.h"
+#include "app/session/files/svg_strokes.h"
 #include "app/session/open_painting.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
-#include "app/widgets/asking/save_name.h"
 #include "app/widgets/habits/at_next_change.h"
 #include "app/window/layout/workspace_view.h"
+#include "model/formats/files.h"
 
 #include <QApplication>
 #include <QDir>
@@ -117,9 +119,12 @@ void FileSaving::startSavingCopy()
     QString proposal = tr("%1 copy").arg(origin.completeBaseName()) + '.' + origin.suffix();
     if (!m_editor.suggestedPath().isEmpty())
         proposal = origin.dir().filePath(proposal);
-    const QString path = askForFile(tr("Save a Copy"), proposal);
+    const FileKind drawing{tr("SVG drawing"), {"svg"}};
+    const QString path = askForFile(tr("Save a Copy"), proposal, {drawing});
     if (path.isEmpty())
         return;
+    if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+        return writeDrawing(path);
     const QString own = QFileInfo(m_editor.filePath()).canonicalFilePath();
     if (!own.isEmpty() && QFileInfo(path).canonicalFilePath() == own) {
         startSavingTo(path, true); // then it is no copy
@@ -127,6 +132,21 @@ void FileSaving::startSavingCopy()
     }
     m_editor.extras().view = workspaceOf(m_canvas, m_editor);
     m_editor.startSavingCopy(path);
+}
+
+/// What other programs understand of the painting: lines as wide as they are seen, and areas. It is no document of this
+/// one, so it can only be a copy.
+void FileSaving::writeDrawing(const QString &path)
+{
+    const Painting &painting = *m_editor.document().painting();
+    const SvgStrokes svg = svgOf(painting, painting.canvas.area());
+    if (const Result<void> written = writeFileAtomically(path, svg.bytes); !written) {
+        if (askAfterFailedSave(&m_window, written.error()))
+            startSavingCopy();
+        return;
+    }
+    const QString said = tr("“%1” has the lines and areas, for other programs.").arg(QFileInfo(path).fileName());
+    m_window.statusBar()->showMessage(joinedSentences({withDraft(said), leftOutOf(svg)}), shownMs);
 }
 
 void FileSaving::startSavingTo(const QString &path, bool whatever)
@@ -174,6 +194,12 @@ bool FileSaving::saveTo(const QString &path)
     return waitForSaving();
 }
 
+/// What is drawn and not let go is seen like paint, and is not in the file.
+QString FileSaving::withDraft(const QString &said) const
+{
+    return m_leavesDraft ? tr("%1 (without what is still being drawn)").arg(said) : said;
+}
+
 void FileSaving::showOutcome(const SaveOutcome &outcome)
 {
     const QString name = QFileInfo(outcome.path).fileName();
@@ -195,12 +221,6 @@ void FileSaving::showOutcome(const SaveOutcome &outcome)
         m_window.statusBar()->showMessage(
             outcome.message.isEmpty()
                 ? withDraft(tr("Saved “%1”, %2").arg(name, m_window.locale().formattedDataSize(outcome.bytes)))
-/// What is drawn and not let go is seen like paint, and is not in the file.
-QString FileSaving::withDraft(const QString &said) const
-{
-    return m_leavesDraft ? tr("%1 (without what is still being drawn)").arg(said) : said;
-}
-
                 : tr("Saved “%1”, but %2").arg(name, outcome.message),
             shownMs);
         return;
@@ -290,9 +310,10 @@ bool FileSaving::maySwitch()
     return false;
 }
 
-QString FileSaving::askForFile(const QString &title, const QString &proposal)
+QString FileSaving::askForFile(const QString &title, const QString &proposal, const QList<FileKind> &more)
 {
-    const QList<FileKind> kinds{{tr("Suffuse painting"), {"suffuse"}}, {tr("Text form"), {"json"}}};
+    const QList<FileKind> kinds =
+        QList<FileKind>{{tr("Suffuse painting"), {"suffuse"}}, {tr("Text form"), {"json"}}} + more;
     for (QString path = proposal;;) {
         path = chooseFileToSave(&m_window, title, path, kinds);
         const FileSaving *other = path.isEmpty() ? nullptr : of(path);

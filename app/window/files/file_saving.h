@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/files/saving.h"
+#include "app/widgets/asking/save_name.h"
 #include "app/window/workplace.h"
 
 #include <QObject>
@@ -37,14 +38,15 @@ public:
 
 private:
     void addRows(Commands &table);
-    /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
     QString withDraft(const QString &said) const;
+    /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
     bool startSaving();
     bool startSavingAs();
     void startSavingCopy();
     void startSavingTo(const QString &path, bool whatever = false);
     /// A file to save to that is open in no other window; empty: given up.
-    QString askForFile(const QString &title, const QString &proposal);
+    QString askForFile(const QString &title, const QString &proposal, const QList<FileKind> &more = {});
+    void writeDrawing(const QString &path);
     void showOutcome(const SaveOutcome &outcome);
     void fileChangedOutside(const QByteArray &hash);
     void answerConflict(ConflictAnswer answer, const QByteArray &hash);
@@ -54,8 +56,8 @@ private:
     CanvasWidget &m_canvas;
     FileWatch *m_watch;
     bool m_savingWorked = true; ///< the last attempt
+    bool m_leavesDraft = false; ///< something is in hand that was not saved with the rest
     bool m_asking = false;      ///< about a file that another program changed
 };
-    bool m_leavesDraft = false; ///< something is in hand that was not saved with the rest
 
 } // namespace suffuse

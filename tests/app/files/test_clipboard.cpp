@@ -2,8 +2,8 @@
 #include "app/session/colour_convert.h"
 #include "app/session/files/clipboard.h"
 #include "app/session/files/svg_strokes.h"
-#include "model/area/outline.h"
 #include "app/widgets/colour/colour_swatch.h"
+#include "model/area/outline.h"
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"
@@ -272,7 +272,7 @@ private slots:
         std::ranges::reverse(lift.bezier);
         stroke.segments.push_back(lift);
         bench.editor.push(replaceStrokes(bench.editor.document(), {stroke}), "lift");
-        bench.select({1}, {{1, int(stroke.segments.size()) - 1}});
+        bench.select({1}, {{1, int(stroke.segments.size()) - 2}, {1, int(stroke.segments.size()) - 1}});
         QVERIFY(clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection())
                     .strokes.empty()); // it lays nothing by itself
         bench.select({1});
@@ -361,9 +361,7 @@ private slots:
             "<path d='M0 0H100V80H0Z M20 20H60V60H20Z' fill='#e0a030' fill-opacity='0.5' fill-rule='evenodd'>"
             "<title>frame</title></path><path d='M5 5C50 0 90 50 10 90Z' fill='url(#g)'/></g>"
             "<path d='M5 5H50V50Z' fill='#00ff00' stroke='#ff0000' stroke-width='4' stroke-linejoin='round'/></svg>";
-        const auto read = [](const QByteArray &bytes) {
-            return readSvg(bytes, "a.svg", builtinBrushes().front());
-        };
+        const auto read = [](const QByteArray &bytes) { return readSvg(bytes, "a.svg", builtinBrushes().front()); };
         const auto before = read(drawing);
         QVERIFY(bool(before));
         const QByteArray written = svgOf(*before).bytes;

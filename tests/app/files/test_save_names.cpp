@@ -218,6 +218,25 @@ private slots:
         QVERIFY(!settings::recentFiles().contains(path("a v1.0.suffuse")));
     }
 
+    /// Other programs get the lines and areas; what was painted stays where it is.
+    void aCopyMayBeADrawing()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        s.paintLine({200, 400}, {700, 400});
+        whenAskedForFile(this, m_answered, path("a.svg"));
+        s.use(Command::SaveCopy);
+        QCOMPARE(m_answered, 1);
+        const Result<Painting> drawing = loadPainting(path("a.svg"));
+        QVERIFY2(bool(drawing), qPrintable(drawing ? QString() : drawing.error()));
+        QVERIFY(drawing->strokes.size() >= 2);
+        QVERIFY(bytesOf("a.svg").contains("viewBox=\"0 0 "));
+        QVERIFY(s.window.statusBar()->currentMessage().contains("a.svg"));
+        QCOMPARE(s.editor().filePath(), path("a.suffuse"));
+        QVERIFY(s.window.isWindowModified());
+    }
+
     /// Saving waits for its turn; a copy that is ordered meanwhile does not take it.
     void aCopyTakesNoSavesPlace()
     {
