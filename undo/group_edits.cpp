@@ -2,6 +2,8 @@
 
 #include "undo/order_tree.h"
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -127,16 +129,29 @@ Edit changeEverything(const Document &document, Strokes needsChange, const std::
     return edit;
 }
 
+/// Of what is painted: of a fill alone the outline has a colour that nobody sees, and what takes paint away has none.
 std::array<double, 3> meanColour(const Stroke &stroke)
 {
     std::array<double, 3> sum{};
-    for (const Segment &s : stroke.segments) {
-        sum[0] += s.colour.red;
-        sum[1] += s.colour.yellow;
-        sum[2] += s.colour.blue;
+    double count = 0;
+    const auto add = [&](const Colour &colour) {
+        sum[0] += colour.red;
+        sum[1] += colour.yellow;
+        sum[2] += colour.blue;
+        ++count;
+    };
+    for (const Segment &s : stroke.segments)
+        if (!s.lift && s.density > 0)
+            add(s.colour);
+    if (count == 0 && stroke.fill) {
+        add(stroke.fill->colour);
+        if (stroke.fill->gradient)
+            add(stroke.fill->gradient->colour);
     }
+    for (std::size_t k = 0; count == 0 && k < stroke.segments.size(); ++k)
+        add(stroke.segments[k].colour);
     for (double &channel : sum)
-        channel /= double(stroke.segments.size());
+        channel /= std::max(1.0, count);
     return sum;
 }
 

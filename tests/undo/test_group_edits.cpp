@@ -266,6 +266,18 @@ private slots:
         QCOMPARE(selectSame(d, Same::Brush).strokes, (std::set<StrokeId>{3}));
         select(d, {});
         QVERIFY(selectSame(d, Same::Style).isEmpty());
+        // Of fills alone it is the fill's colour that is seen.
+        push(showAll(d));
+        for (const StrokeId id : {1, 2, 3})
+            push(changeStrokes(d, {id}, [id](Stroke &s) {
+                for (Segment &segment : s.segments)
+                    segment.density = 0;
+                Fill fill;
+                fill.colour = id == 2 ? Colour{1, 0, 0, 1} : Colour{0, 1, 0, 1};
+                s.fill = fill;
+            }));
+        select(d, {1});
+        QCOMPARE(selectSame(d, Same::Colour).strokes, (std::set<StrokeId>{1, 3}));
     }
 };
 
