@@ -15,9 +15,9 @@ struct RegionWish {
 };
 
 /// The outlines, in canvas units, of the region of the canvas around a point in which the picture at time T has about
-/// the colour that it has there. `scale` is the resolution that is wanted, pixels a unit, at least 1; large canvases are looked at
-/// with fewer. Empty where the point is beyond the canvas, nothing is left, or nothing can be drawn. Takes as long
-/// as drawing two million pixels.
+/// the colour that it has there. `scale` is the resolution that is wanted, pixels a unit, at least 1; large canvases
+/// are looked at with fewer. Empty where the point is beyond the canvas, nothing is left, or nothing can be drawn.
+/// Takes as long as drawing two million pixels.
 std::vector<std::vector<Cubic>> paintRegion(const PaintingPtr &painting, Microseconds T, Point at,
                                             const RegionWish &wish, double scale);
 
