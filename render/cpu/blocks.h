@@ -45,13 +45,14 @@ struct Meeting {
     }
 };
 
-/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, separable ones that take
-/// it away, oblique ones.
+/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, separable ones that
+/// take it away, oblique ones.
 struct ListedNodes {
     const ViewNode *nodes = nullptr;
     const std::uint32_t *at = nullptr;
-    int laying = 0, separable = 0, count = 0; ///< of `at`, how many come before the lifting, before the oblique ones; all
-    const float *values = nullptr;            ///< rows of `channels` floats
+    int laying = 0, separable = 0,
+        count = 0;                 ///< of `at`, how many come before the lifting, before the oblique ones; all
+    const float *values = nullptr; ///< rows of `channels` floats
     int channels = 0;
     bool laid = false; ///< whether the last channel is φ⁺
 };
@@ -93,12 +94,9 @@ struct FillCellSums {
     alignas(64) float slopeY[cellSize];
 };
 
-/// How the sums of a block bend: ½∂²φ/∂x², ¼∂²φ/∂x∂y, ½∂²φ/∂y² (per pixel), then −½ of the slopes along x and y of
-/// each channel.
-inline constexpr int fixedBends = 3;
-struct Bends {
-    alignas(64) float v[fixedBends + 2 * maxChannels][blockSize];
-};
+/// What is done of a block whose pixels are told from centres: all, and it is mixed; all, but not mixed; or some
+/// samples are still to be evaluated.
+enum class ToldBlock { Mixed, Shaded, SomeLeft };
 
 /// Opacity w = F·C̄_opacity and colour C̄ at the samples of a block.
 struct Shaded {

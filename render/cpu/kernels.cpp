@@ -139,18 +139,6 @@ void shade(const ShadeParams &params, const Sums &sums, const float *eta, float 
     });
 }
 
-void shadeBent(const ShadeParams &params, int channels, Sums &sums, const Bends &bends, const float *eta,
-               const float (*etaOfSamples)[blockSize], std::uint8_t *marks, Shaded &out)
-{
-    Told told;
-    withStyle<Lanes>(
-        params.kind[0].kind, [&](int i) { return Lanes(params.kind[0].xi[i]); },
-        [&](const auto &style) { tell(style, params, channels, sums, bends, etaOfSamples, marks, told); });
-    shade(params, sums, eta, 1, out);
-    if (told.count > 0)
-        shadeTold(params, channels, told, etaOfSamples, out);
-}
-
 HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep, Backdrop &backdrop)
 {
     for (int c = 0; c < 3; ++c)
@@ -182,6 +170,24 @@ void shadeInto(const ShadeParams &params, const Sums &sums, const float *eta, fl
         if (map)
             composeSample(at, paint.w, colour, keep, *map);
     });
+}
+
+ToldBlock shadeBent(const ShadeParams &params, int channels, Sums &sums, const float *eta,
+                    const float (*etaOfSamples)[blockSize], std::uint8_t *marks, float keep, Backdrop &backdrop,
+                    OverMap *map, Shaded &out)
+{
+    Told told;
+    const bool left = withStyle<Lanes>(
+        params.kind[0].kind, [&](int i) { return Lanes(params.kind[0].xi[i]); },
+        [&](const auto &style) { return tell(style, params, channels, sums, etaOfSamples, marks, told); });
+    if (!left && told.count == 0) {
+        shadeInto(params, sums, eta, 1, keep, backdrop, map);
+        return ToldBlock::Mixed;
+    }
+    shade(params, sums, eta, 1, out);
+    if (told.count > 0)
+        shadeTold(params, channels, told, etaOfSamples, out);
+    return left ? ToldBlock::SomeLeft : ToldBlock::Shaded;
 }
 
 void mix(const Shaded &stroke, float keep, Backdrop &backdrop)
@@ -260,7 +266,6 @@ Kernels table()
             listNodes,
             accumulate,
             fillCell,
-            accumulateBent,
             shadeBent,
             shade,
             shadeInto,

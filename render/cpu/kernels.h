@@ -15,18 +15,18 @@ struct Kernels {
     /// stand in `nodes` from i·runCount·boxRun on.
     void (*listNodes)(const NodeBoxes &in, int count, const std::uint32_t *runs, int runCount, const Grid &grid,
                       std::uint32_t *nodes, Meeting *cells);
-    /// Computes the sums of the listed nodes. With `add` they are added to what `sums` has, which are sums of nodes that
-    /// come before them in the stroke.
+    /// Computes the sums of the listed nodes. With `add` they are added to what `sums` has, which are sums of nodes
+    /// that come before them in the stroke.
     void (*accumulate)(const Block &block, const ListedNodes &listed, bool add, Sums &sums);
     /// Sums up a fill in a cell.
     void (*fillCell)(const FillCell &cell, FillCellSums &out);
-    /// Computes the sums at the pixels of a block, and how they bend.
-    void (*accumulateBent)(const Block &block, const ListedNodes &listed, Sums &sums, Bends &bends);
-    /// Computes opacity and colour of the pixels of level 0, and of those of level 1 (`marks`: levelQuarters times the
-    /// level, plus the quarter) whose four samples can be told from their centres: their marks become 0. The densities
-    /// are lost. `etaOfSamples` is η at the samples (left and right ones above, then below), or null for 1.
-    void (*shadeBent)(const ShadeParams &params, int channels, Sums &sums, const Bends &bends, const float *eta,
-                      const float (*etaOfSamples)[blockSize], std::uint8_t *marks, Shaded &out);
+    /// Shades the pixels of level 0, and those of level 1 (`marks`: levelQuarters times the level, plus the quarter)
+    /// whose four samples can be told from sums at the centres around: their marks become 0. The densities are lost.
+    /// `etaOfSamples` is η at the samples (left and right ones above, then below), or null for 1. If one sample does
+    /// for all of them it mixes the block as shadeInto does; else `out` gets opacity and colour.
+    ToldBlock (*shadeBent)(const ShadeParams &params, int channels, Sums &sums, const float *eta,
+                           const float (*etaOfSamples)[blockSize], std::uint8_t *marks, float keep, Backdrop &backdrop,
+                           OverMap *map, Shaded &out);
     /// Computes opacity and colour. `eta` is the paper texture at the samples, or null for 1. `step` is the size of a
     /// sample in pixels.
     void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);

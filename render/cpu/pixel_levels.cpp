@@ -31,9 +31,15 @@ void PixelLevels::findCentres()
         return m_view.toCanvas({m_first.x + column, m_first.y + row}, cosine, sine);
     };
     m_turned = sine != 0;
-    for (int at = 0; at < blockSize; ++at)
-        if (m_turned || at < blockSide || at % blockSide == 0)
+    if (m_turned) {
+        for (int at = 0; at < blockSize; ++at)
             m_centres[std::size_t(at)] = centre(at % blockSide, at / blockSide);
+    } else {
+        for (int i = 0; i < blockSide; ++i) {
+            m_columns[std::size_t(i)] = centre(i, 0).x;
+            m_rows[std::size_t(i)] = centre(0, i).y;
+        }
+    }
     m_area = {};
     for (const int column : {0, blockSide - 1})
         for (const int row : {0, blockSide - 1})
@@ -47,6 +53,7 @@ bool PixelLevels::mark(const SceneStroke &stroke, const TileFill *fill)
     if (stroke.small.empty() && !small)
         return false;
     m_marks.fill(0);
+    m_levels = 1;
     if (!stroke.small.empty())
         markSmall(stroke);
     if (small) {
@@ -55,9 +62,9 @@ bool PixelLevels::mark(const SceneStroke &stroke, const TileFill *fill)
         fill->forEachNear(x, y, [&](int column, int row) {
             std::uint8_t &own = m_marks[std::size_t(row * blockSide + column)];
             own = std::max(own, mark);
+            m_levels |= 1u << fill->fill().level;
         });
     }
-    recount();
     return m_levels > 1;
 }
 
@@ -80,39 +87,45 @@ void PixelLevels::markSmall(const SceneStroke &stroke)
             continue;
         const Rect box = segment.reach.grown(margin);
         if (box.contains({m_area.left, m_area.top}) && box.contains({m_area.right, m_area.bottom}))
-            everywhere = mark;
-        raise(box, std::uint8_t(mark));
+            everywhere = mark, m_levels &= ~0u << segment.level; // No pixel has a lower one.
+        if (raise(box, std::uint8_t(mark)))
+            m_levels |= 1u << segment.level;
     }
 }
 
-/// Raises the marks of the pixels whose centres lie in a box.
-void PixelLevels::raise(const Rect &box, std::uint8_t mark)
+PixelLevels::Span PixelLevels::within(const std::array<double, blockSide> &places, double low, double high) const
+{
+    Span s{0, blockSide - 1};
+    const auto isIn = [&](int i) { return low <= places[std::size_t(i)] && places[std::size_t(i)] <= high; };
+    while (s.first <= s.last && !isIn(s.first))
+        ++s.first;
+    while (s.first < s.last && !isIn(s.last))
+        --s.last;
+    return s;
+}
+
+/// Raises the marks of the pixels whose centres lie in a box. Returns whether there are any.
+bool PixelLevels::raise(const Rect &box, std::uint8_t mark)
 {
     if (m_turned) {
+        bool any = false;
         for (std::size_t at = 0; at < m_marks.size(); ++at)
             if (box.contains(m_centres[at]))
-                m_marks[at] = std::max(m_marks[at], mark);
-        return;
+                m_marks[at] = std::max(m_marks[at], mark), any = true;
+        return any;
     }
     // Of a view that is not turned all pixels of a column have the same x, and all pixels of a row the same y.
-    std::array<std::uint8_t, blockSide> columns;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        columns[i] = box.left <= m_centres[i].x && m_centres[i].x <= box.right ? mark : 0;
-    for (std::size_t row = 0; row < m_marks.size(); row += columns.size())
-        if (const double y = m_centres[row].y; box.top <= y && y <= box.bottom)
-            for (std::size_t i = 0; i < columns.size(); ++i)
-                m_marks[row + i] = std::max(m_marks[row + i], columns[i]);
-}
-
-void PixelLevels::recount()
-{
-    m_levels = 0;
-    for (unsigned level = 0; level <= 6; ++level) {
-        std::uint8_t any = 0; // A loop over bytes becomes one over vectors.
-        for (const std::uint8_t mark : m_marks)
-            any |= std::uint8_t(std::uint8_t(mark - levelQuarters * level) < levelQuarters);
-        m_levels |= unsigned(any) << level;
+    const Span columns = within(m_columns, box.left, box.right), rows = within(m_rows, box.top, box.bottom);
+    if (columns.first > columns.last)
+        return false;
+    std::array<std::uint8_t, blockSide> raised{};
+    std::fill(raised.begin() + columns.first, raised.begin() + columns.last + 1, mark);
+    for (int row = rows.first; row <= rows.last; ++row) {
+        std::uint8_t *marks = m_marks.data() + row * blockSide;
+        for (std::size_t i = 0; i < raised.size(); ++i)
+            marks[i] = std::max(marks[i], raised[i]);
     }
+    return rows.first <= rows.last;
 }
 
 bool PixelLevels::has(int level, int column, int row, int side) const

@@ -45,11 +45,10 @@ HWY_INLINE void cellOffsets(double step, float *out)
         out[i] = (float(i % cellSide) - 3.5f) * float(step);
 }
 
-/// The cut Gaussian along one axis, −½ of its slope and, if `bent`, ½ of its second derivative, times `weight` if there
-/// is one.
-template <bool weighted, bool bent = false>
+/// The cut Gaussian along one axis and −½ of its slope, times `weight` if there is one.
+template <bool weighted>
 HWY_INLINE void axisTable(float first, float last, const float *offsets, float metric, float cut, float weight,
-                          float *value, float *slope, float *bend = nullptr)
+                          float *value, float *slope)
 {
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
         const Lanes d = distances(first, last, offsets, i), rise = Lanes(metric) * d;
@@ -62,11 +61,6 @@ HWY_INLINE void axisTable(float first, float last, const float *offsets, float m
         const Mask there = less_(Lanes(cut), e);
         store(Lanes(hn::IfThenElseZero(there, inside.v)), value + i);
         store(Lanes(hn::IfThenElseZero(there, fall.v)), slope + i);
-        if (bent) { // ½(e^(−ad²))″ = (2a²d² − a) e^(−ad²)
-            const Lanes rest = Lanes(weighted ? metric * weight : metric) * e;
-            const Lanes second = mulAdd_(Lanes(2) * rise, fall, Lanes(0) - rest);
-            store(Lanes(hn::IfThenElseZero(there, second.v)), bend + i);
-        }
     }
 }
 
@@ -187,9 +181,8 @@ HWY_INLINE void addSeparable(const Block &block, const ListedNodes &listed, int 
     }
 }
 
-/// Adds nodes whose axes are oblique, and so are no product of two tables. `bends` only counts if `bent`.
-template <bool bent>
-void addOblique(const Block &block, const ListedNodes &listed, Sums &sums, Bends *bends)
+/// Adds nodes whose axes are oblique, and so are no product of two tables.
+void addOblique(const Block &block, const ListedNodes &listed, Sums &sums)
 {
     const int channels = listed.channels;
     alignas(64) float dx[blockSide], dy[blockSide], offsets[blockSide];
@@ -217,58 +210,7 @@ void addOblique(const Block &block, const ListedNodes &listed, Sums &sums, Bends
                 store(load(sums.v[2] + at) + slope * cy, sums.v[2] + at);
                 for (int c = 0; c < channels; ++c)
                     store(load(sums.v[fixedSums + c] + at) + density * Lanes(value[c]), sums.v[fixedSums + c] + at);
-                if (!bent)
-                    continue;
-                const auto add = [&](Lanes v, int i) { store(load(bends->v[i] + at) + v, bends->v[i] + at); };
-                add(slope * (Lanes(2) * ax * ax - Lanes(node.a)), 0);
-                add(slope * (ax * cy - Lanes(0.5f * node.b)), 1);
-                add(slope * (Lanes(2) * cy * cy - Lanes(node.c)), 2);
-                for (int c = 0; c < channels; ++c) {
-                    add(slope * ax * Lanes(value[c]), fixedBends + 2 * c);
-                    add(slope * cy * Lanes(value[c]), fixedBends + 2 * c + 1);
-                }
             }
-    }
-}
-
-/// Tables for second derivatives.
-struct alignas(64) BendTables {
-    float column[chunk][blockSide]; // ½ of the second derivative
-    float row[chunk][blockSide];    // the same, weighted
-};
-
-/// The same as addSeparable, and how the sums bend.
-HWY_INLINE void addSeparableBent(const Block &block, const ListedNodes &listed, int from, int to, int channels,
-                                 bool begin, Sums &sums, Bends &bends)
-{
-    Tables t;
-    BendTables b;
-    alignas(64) float offsets[blockSide];
-    cellOffsets(block.step, offsets);
-    for (int first = from; first < to || (first == from && begin); first += chunk) {
-        const int n = std::min(chunk, to - first);
-        const std::uint32_t *at = listed.at + first;
-        fillPlaces(block, listed.nodes, at, n, t);
-        for (int i = 0; i < n; ++i) {
-            const ViewNode &node = listed.nodes[at[i]];
-            const float *place = t.place[i];
-            axisTable<false, true>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i],
-                                   b.column[i]);
-            axisTable<true, true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i],
-                                  b.row[i]);
-        }
-        const bool add = !begin || first > from;
-        addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
-        addOuterPair(t.column, t.columnSlope, t.rowSlope, n, add, sums.v[2], bends.v[1]);
-        addOuter(b.column, t.row, n, add, bends.v[0]);
-        addOuter(t.column, b.row, n, add, bends.v[2]);
-        for (int c = 0; c < channels; ++c) {
-            scaleRows(t.row, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
-            addOuterPair(t.column, t.columnSlope, t.scaledRow, n, add, sums.v[fixedSums + c],
-                         bends.v[fixedBends + 2 * c]);
-            scaleRows(t.rowSlope, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
-            addOuter(t.column, t.scaledRow, n, add, bends.v[fixedBends + 2 * c + 1]);
-        }
     }
 }
 
@@ -284,21 +226,6 @@ HWY_INLINE void addBySign(const ListedNodes &listed, bool begin, Add add, KeepLa
         add(listed.laying, listed.separable, 0, false);
 }
 
-void accumulateBent(const Block &block, const ListedNodes &listed, Sums &sums, Bends &bends)
-{
-    const int laid = listed.channels - 1;
-    addBySign(
-        listed, true,
-        [&](int from, int to, int channels, bool begin) {
-            addSeparableBent(block, listed, from, to, channels, begin, sums, bends);
-        },
-        [&] {
-            std::memcpy(sums.v[fixedSums + laid], sums.v[0], sizeof sums.v[0]);
-            std::memcpy(bends.v[fixedBends + 2 * laid], sums.v[1], 2 * sizeof sums.v[1]); // both slopes
-        });
-    addOblique<true>(block, listed, sums, &bends);
-}
-
 void accumulate(const Block &block, const ListedNodes &listed, bool add, Sums &sums)
 {
     addBySign(
@@ -307,7 +234,7 @@ void accumulate(const Block &block, const ListedNodes &listed, bool add, Sums &s
             addSeparable(block, listed, from, to, channels, begin, sums);
         },
         [&] { std::memcpy(sums.v[fixedSums + listed.channels - 1], sums.v[0], sizeof sums.v[0]); });
-    addOblique<false>(block, listed, sums, nullptr);
+    addOblique(block, listed, sums);
 }
 
 } // namespace suffuse::HWY_NAMESPACE

@@ -19,14 +19,13 @@ struct Scratch {
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
     PixelLevels levels;
-    Bends bends;
     alignas(64) float quarterEta[4][blockSize]; ///< at the four samples of each pixel
     alignas(64) float covered[blockSize];       ///< by a crisp fill
     Sums insideSums;
     Shaded insideShaded;
-    std::vector<std::uint32_t> runs;            ///< runs of boxes that meet the block, where it is supersampled,
-    std::vector<std::uint32_t> whole;           ///< nodes that meet the block
-    std::vector<std::uint32_t> group;           ///< and nodes that meet a group of its pixels
+    std::vector<std::uint32_t> runs;  ///< runs of boxes that meet the block, where it is supersampled,
+    std::vector<std::uint32_t> whole; ///< nodes that meet the block
+    std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
 };
 
 class BlockPainter {
@@ -85,10 +84,12 @@ public:
             prefix = {};
         }
         const bool calm = small && scene.calm && m_s.levels.has(1);
-        if (calm)
-            shadeCalm(scene, listed, block, paper);
-        else if (!small || m_s.levels.has(0))
+        if (calm) {
+            if (shadeCalm(scene, listed, block, paper))
+                return;
+        } else if (!small || m_s.levels.has(0)) {
             evaluate(scene, listed, block, paper, m_s.shaded, prefix);
+        }
         if (small)
             supersample(scene, listed);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
@@ -174,14 +175,17 @@ private:
     }
 
     /// Computes opacity and colour of the pixels of levels 0 and 1. Those of level 1 whose samples can be told from
-    /// their centres become pixels of level 0; the others are left to `supersample`.
-    void shadeCalm(const SceneStroke &stroke, NodeList listed, const Block &block, const float *paper)
+    /// centres become pixels of level 0; the others are left to `supersample`. Returns true if the stroke has been
+    /// mixed into the block, since nothing is left to do.
+    bool shadeCalm(const SceneStroke &stroke, NodeList listed, const Block &block, const float *paper)
     {
-        m_frame.kernels->accumulateBent(block, listedOf(stroke, listed), m_s.sums, m_s.bends);
+        sum(stroke, listed, block, {});
         const float(*eta)[blockSize] = paper ? etaOfSamples(block) : nullptr;
-        m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, m_s.bends, paper, eta, m_s.levels.marks(),
-                                   m_s.shaded);
-        m_s.levels.recount();
+        const ToldBlock told =
+            m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, paper, eta, m_s.levels.marks(),
+                                       stroke.keep, m_s.backdrop, m_map, m_s.shaded);
+        m_s.levels.settle(told == ToldBlock::SomeLeft);
+        return told == ToldBlock::Mixed;
     }
 
     /// The paper at the four samples of each pixel.
@@ -259,8 +263,7 @@ private:
     {
         std::array<Meeting, gridSide * gridSide> cells;
         m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
-                                   inWindow(i, j, side, across), m_s.group.data(),
-                                   cells.data());
+                                   inWindow(i, j, side, across), m_s.group.data(), cells.data());
         const std::size_t room = std::size_t(runs) * boxRun;
         for (int k = 0; k < across * across; ++k) {
             const int x = i + k % across * side, y = j + k / across * side;

@@ -1,4 +1,5 @@
-// The four samples of a pixel of a calm density, told from sums at its centre. docs/solver.md, "Four samples from one".
+// The four samples of a pixel of a calm density, told from sums at the centres around. docs/solver.md, "Four samples
+// from one".
 #if defined(SUFFUSE_RENDER_MATH_BENDS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_MATH_BENDS_H
 #undef SUFFUSE_RENDER_MATH_BENDS_H
@@ -16,28 +17,32 @@ template <class V>
 struct Bent {
     V density, slopeX, slopeY; ///< φ, −½∂φ/∂x, −½∂φ/∂y
     V xx, xy, yy;              ///< ½∂²φ/∂x², ¼∂²φ/∂x∂y, ½∂²φ/∂y²
+    V xxx, xxy, xyy, yyy;      ///< the third derivatives
 
     /// The same at the sample a quarter of a pixel to the right (`right` = 1, else −1) and down (`down` = 1).
     SUFFUSE_INLINE V densityAt(V right, V down) const
     {
-        const V linear = V(-0.5) * mulAdd_(right, slopeX, down * slopeY);
-        return density + mulAdd_(V(1.0 / 16), xx + yy, mulAdd_(V(0.25) * right * down, xy, linear));
+        const V alongX = mulAdd_(V(3), xyy, xxx), alongY = mulAdd_(V(3), xxy, yyy);
+        const V odd = mulAdd_(right, mulAdd_(V(-0.5), slopeX, V(1.0 / 384) * alongX),
+                              down * mulAdd_(V(-0.5), slopeY, V(1.0 / 384) * alongY));
+        return density + mulAdd_(V(1.0 / 16), xx + yy, mulAdd_(V(0.25) * right * down, xy, odd));
     }
     SUFFUSE_INLINE V slopeXAt(V right, V down) const
     {
-        return slopeX - mulAdd_(V(0.25) * right, xx, V(0.5) * down * xy);
+        const V third = mulAdd_(V(2) * right * down, xxy, xxx + xyy);
+        return slopeX - mulAdd_(V(0.25) * right, xx, mulAdd_(V(0.5) * down, xy, V(1.0 / 64) * third));
     }
     SUFFUSE_INLINE V slopeYAt(V right, V down) const
     {
-        return slopeY - mulAdd_(V(0.25) * down, yy, V(0.5) * right * xy);
+        const V third = mulAdd_(V(2) * right * down, xyy, yyy + xxy);
+        return slopeY - mulAdd_(V(0.25) * down, yy, mulAdd_(V(0.5) * right, xy, V(1.0 / 64) * third));
     }
 };
 
-/// Bounds of F′ between two densities.
 template <class V>
 struct Course {
     V change; ///< how much F′ changes; far above all others if F jumps
-    V slope;  ///< |F′|
+    V slope;  ///< |F′|, likewise
     V scale;  ///< F″ and all that follow change by their own size over this much density; 0 if they are not bounded
 };
 inline constexpr double jump = 1e9;
@@ -76,7 +81,8 @@ SUFFUSE_INLINE Course<V> courseOf(const Edge<V> &style, V low, V high)
     };
     const V a = slopeAt(low), b = slopeAt(high);
     const auto jumps = less_(low, style.phiE);
-    return {select_(jumps, V(jump), abs_(b - a)), max_(abs_(a), abs_(b)), select_(jumps, V(0), V(1.0 / 8) * low)};
+    return {select_(jumps, V(jump), abs_(b - a)), select_(jumps, V(jump), max_(abs_(a), abs_(b))),
+            select_(jumps, V(0), V(1.0 / 8) * low)};
 }
 
 /// The upper end of the range of a mean, for all densities up to this one.
@@ -118,21 +124,22 @@ SUFFUSE_INLINE Doubt<V> doubtAbout(const Style &style, const Bent<V> &at, V spre
     // Of a Gaussian φ‴ = −4φ′/s² − 2uφ″/s, and φ⁗ = −6φ″/s² − 2uφ‴/s.
     const V inverse = V(2) * reciprocal_(spread);
     const V third = inverse * mulAdd_(inverse, g, bend), fourth = inverse * mulAdd_(V(1.5) * inverse, bend, third);
-    // A sample lies √⅛ px from the centre, and is linear over ¼|∇φ| to both sides.
-    const V missed = V(0.0074) * third;
-    const V away = mulAdd_(V(0.354), g, mulAdd_(V(0.063), bend, missed));
+    // A sample lies √⅛ px from the centre, and is linear over ¼|∇φ| to both sides. Of its density the terms up to the
+    // third order are known, from differences.
+    const V missed = V(4e-4) * fourth;
+    const V away = mulAdd_(V(0.354), g, mulAdd_(V(0.063), bend, V(0.0074) * third));
     const V half = mulAdd_(V(0.25), g, mulAdd_(V(0.089), bend, V(0.016) * third));
     const V low = gamma.low * (at.density - away - half),
             high = rangeTop(style, gamma.high * (at.density + away), gamma.high * half);
     const Course<V> course = courseOf(style, low, high);
-    // What is missed has opposite signs in opposite samples, so only a change of F′ shows.
-    const V change = min_(course.change, V(2) * reciprocal_(max_(g, V(1e-30))));
+    // Where F jumps what is missed moves the place of the jump.
+    const V shown = min_(course.slope, reciprocal_(max_(g, V(1e-30))));
     // The terms of fourth order of the mean, by F⁗, F‴, F″ and F′.
     const V over = reciprocal_(max_(course.scale, V(1e-30))), g2 = g * g;
     const V second = course.change * reciprocal_(max_(high - low, V(1e-30)));
     const V terms = mulAdd_(g2 * over, mulAdd_(V(1.6e-4) * g2, over, V(1.0 / 340) * bend),
                             mulAdd_(V(1.0 / 512) * g, third, V(1.0 / 600) * bend * bend));
-    return {V(0.25) * missed * change, mulAdd_(second, terms, V(1.0 / 3072) * course.slope * fourth), high};
+    return {missed * shown, mulAdd_(second, terms, V(1.0 / 3072) * course.slope * fourth), high};
 }
 
 /// By how much the four samples rise above the density at the centre, on the average.
