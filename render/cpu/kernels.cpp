@@ -172,6 +172,38 @@ void shadeInto(const ShadeParams &params, const Sums &sums, const float *eta, fl
     });
 }
 
+/// What all samples of a block show that have the sums of the first ones.
+HWY_INLINE Paint<Lanes> levelPaint(const ShadeParams &params, const Sums &sums, float step)
+{
+    Paint<Lanes> level{Lanes(0), Lanes(0), Lanes(0), Lanes(0)};
+    shadeBlock(
+        params, sums, nullptr, step, [&](int, const Paint<Lanes> &paint) { level = paint; }, int(hn::Lanes(tag)));
+    return level;
+}
+
+void shadeLevelInto(const ShadeParams &params, const Sums &sums, float step, float keep, Backdrop &backdrop,
+                    OverMap *map)
+{
+    const Paint<Lanes> paint = levelPaint(params, sums, step);
+    const Lanes colour[3] = {paint.red, paint.yellow, paint.blue};
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        mixSample(at, paint.w, colour, keep, backdrop);
+        if (map)
+            composeSample(at, paint.w, colour, keep, *map);
+    }
+}
+
+void shadeLevel(const ShadeParams &params, const Sums &sums, float step, Shaded &out)
+{
+    const Paint<Lanes> paint = levelPaint(params, sums, step);
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        store(paint.w, out.w + at);
+        store(paint.red, out.colour[0] + at);
+        store(paint.yellow, out.colour[1] + at);
+        store(paint.blue, out.colour[2] + at);
+    }
+}
+
 ToldBlock shadeBent(const ShadeParams &params, int channels, Sums &sums, const float *eta,
                     const float (*etaOfSamples)[blockSize], std::uint8_t *marks, float keep, Backdrop &backdrop,
                     OverMap *map, Shaded &out)
@@ -269,6 +301,8 @@ Kernels table()
             shadeBent,
             shade,
             shadeInto,
+            shadeLevelInto,
+            shadeLevel,
             mix,
             compose,
             apply,

@@ -33,6 +33,11 @@ struct Kernels {
     /// Does the same, but mixes the result into the block at once, and puts it on top of `map` if there is one.
     void (*shadeInto)(const ShadeParams &params, const Sums &sums, const float *eta, float step, float keep,
                       Backdrop &backdrop, OverMap *map);
+    /// The same for a block whose samples all have the sums of the first ones, without paper.
+    void (*shadeLevelInto)(const ShadeParams &params, const Sums &sums, float step, float keep, Backdrop &backdrop,
+                           OverMap *map);
+    /// Computes opacity and colour of such a block.
+    void (*shadeLevel)(const ShadeParams &params, const Sums &sums, float step, Shaded &out);
     /// Mixes one stroke into the block (eq 22 with keep = 1, eq 23 with keep = 1 − β).
     void (*mix)(const Shaded &stroke, float keep, Backdrop &backdrop);
     /// Puts one stroke on top of a map.

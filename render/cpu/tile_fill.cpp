@@ -280,17 +280,22 @@ void TileFill::addCell(const Block &block, int i0, int j0, int channels, const F
 void TileFill::addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const
 {
     const float density = float(m_fill->density);
+    std::array<float, cellSide> place{}; // on the gradient
     for (int j = j0; j < j0 + cellSide; ++j) {
-        for (int i = i0; i < i0 + cellSide; ++i)
-            sums.v[0][j * blockSide + i] += density;
+        const int at = j * blockSide + i0;
+        for (int i = 0; i < cellSide; ++i)
+            sums.v[0][at + i] += density;
+        if (m_fill->hasGradient && channels > 0) {
+            const double y = block.y + (j + 0.5) * block.step;
+            for (int i = 0; i < cellSide; ++i) {
+                const double along = m_fill->placeAt(block.x + (i0 + i + 0.5) * block.step, y);
+                place[std::size_t(i)] = float(std::min(std::max(along, 0.0), 1.0));
+            }
+        }
         for (int c = 0; c < channels; ++c) {
             const float from = m_fill->from[std::size_t(c)], step = m_fill->step[std::size_t(c)];
-            for (int i = i0; i < i0 + cellSide; ++i) {
-                float place = 0;
-                if (m_fill->hasGradient && step != 0)
-                    place = placeAt(block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step, 0, 0, 0);
-                sums.v[fixedSums + c][j * blockSide + i] += density * (from + place * step);
-            }
+            for (int i = 0; i < cellSide; ++i)
+                sums.v[fixedSums + c][at + i] += density * (from + place[std::size_t(i)] * step);
         }
     }
 }
@@ -320,6 +325,21 @@ void TileFill::addTo(const Kernels &kernels, const Block &block, int channels, S
         }
 }
 
+bool TileFill::isLevel(int channels) const
+{
+    return !m_fill->hasGradient || channels == 0;
+}
+
+void TileFill::setInside(int channels, Sums &sums) const
+{
+    const float density = float(m_fill->density);
+    for (int i = 0; i < int(boxRun); ++i) {
+        sums.v[0][i] = density, sums.v[1][i] = sums.v[2][i] = 0;
+        for (int c = 0; c < channels; ++c)
+            sums.v[fixedSums + c][i] = density * m_fill->from[std::size_t(c)];
+    }
+}
+
 void TileFill::addInside(const Block &block, int channels, Sums &sums) const
 {
     for (int j0 = 0; j0 < blockSide; j0 += cellSide)
@@ -341,9 +361,15 @@ void TileFill::coverCell(Point corner, double step, float *covered, int stride)
     const double side = cellSide * step;
     const Rect area = Rect::of(corner.x, corner.y, side, side);
     const Near &near = this->near(area);
+    const double begin = entered(corner);
+    if (near.isEmpty()) {
+        for (int row = 0; row < cellSide; ++row)
+            std::fill_n(covered + row * stride, cellSide, float(begin));
+        return;
+    }
     std::array<std::array<double, cellSide>, cellSide> cover{}; // by row and column
     std::array<double, cellSide> base;                          // of each row
-    base.fill(entered(corner));
+    base.fill(begin);
     const auto inRow = [&](double y, int row) { return std::clamp((y - corner.y) / step - row, 0.0, 1.0); };
     const auto changeBelow = [&](double y, int jump) {
         for (int row = 0; row < cellSide; ++row)
@@ -358,7 +384,8 @@ void TileFill::coverCell(Point corner, double step, float *covered, int stride)
         if (!(from < to))
             continue;
         // Where it crosses the borders of samples, between which it is integrated.
-        std::vector<double> cuts{arc.parameterAtY(from), arc.parameterAtY(to)};
+        std::vector<double> &cuts = m_cuts;
+        cuts.assign({arc.parameterAtY(from), arc.parameterAtY(to)});
         for (int k = 0; k <= cellSide; ++k) {
             if (const double y = corner.y + k * step; y > from && y < to)
                 cuts.push_back(arc.parameterAtY(y));

@@ -33,6 +33,11 @@ public:
     /// Adds what a crisp fill lays where it covers a sample.
     void addInside(const Block &block, int channels, Sums &sums) const;
 
+    /// Whether a stroke that has nothing but the fill is the same at all samples within it.
+    bool isLevel(int channels) const;
+    /// Sets the sums of one vector of samples to those within a level fill.
+    void setInside(int channels, Sums &sums) const;
+
     /// Calls raise(column, row) for the pixels of a block near the boundary, in pixels from its corner.
     template <class Raise>
     void forEachNear(int x, int y, Raise raise) const
@@ -119,6 +124,7 @@ private:
     std::size_t m_levelCount = 0;
     std::size_t m_nodeCount = 0; ///< of m_x, m_y and m_weight
     std::vector<float> m_x, m_y, m_weight, m_eventY, m_eventJump;
+    std::vector<double> m_cuts; ///< of an arc, by the borders of samples
 };
 
 } // namespace suffuse::cpu

@@ -73,6 +73,13 @@ public:
         const Block block{double(m_x), double(m_y), 1};
         const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = m_s.levels.mark(scene, fill.tile), crisp = fill && scene.fill->crisp;
+        m_isBare = fill && !isDeep(scene) && listed.empty() && prefix.empty();
+        m_isLevel = m_isBare && !paper && fill.tile->isLevel(scene.channels);
+        if (!small && m_isLevel && fill.presence == FillPresence::Inside) {
+            fill.tile->setInside(scene.channels, m_s.sums);
+            m_frame.kernels->shadeLevelInto(scene.shade, m_s.sums, 1, scene.keep, m_s.backdrop, m_map);
+            return;
+        }
         if (!small && !isDeep(scene) && !crisp) {
             sum(scene, listed, block, prefix);
             addFill(scene, block);
@@ -128,9 +135,11 @@ private:
     void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out,
                   std::span<const float> prefix = {})
     {
-        sum(scene, listed, block, prefix);
+        const bool crisp = m_fill && scene.fill->crisp;
+        if (!crisp || !m_isLevel)
+            sum(scene, listed, block, prefix);
         addFill(scene, block);
-        if (m_fill && scene.fill->crisp)
+        if (crisp)
             shadeCrisp(scene, block, eta, out);
         else
             shadeSums(scene, block, m_s.sums, eta, out);
@@ -148,10 +157,19 @@ private:
     void shadeCrisp(const SceneStroke &scene, const Block &block, const float *eta, Shaded &out)
     {
         m_fill.tile->cover(block, m_s.covered);
-        m_s.insideSums = m_s.sums;
-        m_fill.tile->addInside(block, scene.channels, m_s.insideSums);
-        shadeSums(scene, block, m_s.insideSums, eta, m_s.insideShaded);
-        shadeSums(scene, block, m_s.sums, eta, out);
+        if (m_isLevel) {
+            m_fill.tile->setInside(scene.channels, m_s.insideSums);
+            m_frame.kernels->shadeLevel(scene.shade, m_s.insideSums, float(block.step), m_s.insideShaded);
+        } else {
+            for (int i = 0; i < fixedSums + scene.channels; ++i)
+                std::copy_n(m_s.sums.v[i], blockSize, m_s.insideSums.v[i]);
+            m_fill.tile->addInside(block, scene.channels, m_s.insideSums);
+            shadeSums(scene, block, m_s.insideSums, eta, m_s.insideShaded);
+        }
+        if (m_isBare) // Where there is no density, nothing shows.
+            std::memset(&out, 0, sizeof out);
+        else
+            shadeSums(scene, block, m_s.sums, eta, out);
         for (int at = 0; at < blockSize; ++at) {
             const float covered = m_s.covered[at];
             if (covered == 0)
@@ -314,7 +332,8 @@ private:
     int m_x;
     int m_y;
     Scratch &m_s;
-    BlockFill m_fill; ///< of the stroke in hand
+    BlockFill m_fill;                         ///< of the stroke in hand
+    bool m_isBare = false, m_isLevel = false; ///< whether it has nothing but its fill in the block, and is level within
     OverMap *m_map = nullptr;
     const float *m_eta = nullptr;
 };
