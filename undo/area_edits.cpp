@@ -85,10 +85,9 @@ std::vector<LineOfWidth> seenLines(const Stroke &stroke)
             const Segment &segment = stroke.segments[std::size_t(k)];
             const Cubic curve = offsetsOf(segment);
             const double age = segment.age(segment.driesAt()), cut = visibleCut(stroke.styleOf(segment));
-            const double half = segment.lift || !(cut > 0)
-                                    ? 0
-                                    : halfWidth(diffusionAcross(segment, tangentAt(curve, 0.5)),
-                                                double(segment.density), age, cut);
+            const double half = segment.lift || !(cut > 0) ? 0
+                                                           : halfWidth(diffusionAcross(segment, tangentAt(curve, 0.5)),
+                                                                       double(segment.density), age, cut);
             if (!(half > 0)) {
                 goesOn = false;
                 continue;
@@ -198,7 +197,7 @@ Edit combineAreas(Document &document, AreaSet how, AreaProblem *problem)
             return refused(AreaProblem::Empty, problem);
     std::vector<Stroke> results;
     for (const Area &area : *set) {
-        std::optional<Stroke> stroke = withArea(lowest, area);
+        std::optional<Stroke> stroke = withArea(lowest, area, strokes);
         if (!stroke)
             continue;
         if (how != AreaSet::Division) {

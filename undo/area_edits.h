@@ -21,10 +21,10 @@ std::vector<StrokePtr> selectedAreas(const Document &document);
 /// Whether there are at least so many of them.
 bool hasSelectedAreas(const Document &document, int least);
 
-/// The set of the areas of the selected strokes, counted from the lowest one, takes the place of the lowest one with its
-/// values, and is selected; the others go. The lowest one keeps what takes paint away from it; where the areas of others
-/// come to it, so does what takes paint away from them. Parts of a division that do not touch are strokes of their own.
-/// Where there is a problem, the edit is empty.
+/// The set of the areas of the selected strokes, counted from the lowest one, takes the place of the lowest one with
+/// its fill, and is selected; the others go. Pieces of outlines keep their values. The lowest one keeps what takes
+/// paint away from it; where the areas of others come to it, so does what takes paint away from them. Parts of a
+/// division that do not touch are strokes of their own. Where there is a problem, the edit is empty.
 Edit combineAreas(Document &document, AreaSet how, AreaProblem *problem = nullptr);
 
 /// Moves the outlines of the selected areas outwards by a distance in canvas units, or inwards where it is negative.

@@ -2,6 +2,7 @@
 
 #include "model/area/outline.h"
 #include "model/painting/validate.h"
+#include "model/shaping/bound_values.h"
 #include "model/shaping/chains.h"
 #include "model/shaping/curve_fit.h"
 #include "model/shaping/split.h"
@@ -56,8 +57,8 @@ std::optional<Cubic> wholeOf(const Cubic &a, const Cubic &b)
     const double share = before / (before + after);
     if (!(share > 1e-3 && share < 1 - 1e-3))
         return std::nullopt;
-    const Cubic whole{{a.p[0], a.p[0] + (1 / share) * (a.p[1] - a.p[0]),
-                       b.p[3] + (1 / (1 - share)) * (b.p[2] - b.p[3]), b.p[3]}};
+    const Cubic whole{
+        {a.p[0], a.p[0] + (1 / share) * (a.p[1] - a.p[0]), b.p[3] + (1 / (1 - share)) * (b.p[2] - b.p[3]), b.p[3]}};
     const auto parts = whole.split(share);
     const double near = 1e-7 * (polygonLength(a) + polygonLength(b));
     for (std::size_t i = 0; i < 4; ++i)
@@ -66,22 +67,37 @@ std::optional<Cubic> wholeOf(const Cubic &a, const Cubic &b)
     return whole;
 }
 
+/// A piece of an outline with its values.
+struct OutlinePiece {
+    Cubic curve;
+    BoundValues::Found values;
+};
+
 /// The loop without nodes at which nothing happens: curves were divided where they turn up or down.
-Loop withoutSplits(const Loop &loop)
+std::vector<OutlinePiece> withoutSplits(const Loop &loop, const BoundValues &values)
 {
-    Loop result;
+    // What lies where no segment lay before, as a moved outline does, is divided nowhere on account of values.
+    const auto joined = [](const OutlinePiece &a, const OutlinePiece &b) {
+        const bool isOne = a.values.isThere || b.values.isThere ? a.values.number == b.values.number : true;
+        return isOne ? wholeOf(a.curve, b.curve) : std::nullopt;
+    };
+    std::vector<OutlinePiece> result;
     for (const Cubic &curve : loop) {
-        const std::optional<Cubic> whole = result.empty() ? std::nullopt : wholeOf(result.back(), curve);
+        const OutlinePiece piece{curve, values.valuesAt(curve)};
+        const std::optional<Cubic> whole = result.empty() ? std::nullopt : joined(result.back(), piece);
         if (whole)
-            result.back() = *whole;
+            result.back().curve = *whole;
         else
-            result.push_back(curve);
+            result.push_back(piece);
     }
     if (result.size() > 2)
-        if (const std::optional<Cubic> whole = wholeOf(result.back(), result.front())) {
-            result.front() = *whole;
+        if (const std::optional<Cubic> whole = joined(result.back(), result.front())) {
+            result.front().curve = *whole;
             result.pop_back();
         }
+    for (OutlinePiece &piece : result)
+        if (!piece.values.isThere)
+            piece.values = values.valuesAt(piece.curve);
     return result;
 }
 
@@ -94,23 +110,23 @@ bool isSeen(const Loop &loop, double resolution)
     return sizeOf({{loop}}) > resolution * around;
 }
 
-/// The segments of a closed chain with the values of `values`.
-std::vector<Segment> segmentsOf(const Loop &loop, const Segment &values)
+/// The segments of a closed chain.
+std::vector<Segment> segmentsOf(const std::vector<OutlinePiece> &loop, const BoundValues &values)
 {
     std::vector<Segment> segments;
     const auto isSmooth = [](const Cubic &before, const Cubic &after) {
         return dot(endDirection(before), startDirection(after)) > 1 - 1e-6;
     };
-    const Cubic *before = &loop.back();
-    for (const Cubic &curve : loop) {
-        Segment segment = values;
-        segment.bezier = toOffsets(curve);
+    const Cubic *before = &loop.back().curve;
+    for (const OutlinePiece &piece : loop) {
+        Segment segment = values.values(piece.values.number);
+        segment.bezier = toOffsets(piece.curve);
         if (!segments.empty())
             segment.bezier[0] = segments.back().bezier[3];
         if (isPoint(segment))
             continue;
-        segment.node = isSmooth(*before, curve) ? NodeKind::Smooth : NodeKind::Corner;
-        before = &curve;
+        segment.node = isSmooth(*before, piece.curve) ? NodeKind::Smooth : NodeKind::Corner;
+        before = &piece.curve;
         segments.push_back(std::move(segment));
     }
     if (!segments.empty())
@@ -310,23 +326,17 @@ Area drawnAnew(const Area &area, double step, double tolerance)
     return result;
 }
 
-std::optional<Stroke> withArea(const Stroke &stroke, const Area &area)
+std::optional<Stroke> withArea(const Stroke &stroke, const Area &area, const std::vector<StrokePtr> &others)
 {
     Stroke result = stroke;
     result.segments.clear();
-    std::vector<const Segment *> bounds;
-    for (const Segment &segment : stroke.segments)
-        if (!segment.lift)
-            bounds.push_back(&segment);
-    if (bounds.empty())
+    const BoundValues values(stroke, others);
+    if (values.isEmpty())
         return std::nullopt;
-    Segment values = *bounds.front();
-    setMeanValues(values, bounds);
-    values.start = false;
     const double resolution = resolutionOf(area.box());
     for (const Loop &loop : area.loops)
         if (isSeen(loop, resolution))
-            appendChain(result, segmentsOf(withoutSplits(loop), values));
+            appendChain(result, segmentsOf(withoutSplits(loop, values), values));
     if (result.segments.empty())
         return std::nullopt;
     appendLifts(result, stroke);

@@ -35,10 +35,10 @@ std::optional<std::vector<Area>> setOf(const std::vector<Area> &areas, AreaSet h
 /// than about 55° within a few steps; `step` is in the unit of the area. An outline of very many steps stays as it is.
 Area drawnAnew(const Area &area, double step, double tolerance);
 
-/// A filled stroke with another area, offsets from its origin. Its new segments have the means, by length, of the values
-/// of those that bounded it before; what takes paint away stays. No value where float32 leaves nothing of the area, or
-/// it reaches too far.
-std::optional<Stroke> withArea(const Stroke &stroke, const Area &area);
+/// A filled stroke with another area, offsets from its origin. Its new segments have the values of those that lay where
+/// they lie, of the stroke or of others from which the area was made; what takes paint away stays. No value where
+/// float32 leaves nothing of the area, or it reaches too far.
+std::optional<Stroke> withArea(const Stroke &stroke, const Area &area, const std::vector<StrokePtr> &others = {});
 
 /// Appends what takes paint away from another stroke. Returns false, and leaves the stroke as it was, if that reaches too
 /// far.

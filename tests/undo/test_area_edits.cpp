@@ -224,6 +224,87 @@ private slots:
         }
     }
 
+    /// Pieces of an outline have the values of the segments where they came from, whichever stroke these were of.
+    void piecesKeepTheirValues()
+    {
+        Stroke below = square(0, 0, 10), above = square(5, 5, 10, blue);
+        for (std::size_t i = 0; i < 4; ++i) {
+            below.segments[i].diffusion = float(1 + i), above.segments[i].diffusion = float(11 + i);
+            below.segments[i].granulation = 0.25f, above.segments[i].granulation = 0.75f;
+            below.segments[i].colour = {float(i) / 8, 0, 0, 1}, above.segments[i].colour = {0, float(i) / 8, 0, 1};
+        }
+        above.style = {StyleKind::Feathering, {1, 1, 0}};
+        const std::vector<Stroke> operands{below, above};
+        for (const AreaSet how :
+             {AreaSet::Union, AreaSet::Difference, AreaSet::Intersection, AreaSet::Exclusion, AreaSet::Division}) {
+            Work w(operands);
+            QCOMPARE(w.combine(how), AreaProblem::None);
+            std::set<float> seen;
+            for (const StrokePtr &stroke : w.strokes())
+                for (const Segment &segment : stroke->segments) {
+                    const Cubic curve = stroke->cubicOf(segment);
+                    const Segment *from = nullptr;
+                    bool isAbove = false;
+                    for (const Stroke &operand : operands)
+                        for (const Segment &each : operand.segments)
+                            if (distanceTo({{operand.cubicOf(each)}}, curve.at(0.3)) < 1e-3 &&
+                                distanceTo({{operand.cubicOf(each)}}, curve.at(0.7)) < 1e-3)
+                                from = &each, isAbove = &operand == &operands[1];
+                    QVERIFY(from);
+                    QCOMPARE(segment.diffusion, from->diffusion);
+                    QCOMPARE(segment.granulation, from->granulation);
+                    QCOMPARE(segment.colour, from->colour);
+                    QVERIFY(stroke->styleOf(segment) == operands[isAbove ? 1 : 0].style);
+                    seen.insert(segment.diffusion);
+                }
+            QVERIFY(seen.size() >= 4);
+        }
+        Work moved({below});
+        Edit edit = offsetAreas(moved.document, 2);
+        moved.document.exchange(edit);
+        QCOMPARE(moved.only().segments.size(), std::size_t(4));
+        std::set<float> values;
+        for (const Segment &segment : moved.only().segments)
+            values.insert(segment.diffusion);
+        QCOMPARE(values, (std::set<float>{1, 2, 3, 4}));
+    }
+
+    /// Of outlines that lie on each other the lower stroke's values count, and each of many segments finds its own.
+    void sharedEdgesAndManySegments()
+    {
+        Stroke below = square(0, 0, 10), above = square(0, 0, 10, blue);
+        for (Segment &segment : above.segments)
+            segment.diffusion = 99;
+        Work same({below, above});
+        QCOMPARE(same.combine(AreaSet::Union), AreaProblem::None);
+        QCOMPARE(same.only().segments.size(), std::size_t(4));
+        for (const Segment &segment : same.only().segments)
+            QCOMPARE(segment.diffusion, below.segments.front().diffusion);
+
+        Stroke many;
+        constexpr int count = 5'000;
+        for (int i = 0; i < count; ++i) {
+            const auto at = [](int k) {
+                const double a = 2 * std::numbers::pi * (k % count) / count;
+                return toOffset(Point{500 * std::cos(a), 500 * std::sin(a)}, {});
+            };
+            Segment segment;
+            const Offset a = at(i), b = at(i + 1);
+            segment.bezier = {
+                a, {(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}, {(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3}, b};
+            segment.diffusion = float(1 + i);
+            many.segments.push_back(segment);
+        }
+        Work w({filled(many, red), square(600, 0, 10)});
+        QCOMPARE(w.combine(AreaSet::Union), AreaProblem::None);
+        std::size_t right = 0;
+        for (const Segment &segment : w.only().segments)
+            for (const Segment &each : many.segments)
+                right += each.diffusion == segment.diffusion &&
+                         length(w.only().cubicOf(segment).at(0.5) - many.cubicOf(each).at(0.5)) < 0.01;
+        QVERIFY2(right >= count - 4, qPrintable(QString::number(right)));
+    }
+
     /// A disc is not divided where it turns, and a corner stays one.
     void outlinesHaveNoNodesThatDoNothing()
     {
@@ -283,7 +364,10 @@ private slots:
         QCOMPARE(w.combine(AreaSet::Union), AreaProblem::None);
         QCOMPARE(w.strokes().size(), std::size_t(4));
         QVERIFY(std::abs(extentOf(w.only()) - 175) < 1e-3);
-        QVERIFY(*w.strokes()[1] == [&] { locked.id = 2; return locked; }());
+        QVERIFY(*w.strokes()[1] == [&] {
+            locked.id = 2;
+            return locked;
+        }());
     }
 
     void groupsAndPlacesStay()
@@ -368,9 +452,9 @@ private slots:
         constexpr int lines = 6000;
         Offset at{0, 0};
         for (int i = 0; i < lines; ++i) {
-            const Offset to = i + 1 == lines     ? Offset{0, 0}
-                              : i % 2 == 0       ? Offset{1000, float(i % 977)}
-                                                 : Offset{0, float((i * 31) % 983)};
+            const Offset to = i + 1 == lines ? Offset{0, 0}
+                              : i % 2 == 0   ? Offset{1000, float(i % 977)}
+                                             : Offset{0, float((i * 31) % 983)};
             Segment segment;
             segment.bezier = {at, at, to, to};
             hatch.segments.push_back(segment);
@@ -395,7 +479,8 @@ private slots:
             QCOMPARE(problem, by > -5 ? AreaProblem::None : AreaProblem::Empty);
             w.document.exchange(edit);
             const double side = by > -5 ? 10 + 2 * by : 10;
-            QVERIFY2(std::abs(extentOf(w.only()) - side * side) < 0.01, qPrintable(QString::number(extentOf(w.only()))));
+            QVERIFY2(std::abs(extentOf(w.only()) - side * side) < 0.01,
+                     qPrintable(QString::number(extentOf(w.only()))));
             QCOMPARE(w.only().segments.size(), std::size_t(4)); // Corners stay corners.
         }
         Work disc({shape(ShapeKind::Ellipse, {0, 0}, {100, 100}, red)});
@@ -441,8 +526,8 @@ private slots:
         for (int k = 0; k < 200; ++k) {
             const Offset to{float(2 * k + 2), float(40 * std::sin(0.03 * k))};
             Segment segment;
-            segment.bezier = {at, {(2 * at.x + to.x) / 3, (2 * at.y + to.y) / 3},
-                              {(at.x + 2 * to.x) / 3, (at.y + 2 * to.y) / 3}, to};
+            segment.bezier = {
+                at, {(2 * at.x + to.x) / 3, (2 * at.y + to.y) / 3}, {(at.x + 2 * to.x) / 3, (at.y + 2 * to.y) / 3}, to};
             segment.diffusion = float(4 + 3 * std::sin(0.05 * k));
             segment.density = 20;
             line.segments.push_back(segment);
