@@ -247,34 +247,43 @@ FillPresence TileFill::presence(int x, int y)
     return found.isMet ? FillPresence::Outline : found.base ? FillPresence::Inside : FillPresence::Nothing;
 }
 
-float TileFill::placeAt(double x, double y, double inverse, double slopeX, double slopeY) const
-{
-    const auto &h = m_fill->half;
-    const Point s = m_fill->placeSlope;
-    const double pull = s.x * (h[0] * slopeX + h[1] * slopeY) + s.y * (h[1] * slopeX + h[2] * slopeY);
-    return float(std::clamp(m_fill->placeAt(x, y) + pull * inverse, 0.0, 1.0));
-}
-
+/// Loops over a row of a cell, one for each thing, so that compilers make vectors of them.
 void TileFill::addCell(const Block &block, int i0, int j0, int channels, const FillCellSums &cell, Sums &sums) const
 {
-    const float density = float(m_fill->density);
-    for (int j = 0; j < cellSide; ++j)
-        for (int i = 0; i < cellSide; ++i) {
-            const int at = (j0 + j) * blockSide + i0 + i, k = j * cellSide + i;
-            const float own = density * cell.density[k];
-            sums.v[0][at] += own;
-            sums.v[1][at] += -0.5f * density * cell.slopeX[k];
-            sums.v[2][at] += -0.5f * density * cell.slopeY[k];
-            if (channels == 0)
-                continue;
-            float place = 0;
-            if (m_fill->hasGradient && cell.density[k] > 0)
-                place = placeAt(block.x + (i0 + i + 0.5) * block.step, block.y + (j0 + j + 0.5) * block.step,
-                                1 / double(cell.density[k]), double(cell.slopeX[k]), double(cell.slopeY[k]));
-            for (int c = 0; c < channels; ++c)
-                sums.v[fixedSums + c][at] +=
-                    own * (m_fill->from[std::size_t(c)] + place * m_fill->step[std::size_t(c)]);
+    const float density = float(m_fill->density), half = -0.5f * density;
+    const auto &h = m_fill->half;
+    const Point s = m_fill->placeSlope;
+    const double pullX = s.x * h[0] + s.y * h[1], pullY = s.x * h[1] + s.y * h[2]; // of the slopes on the mean place
+    std::array<float, cellSide> own, place{};
+    for (int j = 0; j < cellSide; ++j) {
+        const int at = (j0 + j) * blockSide + i0;
+        const float *const share = cell.density + j * cellSide, *const slopeX = cell.slopeX + j * cellSide,
+                           *const slopeY = cell.slopeY + j * cellSide;
+        for (std::size_t i = 0; i < cellSide; ++i)
+            own[i] = density * share[i];
+        float *const sum = sums.v[0] + at, *const sumX = sums.v[1] + at, *const sumY = sums.v[2] + at;
+        for (std::size_t i = 0; i < cellSide; ++i)
+            sum[i] += own[i];
+        for (std::size_t i = 0; i < cellSide; ++i)
+            sumX[i] += half * slopeX[i];
+        for (std::size_t i = 0; i < cellSide; ++i)
+            sumY[i] += half * slopeY[i];
+        if (channels > 0 && m_fill->hasGradient) {
+            const double first =
+                m_fill->placeAt(block.x + (i0 + 0.5) * block.step, block.y + (j0 + j + 0.5) * block.step);
+            for (std::size_t i = 0; i < cellSide; ++i) {
+                const double pull = pullX * double(slopeX[i]) + pullY * double(slopeY[i]);
+                const double mean = first + double(i) * (s.x * block.step) + pull / std::max(double(share[i]), 1e-30);
+                place[i] = float(std::min(std::max(mean, 0.0), 1.0));
+            }
         }
+        for (int c = 0; c < channels; ++c) {
+            const float from = m_fill->from[std::size_t(c)], step = m_fill->step[std::size_t(c)];
+            float *const channel = sums.v[fixedSums + c] + at;
+            for (std::size_t i = 0; i < cellSide; ++i)
+                channel[i] += own[i] * (from + place[i] * step);
+        }
+    }
 }
 
 void TileFill::addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const
@@ -286,10 +295,10 @@ void TileFill::addConstant(const Block &block, int i0, int j0, int channels, Sum
         for (int i = 0; i < cellSide; ++i)
             sums.v[0][at + i] += density;
         if (m_fill->hasGradient && channels > 0) {
-            const double y = block.y + (j + 0.5) * block.step;
-            for (int i = 0; i < cellSide; ++i) {
-                const double along = m_fill->placeAt(block.x + (i0 + i + 0.5) * block.step, y);
-                place[std::size_t(i)] = float(std::min(std::max(along, 0.0), 1.0));
+            const double first = m_fill->placeAt(block.x + (i0 + 0.5) * block.step, block.y + (j + 0.5) * block.step);
+            for (std::size_t i = 0; i < cellSide; ++i) {
+                const double along = first + double(i) * (m_fill->placeSlope.x * block.step);
+                place[i] = float(std::min(std::max(along, 0.0), 1.0));
             }
         }
         for (int c = 0; c < channels; ++c) {

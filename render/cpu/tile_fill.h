@@ -102,7 +102,6 @@ private:
     void coverCell(Point corner, double step, float *covered, int stride);
     void addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const;
     void addCell(const Block &block, int i0, int j0, int channels, const FillCellSums &cell, Sums &sums) const;
-    float placeAt(double x, double y, double inverse, double slopeX, double slopeY) const;
 
     const SceneFill *m_fill = nullptr;
     PixelRect m_tile;

@@ -170,18 +170,23 @@ private:
             std::memset(&out, 0, sizeof out);
         else
             shadeSums(scene, block, m_s.sums, eta, out);
-        for (int at = 0; at < blockSize; ++at) {
+        // Where it covers nothing or all, samples are as in a tile that it does not meet, or in one that lies within
+        // it, to the bit. Loops without branches become loops over vectors.
+        std::array<float, blockSize> in, left, inverse;
+        for (std::size_t at = 0; at < blockSize; ++at) {
             const float covered = m_s.covered[at];
-            if (covered == 0)
-                continue; // as in a tile that the fill does not meet, to the bit
-            const float in = covered * m_s.insideShaded.w[at], left = (1 - covered) * out.w[at];
-            const float w = in + left, inverse = w > 0 ? 1 / w : 0;
-            out.w[at] = w;
-            for (int c = 0; c < 3; ++c) {
-                const float inside = m_s.insideShaded.colour[c][at]; // and as in one that lies within it
-                out.colour[c][at] = covered == 1 ? inside : (in * inside + left * out.colour[c][at]) * inverse;
-            }
+            in[at] = covered * m_s.insideShaded.w[at];
+            left[at] = (1 - covered) * out.w[at];
+            out.w[at] = in[at] + left[at];
+            inverse[at] = 1 / std::max(out.w[at], 1e-30f);
         }
+        for (int c = 0; c < 3; ++c)
+            for (std::size_t at = 0; at < blockSize; ++at) {
+                const float covered = m_s.covered[at], inside = m_s.insideShaded.colour[c][at];
+                const float outside = out.colour[c][at];
+                const float mixed = (in[at] * inside + left[at] * outside) * inverse[at];
+                out.colour[c][at] = covered == 0 ? outside : covered == 1 ? inside : mixed;
+            }
     }
 
     /// The paper at the block's pixels, which is computed once for all strokes.
