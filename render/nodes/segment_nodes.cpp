@@ -17,6 +17,7 @@ constexpr double finest = 0x1p-22;     // Float sums have no more precision.
 constexpr double finestDeep = 0x1p-44; // the same in double, for segments whose edge a deep zoom shows
 constexpr double mergeable = 0x1p-20;  // The check of merged nodes is in float.
 constexpr double coarsest = 0x1p-12;
+constexpr double nearlyLevel = 0.05;  // of the budget, where a jump may show in paint that is nearly level
 constexpr double thinnest = 0x1p-13;  // In px: a line of this spread covers less than 1/512 of a pixel.
 constexpr double greatestSquare = 80; // of R, in spreads
 constexpr double cutShare = 0.35;     // the share of the tolerance for cutting nodes off at R
@@ -242,6 +243,10 @@ bool describe(const Stroke &stroke, const Segment &segment, const NodeContext &c
     if (segment.lift)
         tolerance *= 0.5;
     out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
+    // Passes beside each other make paint that is nearly level, where a pixel covers much less density than at the edge
+    // of one line. The budget is not made so small that nodes could not be merged.
+    if (std::ranges::any_of(styles, [](const Style &style) { return style.kind == StyleKind::Edge; }))
+        out.epsilon = std::max(nearlyLevel * out.epsilon, std::min(out.epsilon, mergeable));
 
     for (int i = 0; i < 4; ++i)
         s.curve.p[i] = Point{} + segment.bezier[i];
