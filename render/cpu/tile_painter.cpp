@@ -203,6 +203,7 @@ private:
     bool shadeCalm(const SceneStroke &stroke, NodeList listed, const Block &block, const float *paper)
     {
         sum(stroke, listed, block, {});
+        addFill(stroke, block);
         const float(*eta)[blockSize] = paper ? etaOfSamples(block) : nullptr;
         const ToldBlock told =
             m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, paper, eta, m_s.levels.marks(),

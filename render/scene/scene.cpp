@@ -308,6 +308,12 @@ std::array<NodeValues, 2> valuesOf(const Stroke &stroke)
     return {from, to};
 }
 
+/// Whether the fill's edge is as soft as nodes of a calm stroke.
+bool isCalm(const SceneFill &fill)
+{
+    return !fill.crisp && !fill.deep && fill.level == 0 && fill.narrowest >= liftFineness;
+}
+
 /// Chooses constants where all segments and the fill agree, and channels where they differ.
 void planChannels(SceneStroke &s, Differences differ)
 {
@@ -463,7 +469,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Differences differences = placeNodes(s, grid, threads, changes);
     planChannels(s, differences);
-    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty() && !fill;
+    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty() && (!fill || isCalm(*fill));
     findLevels(s);
     fillValues(s);
     if (fill) {

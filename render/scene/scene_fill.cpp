@@ -134,6 +134,7 @@ void setSpread(SceneFill &out, const Fill &fill, const Stroke &stroke, Microseco
     const double across = fill.spread(T) * view.scale, along = across * std::sqrt(double(fill.anisotropyRatio));
     const double smaller = std::min(across, along), larger = std::max(across, along);
     out.density = fill.density;
+    out.narrowest = smaller;
     out.crisp = smaller < crispPixels;
     out.deep = larger > deepSpread;
     out.nearby = 4 * larger;

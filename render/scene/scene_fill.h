@@ -66,6 +66,7 @@ struct SceneFill {
     int level = 0;              ///< of supersampling, 2^level·s ≥ 1 px
     bool crisp = false;         ///< s < 1/64 px: the outline covers pixels in part
     bool deep = false;          ///< s > deepSpread px
+    double narrowest = 0;       ///< px: s along the shorter axis
     double steepest = 0;        ///< a bound of |∇φ|, px⁻¹
     double epsilon = 0;         ///< what the density may be off by, as a share of ρ
     PixelRect bounds;           ///< the pixels that it can change
