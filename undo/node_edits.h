@@ -30,7 +30,10 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
 /// it; see `SoftMove`).
 Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach = 0,
                SoftMove::Ends ends = SoftMove::Ends::Follow);
-Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
+/// A closed chain whose seam is to be smooth begins elsewhere from then on; `renumbered` gets the nodes as they are
+/// called then.
+Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind,
+                 std::set<NodeRef> *renumbered = nullptr);
 
 /// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are
 /// selected if the stroke was. They stand together in the order.
@@ -48,9 +51,9 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
 Edit joinNodes(const Document &document, NodeRef a, NodeRef b);
 /// Joins the selected strokes to the topmost one, each time the one whose end is nearest to its ends.
 Edit joinSelection(const Document &document);
-/// The selected strokes become one, whose chains are theirs: their densities add up, and nothing mixes over anything. It
-/// takes the place, name and mixing of the topmost one; styles stay. Filled strokes become one only where the picture
-/// stays: all are filled alike, and their areas are apart. Else there is no edit, and `keepsFills` gets false.
+/// The selected strokes become one, whose chains are theirs: their densities add up, and nothing mixes over anything.
+/// It takes the place, name and mixing of the topmost one; styles stay. Filled strokes become one only where the
+/// picture stays: all are filled alike, and their areas are apart. Else there is no edit, and `keepsFills` gets false.
 Edit combineSelection(const Document &document, bool *keepsFills = nullptr);
 /// The opposite: the chains of the selected strokes become strokes, each with what takes paint away from it.
 Edit breakApart(Document &document);

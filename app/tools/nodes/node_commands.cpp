@@ -172,7 +172,10 @@ std::set<SegmentRef> NodeCommands::chosenSegments() const
 void NodeCommands::setKind(NodeKind kind)
 {
     const QString names[] = {tr("Smooth nodes"), tr("Symmetric nodes"), tr("Corner nodes")};
-    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind), names[int(kind)]);
+    std::set<NodeRef> nodes;
+    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind, &nodes), names[int(kind)]);
+    if (nodes != m_nodes)
+        emit chosen(nodes);
 }
 
 void NodeCommands::insertBetween()

@@ -152,6 +152,26 @@ private slots:
         QVERIFY(s.stroke(id) == before);
     }
 
+    void theSeamOfAClosedOutlineCanBeSmooth()
+    {
+        NodeSession s;
+        const StrokeId id = s.addSquare();
+        const Stroke before = s.stroke(id);
+        s.click({300, 400});
+        s.use(Command::NodeSmooth);
+        const Stroke &smooth = s.stroke(id);
+        QCOMPARE(s.tool().nodes().size(), std::size_t(1));
+        const int node = s.tool().nodes().begin()->node;
+        QCOMPARE(nodePosition(smooth, node), nodePosition(before, 0));
+        QCOMPARE(nodeKind(smooth, node), NodeKind::Smooth);
+        QVERIFY(isClosed(smooth, chainsOf(smooth).front()));
+        const Point in = *handlePosition(smooth, node, false) - nodePosition(smooth, node);
+        const Point out = *handlePosition(smooth, node, true) - nodePosition(smooth, node);
+        QVERIFY(std::abs(in.x * out.y - in.y * out.x) < 1e-3 && dot(in, out) < 0);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke(id) == before);
+    }
+
     void tabGoesOnFromASegment()
     {
         NodeSession s;
