@@ -2,6 +2,7 @@
 
 #include "model/area/crossings.h"
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 
@@ -135,6 +136,7 @@ private:
                 m_sections.push_back({k, from, end});
         }
         m_firstSection.push_back(std::uint32_t(m_sections.size()));
+        m_meetings.cuts = {};
     }
 
     /// Lists arcs by bands of height, so that those which meet a level line are found soon.
@@ -224,6 +226,9 @@ private:
     /// Puts neighbouring sections of an arc together where they bound alike.
     void join(AreaBoundary &out) const
     {
+        // As much memory as it takes: there may be millions.
+        out.arcs.reserve(
+            std::size_t(std::ranges::count_if(m_sections, [](const Section &s) { return s.enters != 0; })));
         for (std::size_t i = 0; i < m_sections.size();) {
             std::size_t end = i + 1;
             while (end < m_sections.size() && m_sections[end].arc == m_sections[i].arc &&

@@ -3,6 +3,7 @@
 #include "render/nodes/level0.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse::cpu {
 
@@ -47,7 +48,8 @@ void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
     m_panels.clear();
     m_flats.clear();
     m_arcs.clear();
-    m_ends.clear();
+    m_all.panels.clear();
+    m_all.isMade = false;
     m_lefts.clear();
     m_leftAt.clear();
     m_levelCount = 0;
@@ -93,7 +95,7 @@ void TileFill::collectEnds(const Rect &counted)
             if (panel.box.right < counted.left)
                 m_lefts.push_back({p[0].y, p[3].y, panel.part.enters});
             else
-                m_ends.push_back({p[0].x, p[0].y, p[3].x, p[3].y, panel.part.enters, panel.begin, panel.end});
+                m_all.panels.push_back({p[0].x, p[0].y, p[3].x, p[3].y, panel.part.enters, panel.begin, panel.end});
         }
     }
     for (const FillLeft &left : fill.lefts)
@@ -118,6 +120,13 @@ int TileFill::leftOfTile(double y)
 
 const TileFill::BlockList &TileFill::listAt(double x, double y)
 {
+    // Lists of so many panels would take gigabytes; most of these count in all blocks anyhow.
+    constexpr std::size_t mostListed = 20'000;
+    if (m_all.panels.size() > mostListed) {
+        if (!std::exchange(m_all.isMade, true))
+            m_all.flats = m_flats;
+        return m_all;
+    }
     const int column = int(x - m_tile.x) / blockSide, row = int(y - m_tile.y) / blockSide;
     BlockList &list = m_lists[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
     if (list.isMade)
@@ -126,7 +135,7 @@ const TileFill::BlockList &TileFill::listAt(double x, double y)
     list.panels.clear(), list.flats.clear();
     const Rect region = grownBy(
         Rect::of(m_tile.x + column * blockSide, m_tile.y + row * blockSide, blockSide, blockSide), m_fill->reach);
-    for (const Ends &ends : m_ends)
+    for (const Ends &ends : m_all.panels)
         if (ends.y1 > region.top && ends.y0 <= region.bottom && std::min(ends.x0, ends.x1) <= region.right)
             list.panels.push_back(ends);
     for (const BoundaryFlat *flat : m_flats)

@@ -107,7 +107,7 @@ private:
     PixelRect m_tile;
     int m_columns = 0; ///< of blocks
     std::vector<BlockList> m_lists;
-    std::vector<Ends> m_ends; ///< of panels that meet the tile's region
+    BlockList m_all; ///< what meets the tile's region; its flats only where it stands for all blocks
     std::vector<FillLeft> m_lefts;
     std::vector<std::pair<double, int>> m_leftAt; ///< what leftOfTile has found for some heights
     std::vector<const FillPanel *> m_panels;

@@ -200,6 +200,7 @@ Rect placeArcs(SceneFill &out, const Stroke &stroke, const View &view, const Rec
         return Point{view.scale * (base.x + p.x) + 0.5 * view.width, view.scale * (base.y + p.y) + 0.5 * view.height};
     };
     Rect box;
+    out.arcs.reserve(out.boundary->area.arcs.size());
     for (const BoundaryArc &part : out.boundary->area.arcs) {
         const Point top = place(part.arc.curve.p[0]), bottom = place(part.arc.curve.p[3]);
         if (bottom.y < near.top || top.y > near.bottom)
@@ -331,6 +332,8 @@ std::shared_ptr<SceneFill> makeSceneFill(const Stroke &stroke, Microseconds T, c
                                        : 2,
                  scale = out->crisp ? 1 : std::max(out->a, out->c);
     PanelMaker maker(*out, near, std::max(longest, length * scale / double(mostPanels)));
+    out->panels.reserve(out->arcs.size());
+    out->nodes.reserve(out->crisp ? 0 : out->arcs.size());
     for (const BoundaryArc &part : out->arcs)
         maker.add(part);
     out->arcRuns = boxesOfRuns(out->arcs, [](const BoundaryArc &part) { return part.arc.box(); });
