@@ -188,19 +188,14 @@ TileFill::Region TileFill::look(const BlockList &list, const Rect &region, bool 
     return found;
 }
 
-bool TileFill::meets(const Cubic &curve, const Rect &square, int depth)
+bool TileFill::meets(const RisingArc &arc, const Rect &square)
 {
-    if (square.contains(curve.p[0]) || square.contains(curve.p[3]))
-        return true;
-    Rect box;
-    box.include(curve.p[0]);
-    box.include(curve.p[3]);
-    if (!box.intersects(square))
+    if (!(arc.top() < square.bottom && arc.bottom() > square.top && arc.left() < square.right &&
+          arc.right() > square.left))
         return false;
-    if (depth == 50 || std::max(box.width(), box.height()) < 0.01)
-        return true;
-    const auto [before, after] = curve.split(0.5);
-    return meets(before, square, depth + 1) || meets(after, square, depth + 1);
+    const double a = arc.top() >= square.top ? arc.curve.p[0].x : arc.xAt(square.top);
+    const double b = arc.bottom() <= square.bottom ? arc.curve.p[3].x : arc.xAt(square.bottom);
+    return std::max(a, b) > square.left && std::min(a, b) < square.right;
 }
 
 int TileFill::entered(Point at)

@@ -38,11 +38,13 @@ public:
     /// Sets the sums of one vector of samples to those within a level fill.
     void setInside(int channels, Sums &sums) const;
 
-    /// Calls raise(column, row) for the pixels of a block near the boundary, in pixels from its corner.
+    /// Calls raise(column, row) for the pixels of a block near the boundary, in pixels from its corner. What only
+    /// touches a square, but for rounding, does not lie in it.
     template <class Raise>
     void forEachNear(int x, int y, Raise raise) const
     {
-        const double more = m_fill->nearby;
+        constexpr double touches = 1e-9;
+        const double more = m_fill->nearby - touches;
         const auto visit = [&](const Rect &box, auto isMet) {
             // Pixel i is the square from i to i + 1.
             const int left = int(std::max(0.0, std::ceil(box.left - more - 1 - x)));
@@ -55,9 +57,12 @@ public:
                         raise(column, row);
         };
         for (const FillPanel *panel : m_panels)
-            visit(panel->box, [panel](const Rect &square) { return meets(panel->part.arc.curve, square); });
+            visit(panel->box, [panel](const Rect &square) { return meets(panel->part.arc, square); });
         for (const BoundaryFlat *flat : m_flats)
-            visit({flat->left, flat->y, flat->right, flat->y}, [](const Rect &) { return true; });
+            visit({flat->left, flat->y, flat->right, flat->y}, [flat](const Rect &square) {
+                return flat->y > square.top && flat->y < square.bottom && flat->left < square.right &&
+                       flat->right > square.left;
+            });
     }
 
 private:
@@ -95,8 +100,8 @@ private:
     /// Looks at what counts in a region. If `collect`, nodes and events are collected, relative to a centre.
     Region look(const BlockList &list, const Rect &region, bool collect, Point centre = {});
 
-    /// Whether a monotone curve meets a rectangle, to a hundredth of a pixel.
-    static bool meets(const Cubic &curve, const Rect &square, int depth = 0);
+    /// Whether an arc runs through the inside of a square.
+    static bool meets(const RisingArc &arc, const Rect &square);
     int entered(Point at);
     const Near &near(const Rect &counted);
     void coverCell(Point corner, double step, float *covered, int stride);

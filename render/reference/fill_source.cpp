@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace suffuse::reference {
 
@@ -154,6 +156,8 @@ FillSource::FillSource(const Stroke &stroke, Microseconds T, const View &view, d
     }
     if (m_crisp || m_arcs.empty())
         return;
+    m_left = std::min(0.0, m_b * view.height) - reach;
+    m_right = m_a * view.width + std::max(0.0, m_b * view.height) + reach;
     double low = m_ends.front(), high = m_ends.back();
     low = std::max(low, -reach), high = std::min(high, m_c * view.height + reach);
     double from = low;
@@ -236,6 +240,27 @@ std::array<double, 2> FillSource::measure(double from, double to, int order) con
     return sum;
 }
 
+/// Whether an arc goes so far aside between two heights that a point beside it sees a step there: a rule that
+/// integrates what lies inside knows nothing of that.
+bool FillSource::runsFar(double from, double to) const
+{
+    constexpr double far = 1, least = 1e-13; // spreads; what is lower than the latter adds nothing
+    if (to - from < least)
+        return false;
+    for (const Arc &arc : m_arcs) {
+        if (arc.box.bottom <= from || arc.box.top >= to || arc.box.right - arc.box.left <= far)
+            continue;
+        double left = HUGE_VAL, right = -HUGE_VAL;
+        for (const double v : {from, 0.5 * (from + to), to}) {
+            const double u = std::clamp(arc.uAt(std::clamp(v, arc.box.top, arc.box.bottom)), m_left, m_right);
+            left = std::min(left, u), right = std::max(right, u);
+        }
+        if (right - left > far)
+            return true;
+    }
+    return false;
+}
+
 void FillSource::addPanels(double from, double to, int depth)
 {
     constexpr double longest = 0.3;
@@ -250,8 +275,8 @@ void FillSource::addPanels(double from, double to, int depth)
     }
     const auto coarse = measure(from, to, 10), fine = measure(from, to, 20);
     // Far to the right and left the area itself has few digits left.
-    const bool good =
-        std::abs(coarse[0] - fine[0]) <= exact * (1 + std::abs(fine[0])) && std::abs(coarse[1] - fine[1]) <= exact;
+    const bool good = std::abs(coarse[0] - fine[0]) <= exact * (1 + std::abs(fine[0])) &&
+                      std::abs(coarse[1] - fine[1]) <= exact && !runsFar(from, to);
     if (good || depth == 22 || middle <= from || middle >= to)
         return addLines(from, to);
     addPanels(from, middle, depth + 1);
@@ -286,9 +311,75 @@ double FillSource::channelAt(std::size_t channel, double place) const
 
 bool FillSource::isNear(const Rect &square) const
 {
-    // Outlines that bound nothing do not count.
-    const double share = coveredShare(square.grown(4 * m_largerSpread));
-    return share > 1e-9 && share < 1 - 1e-9;
+    constexpr double touches = 1e-9; // What only touches it, but for rounding, does not lie in it.
+    return (m_pixels ? *m_pixels : *this).endsIn(square.grown(4 * m_largerSpread - touches));
+}
+
+/// Parts of an arc between the places where it turns, or enters or leaves a rectangle: in each it is inside or outside.
+std::vector<double> FillSource::cutsOf(const Arc &arc, const Rect &square)
+{
+    std::vector<double> cuts{arc.parameterAt(std::max(square.top, arc.box.top)),
+                             arc.parameterAt(std::min(square.bottom, arc.box.bottom))};
+    Cubic turned = arc.curve; // Where u turns is where v does with both exchanged.
+    for (Point &p : turned.p)
+        std::swap(p.x, p.y);
+    for (const double turn : turnsOf(turned))
+        if (turn > cuts[0] && turn < cuts[1])
+            cuts.push_back(turn);
+    std::sort(cuts.begin(), cuts.end());
+    const std::vector<double> ends = cuts;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+        for (const double side : {square.left, square.right}) {
+            double low = ends[k], high = ends[k + 1];
+            const bool isLeft = arc.curve.at(low).x < side;
+            if (isLeft == (arc.curve.at(high).x < side))
+                continue;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = 0.5 * (low + high);
+                ((arc.curve.at(middle).x < side) == isLeft ? low : high) = middle;
+            }
+            cuts.push_back(0.5 * (low + high));
+        }
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
+}
+
+/// Whether the area ends somewhere inside a square of the plane. Outlines that bound nothing do not count.
+bool FillSource::endsIn(const Rect &square) const
+{
+    std::vector<Interval> inside;
+    for (const Arc &arc : m_arcs) {
+        if (!(arc.box.left < square.right && arc.box.right > square.left && arc.box.top < square.bottom &&
+              arc.box.bottom > square.top))
+            continue;
+        const std::vector<double> cuts = cutsOf(arc, square);
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+            for (const double share : {0.03, 0.25, 0.5, 0.75, 0.97}) {
+                const Point at = arc.curve.at(cuts[k] + share * (cuts[k + 1] - cuts[k]));
+                if (!(at.x > square.left && at.x < square.right && at.y > square.top && at.y < square.bottom))
+                    continue;
+                inside.clear();
+                insideAt(at.y, inside);
+                for (const auto &[from, to] : inside)
+                    for (const double end : {from, to})
+                        if (to > from && end > square.left && end < square.right)
+                            return true;
+            }
+    }
+    // No arc bounds it here, so it can end at level parts only: there it is inside on one side.
+    const auto isInside = [&](double v) { return 2 * clippedAt(v, square) > square.width(); };
+    double from = square.top;
+    std::optional<bool> above;
+    const auto differs = [&](double to) {
+        const bool now = isInside(0.5 * (from + to));
+        from = to;
+        return now != std::exchange(above, now).value_or(now);
+    };
+    const auto first = std::upper_bound(m_ends.begin(), m_ends.end(), square.top);
+    for (auto end = first; end != m_ends.end() && *end < square.bottom; ++end)
+        if (*end > from && differs(*end))
+            return true;
+    return first != m_ends.end() && *first < square.bottom && differs(square.bottom);
 }
 
 FillSample FillSource::at(Point x) const

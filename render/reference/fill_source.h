@@ -68,16 +68,20 @@ private:
     void makeArcs(const std::vector<Cubic> &outline);
     void insideAt(double v, std::vector<Interval> &out) const;
     /// Adds scan lines that integrate over [from, to], in which no arc ends.
+    bool runsFar(double from, double to) const;
     void addPanels(double from, double to, int depth);
     void addLines(double from, double to);
     std::array<double, 2> measure(double from, double to, int order) const;
     double coveredBetween(double from, double to, const Rect &cell, int depth) const;
     double coveredShare(const Rect &square) const;
+    bool endsIn(const Rect &square) const;
+    static std::vector<double> cutsOf(const Arc &arc, const Rect &square);
     double clippedAt(double v, const Rect &cell) const;
 
     double m_a = 1, m_b = 0, m_c = 1;
     double m_density = 0, m_reach = 0;
-    double m_largerSpread = 0; ///< px
+    double m_left = 0, m_right = 0; ///< what of the plane is seen, and what reaches it: u
+    double m_largerSpread = 0;      ///< px
     FillRule m_rule = FillRule::NonZero;
     bool m_crisp = false, m_hasGradient = false;
     int m_level = 0;

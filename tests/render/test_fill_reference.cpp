@@ -70,6 +70,33 @@ private slots:
             }
     }
 
+    /// Sides that are nearly level go far aside while they rise by little.
+    void nearlyLevelSides()
+    {
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> u(0, 1);
+        for (int i = 0; i < 60; ++i) {
+            const double slope = std::pow(10, -1 - 5 * u(random)) * (random() % 2 ? 1 : -1), s = 0.7 + 3 * u(random);
+            Stroke stroke = emptyFill(1, s, {});
+            const Point on{50, 30 + 20 * u(random)};
+            addPolygon(stroke, {{-400, on.y - 450 * slope}, {500, on.y + 450 * slope}, {500, 900}, {-400, 900}});
+            const FillSource source = sourceOf(stroke);
+            const double spread = std::sqrt(4 * double(stroke.fill->diffusion));
+            const Cubic side = offsetsOf(stroke.segments[0]); // where float32 puts it
+            for (int k = 0; k < 20; ++k) {
+                const double x = 100 * u(random), off = 3 * (u(random) - 0.5);
+                double low = 0, high = 1;
+                for (int halving = 0; halving < 60; ++halving)
+                    (side.at(0.5 * (low + high)).x < x ? low : high) = 0.5 * (low + high);
+                const Point way = side.derivative(low);
+                const double wanted = 0.5 * std::erfc(-off * way.x / (length(way) * spread));
+                const double found = source.at({x, side.at(low).y + off}).density;
+                QVERIFY2(std::abs(found - wanted) < 1e-6,
+                         qPrintable(QStringLiteral("%1 %2: %3").arg(slope).arg(off).arg(found - wanted)));
+            }
+        }
+    }
+
     void turnedAndMirrored()
     {
         Stroke s = emptyFill(1, 4, {});

@@ -150,26 +150,16 @@ SUFFUSE_CALL int addCover(Warp warp, const FillCover cover, const Fetched &chunk
     return base;
 }
 
-/// Tells whether a pixel's square, grown on all sides, meets a curve. Both coordinates of it are monotone, so that its
-/// parts lie in the boxes of their ends.
+/// Tells whether a curve runs through a pixel's square, grown on all sides. Both coordinates of it are monotone, so
+/// that its part at the heights of the square lies between the ends of that part.
 SUFFUSE_PROGRAM bool meetsPixel(const FillCurve &curve, float column, float row, float grown)
 {
     const float left = column - grown, right = column + 1 + grown, top = row - grown, bottom = row + 1 + grown;
-    const auto meets = [&](float x0, float y0, float x1, float y1) {
-        return math::min_(x0, x1) <= right && math::max_(x0, x1) >= left && y0 <= bottom && y1 >= top;
-    };
-    if (!meets(curve.x[0], curve.y[0], curve.x[3], curve.y[3]))
+    const auto meets = [&](float x0, float x1) { return math::min_(x0, x1) < right && math::max_(x0, x1) > left; };
+    if (!(curve.y[0] < bottom && curve.y[3] > top && meets(curve.x[0], curve.x[3])))
         return false;
-    constexpr int parts = 16;
-    float x = curve.x[0], y = curve.y[0];
-    SUFFUSE_ROLLED
-    for (int i = 1; i <= parts; ++i) {
-        const float t = float(i) * (1.0f / parts), x1 = FillCurve::at(curve.x, t), y1 = FillCurve::at(curve.y, t);
-        if (meets(x, y, x1, y1))
-            return true;
-        x = x1, y = y1;
-    }
-    return false;
+    const float from = FillCurve::parameterAt(curve.y, top), to = FillCurve::parameterAt(curve.y, bottom);
+    return meets(FillCurve::at(curve.x, from), FillCurve::at(curve.x, to));
 }
 
 /// Raises the level of the pixels of a tile that lie as near to the boundary of a thin fill as docs/solver.md says
