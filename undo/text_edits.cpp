@@ -349,11 +349,15 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
         for (const Letter &letter : old)
             neighbour = neighbour ? neighbour : letter.stroke;
     std::vector<bool> isGone(old.size(), true);
+    for (const int stay : stays)
+        if (stay >= 0)
+            isGone[std::size_t(stay)] = false;
+    std::size_t next = 0; // of the old letters, behind the last one that stays
     for (std::size_t k = 0; k < now.size(); ++k) {
         const Letter *letter = stays[k] >= 0 ? &old[std::size_t(stays[k])] : nullptr;
         StrokePtr made;
         if (letter) {
-            isGone[std::size_t(stays[k])] = false;
+            next = std::size_t(stays[k]) + 1;
             if (!letter->stroke)
                 continue; // It was deleted, and stays so.
             made = staying(*letter, now[k]);
@@ -363,7 +367,9 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
             if (made != letter->stroke)
                 edit.strokes.emplace(made->id, made);
         } else {
-            Stroke values = neighbour && change.likeNeighbours ? like(*neighbour, change.letter) : change.letter;
+            const bool replaces = next < old.size() && isGone[next] && old[next].stroke;
+            const StrokePtr &model = replaces ? old[next].stroke : neighbour;
+            Stroke values = model && change.likeNeighbours ? like(*model, change.letter) : change.letter;
             values.id = document.takeStrokeId();
             values.group = group;
             made = asLetter(values, now[k]);

@@ -19,7 +19,8 @@ struct TextChange {
     std::optional<qsizetype> at;
     /// New letters look like this one, but for `likeNeighbours`.
     Stroke letter;
-    /// New letters look like the one before them, or the one behind them where there is none. They are born with
+    /// New letters look like the first of those that they replace, or like the one before them, or the one behind them
+    /// where there is none. They are born with
     /// `letter`.
     bool likeNeighbours = true;
 };

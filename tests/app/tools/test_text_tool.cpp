@@ -366,6 +366,20 @@ private slots:
         QCOMPARE(s.painting().groups.size(), std::size_t(1));
     }
 
+    void typedOverLettersKeepTheirLook()
+    {
+        Typing s;
+        s.write("abc");
+        recolour(s, 1);
+        s.click(s.placeOf(2));
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        s.type("xy");
+        QCOMPARE(s.names(), QString("axyc"));
+        QCOMPARE(s.letter(1)->fill->colour, red);
+        QCOMPARE(s.letter(2)->fill->colour, red);
+        QVERIFY(!(s.letter(3)->fill->colour == red));
+    }
+
     void theBrushColoursWhatIsTyped()
     {
         Typing s;
