@@ -2,10 +2,10 @@
 
 #include "model/formats/files.h"
 #include "render/bench/generator.h"
+#include "render/elapsed.h"
 #include "render/threads/parallel.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -13,11 +13,6 @@
 namespace suffuse::bench {
 
 namespace {
-
-double milliseconds(const QElapsedTimer &timer)
-{
-    return double(timer.nsecsElapsed()) * 1e-6;
-}
 
 Error stopped()
 {

@@ -1,7 +1,7 @@
 #include "render/cpu/cpu_renderer.h"
+#include "render/elapsed.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 
 #include <algorithm>
 
@@ -10,11 +10,6 @@ namespace suffuse {
 namespace {
 
 constexpr int defaultTile = 48, greatestTile = cpu::gridSide * cpu::blockSide;
-
-double milliseconds(const QElapsedTimer &timer)
-{
-    return double(timer.nsecsElapsed()) * 1e-6;
-}
 
 /// The side of tiles for a size that was asked for.
 int tileSide(int asked)

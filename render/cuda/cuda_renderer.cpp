@@ -1,9 +1,9 @@
 #include "render/cuda/cuda_renderer.h"
 
 #include "render/cuda/device/failing_device.h"
+#include "render/elapsed.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 
 #include <cstring>
 #include <thread>
@@ -17,11 +17,6 @@ namespace {
 
 /// Tiles and macro-tiles are counted by 16 bits along each side.
 constexpr int mostPixels = 65535 * cuda::tileSide;
-
-double milliseconds(const QElapsedTimer &timer)
-{
-    return double(timer.nsecsElapsed()) * 1e-6;
-}
 
 /// Joins tiles that lie side by side in a row to one rectangle, and such rectangles that lie below each other.
 class DirtyRects {

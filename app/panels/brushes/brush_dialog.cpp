@@ -22,7 +22,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr QSize pictureSize{520, 110};
+constexpr QSize previewSize{520, 110};
 constexpr int drawDelayMs = 30;
 
 } // namespace
@@ -33,7 +33,7 @@ BrushDialog::BrushDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_e
     column->setContentsMargins(12, 12, 12, 12);
     column->setSpacing(10);
     m_picture = new QLabel(this);
-    m_picture->setFixedSize(pictureSize);
+    m_picture->setFixedSize(previewSize);
     m_picture->setAccessibleName(tr("A stroke of the brush"));
     column->addWidget(m_picture, 0, Qt::AlignHCenter);
     auto *tabs = new QTabWidget(this);
@@ -140,15 +140,15 @@ void BrushDialog::changeEvent(QEvent *event)
 void BrushDialog::drawPreview()
 {
     const double ratio = devicePixelRatioF();
-    m_image = m_preview.render(m_editor.brush(), pictureSize * ratio);
-    QPixmap pixmap(pictureSize * ratio);
+    m_image = m_preview.render(m_editor.brush(), previewSize * ratio);
+    QPixmap pixmap(previewSize * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(paperFor(m_image));
     QPainter painter(&pixmap);
     if (!m_image.isNull())
-        painter.drawImage(QRectF(QPointF(), QSizeF(pictureSize)), m_image);
+        painter.drawImage(QRectF(QPointF(), QSizeF(previewSize)), m_image);
     painter.setPen(hairline());
-    painter.drawRect(QRectF(0.5, 0.5, pictureSize.width() - 1, pictureSize.height() - 1));
+    painter.drawRect(QRectF(0.5, 0.5, previewSize.width() - 1, previewSize.height() - 1));
     painter.end();
     m_picture->setPixmap(pixmap);
 }
