@@ -5,7 +5,7 @@
 #include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "model/restyling/appearance.h"
-#include "model/shaping/chain_strokes.h"
+#include "model/shaping/curves/chain_strokes.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
 

@@ -1,6 +1,6 @@
 #include "model/painting/influence.h"
 #include "undo/edits.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 namespace suffuse {
 

@@ -3,7 +3,7 @@
 #include "model/area/outline.h"
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
-#include "model/shaping/unfilled.h"
+#include "model/shaping/erasing/unfilled.h"
 #include "undo/edits.h"
 
 #include <algorithm>

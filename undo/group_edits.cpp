@@ -1,6 +1,6 @@
 #include "undo/group_edits.h"
 
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <algorithm>
 

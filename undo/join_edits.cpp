@@ -1,7 +1,7 @@
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
+#include "undo/history/remap.h"
 #include "undo/node_edits.h"
-#include "undo/remap.h"
 
 namespace suffuse {
 

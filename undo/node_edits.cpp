@@ -1,12 +1,12 @@
 #include "undo/node_edits.h"
 
 #include "model/painting/validate.h"
-#include "model/shaping/chain_strokes.h"
-#include "model/shaping/coarse_nodes.h"
-#include "model/shaping/erase.h"
-#include "model/shaping/fill_cut.h"
-#include "undo/order_tree.h"
-#include "undo/remap.h"
+#include "model/shaping/curves/chain_strokes.h"
+#include "model/shaping/erasing/erase.h"
+#include "model/shaping/erasing/fill_cut.h"
+#include "model/shaping/nodes/coarse_nodes.h"
+#include "undo/history/order_tree.h"
+#include "undo/history/remap.h"
 
 namespace suffuse {
 

@@ -3,8 +3,8 @@
 // it has become a part of.
 #pragma once
 
-#include "model/shaping/reshape.h"
-#include "model/shaping/soft_move.h"
+#include "model/shaping/nodes/reshape.h"
+#include "model/shaping/nodes/soft_move.h"
 #include "undo/edits.h"
 
 #include <limits>

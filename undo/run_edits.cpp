@@ -1,7 +1,7 @@
 #include "undo/run_edits.h"
 
 #include "model/painting/validate.h"
-#include "undo/remap.h"
+#include "undo/history/remap.h"
 
 namespace suffuse {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/document/document.h"
-#include "model/shaping/redraw.h"
-#include "model/shaping/tweak.h"
+#include "model/shaping/nodes/redraw.h"
+#include "model/shaping/nodes/tweak.h"
 
 #include <functional>
 

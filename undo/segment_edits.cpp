@@ -1,5 +1,5 @@
 #include "model/painting/validate.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/erasing/erase.h"
 #include "undo/edits.h"
 
 #include <unordered_map>

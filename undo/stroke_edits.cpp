@@ -1,8 +1,8 @@
 #include "model/painting/validate.h"
-#include "model/shaping/chains.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/curves/chains.h"
+#include "model/shaping/erasing/erase.h"
 #include "undo/edits.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <algorithm>
 #include <unordered_map>

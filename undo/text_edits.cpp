@@ -3,7 +3,7 @@
 #include "model/brush/brush_width.h"
 #include "model/painting/validate.h"
 #include "undo/fill_edits.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <numeric>
 #include <unordered_map>

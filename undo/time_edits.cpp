@@ -3,7 +3,7 @@
 #include "model/area/outline.h"
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <limits>
 #include <numbers>

@@ -2,8 +2,8 @@
 
 #include "model/paint/half_width.h"
 #include "model/painting/validate.h"
-#include "undo/order_tree.h"
-#include "undo/remap.h"
+#include "undo/history/order_tree.h"
+#include "undo/history/remap.h"
 #include "undo/text_edits.h"
 
 namespace suffuse {

@@ -6,8 +6,8 @@
 #include "app/session/settings/settings.h"
 #include "model/formats/messages.h"
 #include "model/painting/paper_presets.h"
-#include "undo/kept_history.h"
-#include "undo/restore_edit.h"
+#include "undo/history/kept_history.h"
+#include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
 #include "undo/time_edits.h"
 

@@ -13,8 +13,8 @@
 #include "model/document/document.h"
 #include "model/painting/stroke_values.h"
 #include "model/result.h"
-#include "undo/edit_command.h"
-#include "undo/kept_history.h"
+#include "undo/history/edit_command.h"
+#include "undo/history/kept_history.h"
 
 #include <QElapsedTimer>
 #include <QObject>

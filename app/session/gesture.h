@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/edit.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 #include "model/shaping/transform.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 #include "app/session/gesture_state.h"
 
 #include "app/session/gesture_desk.h"
-#include "undo/back_edit.h"
+#include "undo/history/back_edit.h"
 #include "undo/node_edits.h"
 #include "undo/text_edits.h"
 

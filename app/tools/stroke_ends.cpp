@@ -2,7 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 namespace suffuse {
 

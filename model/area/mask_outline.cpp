@@ -1,6 +1,6 @@
 // The outlines of masks.
 #include "model/area/mask.h"
-#include "model/shaping/curve_fit.h"
+#include "model/shaping/curves/curve_fit.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "model/area/offset_curve.h"
 
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 
 #include <numbers>
 

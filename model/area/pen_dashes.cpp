@@ -2,7 +2,7 @@
 #include "model/area/offset_curve.h"
 #include "model/area/pen_outline.h"
 #include "model/area/rising_arc.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 
 #include <numeric>
 #include <optional>

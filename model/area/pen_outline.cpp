@@ -1,7 +1,7 @@
 #include "model/area/pen_outline.h"
 
 #include "model/area/offset_curve.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 
 #include <numbers>
 

@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// A node of a stroke of n segments. Node k is the start of segment k, node n the end of the last one, and the ends of
-/// other chains follow (model/shaping/chains.h).
+/// other chains follow (model/shaping/curves/chains.h).
 struct NodeRef {
     StrokeId stroke = 0;
     int node = 0;

@@ -7,7 +7,7 @@
 #include "model/paint/half_width.h"
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <algorithm>
 #include <cmath>

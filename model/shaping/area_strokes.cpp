@@ -3,9 +3,9 @@
 #include "model/area/outline.h"
 #include "model/painting/validate.h"
 #include "model/shaping/bound_values.h"
-#include "model/shaping/chains.h"
-#include "model/shaping/curve_fit.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/chains.h"
+#include "model/shaping/curves/curve_fit.h"
+#include "model/shaping/curves/split.h"
 
 #include <numbers>
 

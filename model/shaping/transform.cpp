@@ -4,7 +4,7 @@
 #include "model/painting/decimal.h"
 #include "model/painting/tensor.h"
 #include "model/painting/validate.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 
 #include <utility>
 

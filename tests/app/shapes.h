@@ -1,7 +1,7 @@
 // Strokes that tests of tools work on, and the mouse as a hand moves it over them.
 #pragma once
 
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
 

@@ -2,7 +2,7 @@
 // bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most segments are measured,
 // too.
 #include "model/formats/files.h"
-#include "model/shaping/chains.h"
+#include "model/shaping/curves/chains.h"
 #include "render/backends.h"
 #include "render/bench/rows.h"
 

@@ -2,7 +2,7 @@
 #include "app/tools/nodes/node_tool.h"
 #include "app/tools/shaping/eraser_tool.h"
 #include "app/tools/shaping/push_tool.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 #include "tests/bench/editing_benches.h"
 #include "undo/node_edits.h"
 

@@ -2,7 +2,7 @@
 // compares them.
 #pragma once
 
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <random>
 

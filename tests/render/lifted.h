@@ -1,7 +1,7 @@
 // Strokes of several chains, from which paint is lifted, for the render tests.
 #pragma once
 
-#include "model/shaping/chains.h"
+#include "model/shaping/curves/chains.h"
 #include "tests/render/paintings.h"
 
 namespace suffuse::test {

@@ -3,7 +3,7 @@
 #include "tests/render/filled.h"
 
 #include "model/area/outline.h"
-#include "model/shaping/fill_cut.h"
+#include "model/shaping/erasing/fill_cut.h"
 #include "tests/trials.h"
 
 using namespace suffuse;

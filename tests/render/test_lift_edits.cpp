@@ -3,7 +3,7 @@
 #include "tests/render/lifted.h"
 
 #include "model/painting/influence.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/erasing/erase.h"
 
 using namespace suffuse;
 using namespace suffuse::test;

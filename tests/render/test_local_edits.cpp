@@ -1,7 +1,7 @@
 // Edits of a few segments: far from them a stroke keeps its nodes and the picture its bits, dry and wet.
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/erasing/erase.h"
 #include "tests/render/edited_strokes.h"
 #include "tests/trials.h"
 

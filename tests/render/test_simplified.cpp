@@ -1,6 +1,6 @@
 // A trunk as a hand paints it, simplified: few segments, and nearly the same picture.
 #include "model/brush/stroke_builder.h"
-#include "model/shaping/simplify.h"
+#include "model/shaping/curves/simplify.h"
 #include "tests/render/paintings.h"
 
 using namespace suffuse;

@@ -1,6 +1,6 @@
 // Splits, cuts and maps against the reference's density, and on screen.
-#include "model/shaping/erase.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
+#include "model/shaping/erasing/erase.h"
 #include "model/shaping/transform.h"
 #include "render/reference/density.h"
 #include "tests/model/awkward_strokes.h"

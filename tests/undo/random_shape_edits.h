@@ -1,8 +1,8 @@
 // Random edits of nodes, shapes and groups for the tests of undo.
 #pragma once
 
-#include "model/shaping/erase.h"
-#include "model/shaping/fill_cut.h"
+#include "model/shaping/erasing/erase.h"
+#include "model/shaping/erasing/fill_cut.h"
 #include "tests/model/awkward_strokes.h"
 #include "tests/undo/random_edits.h"
 #include "undo/area_edits.h"

@@ -1,7 +1,7 @@
 // Steps as the program does them.
 #pragma once
 
-#include "undo/edit_command.h"
+#include "undo/history/edit_command.h"
 
 #include <QUndoStack>
 

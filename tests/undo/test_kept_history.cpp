@@ -4,7 +4,7 @@
 #include "tests/trials.h"
 #include "tests/undo/random_edits.h"
 #include "tests/undo/steps.h"
-#include "undo/kept_history.h"
+#include "undo/history/kept_history.h"
 
 #include <QTest>
 #include <QUndoStack>

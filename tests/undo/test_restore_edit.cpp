@@ -1,7 +1,7 @@
 // A whole painting in another one's place, and back.
 #include "tests/model/random_paintings.h"
 #include "tests/undo/steps.h"
-#include "undo/restore_edit.h"
+#include "undo/history/restore_edit.h"
 
 #include <QTest>
 #include <QUndoStack>

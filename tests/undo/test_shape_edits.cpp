@@ -1,6 +1,6 @@
 // Edits of nodes, shapes and groups: what they do, and that undo takes it back.
 #include "model/painting/validate.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/erasing/erase.h"
 #include "tests/undo/random_shape_edits.h"
 #include "tests/undo/steps.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/painting/ids.h"
-#include "undo/stroke_history.h"
+#include "undo/history/stroke_history.h"
 
 #include <QBasicTimer>
 #include <QListWidget>

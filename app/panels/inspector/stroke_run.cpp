@@ -2,7 +2,7 @@
 
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 #include "undo/edits.h"
 
 #include <algorithm>

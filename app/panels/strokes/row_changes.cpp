@@ -1,7 +1,7 @@
 #include "app/panels/strokes/row_changes.h"
 
 #include "app/session/editor.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <algorithm>
 #include <set>

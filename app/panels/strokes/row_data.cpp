@@ -4,7 +4,7 @@
 #include "app/session/colour_convert.h"
 #include "app/widgets/look/icons.h"
 #include "model/colour/colour_uses.h"
-#include "model/shaping/chains.h"
+#include "model/shaping/curves/chains.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 
 #include "app/session/settings/settings.h"
 #include "model/painting/validate.h"
-#include "model/shaping/bending.h"
-#include "model/shaping/fairing.h"
-#include "model/shaping/simplify.h"
+#include "model/shaping/curves/fairing.h"
+#include "model/shaping/curves/simplify.h"
+#include "model/shaping/nodes/bending.h"
 #include "undo/run_edits.h"
 
 #include <QCoreApplication>

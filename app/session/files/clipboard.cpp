@@ -6,7 +6,7 @@
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
-#include "model/shaping/erase.h"
+#include "model/shaping/erasing/erase.h"
 #include "render/backends.h"
 #include "undo/edits.h"
 

@@ -6,7 +6,7 @@
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
 #include "model/painting/influence.h"
-#include "model/shaping/chains.h"
+#include "model/shaping/curves/chains.h"
 
 #include <QCoreApplication>
 #include <QXmlStreamWriter>

@@ -1,7 +1,7 @@
 #include "app/session/lettering/text_entry.h"
 
 #include "app/session/editor.h"
-#include "undo/restore_edit.h"
+#include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
 
 #include <QScopedValueRollback>

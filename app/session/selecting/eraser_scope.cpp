@@ -1,7 +1,7 @@
 #include "app/session/selecting/eraser_scope.h"
 
 #include "app/session/selecting/pick.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <algorithm>
 

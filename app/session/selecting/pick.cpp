@@ -2,7 +2,7 @@
 
 #include "model/painting/influence.h"
 #include "render/pixel_map.h"
-#include "undo/order_tree.h"
+#include "undo/history/order_tree.h"
 
 #include <numbers>
 #include <unordered_map>

@@ -1,6 +1,6 @@
 #include "app/session/selecting/snapping.h"
 
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 namespace suffuse {
 

@@ -37,7 +37,8 @@ class Snapping {
 public:
     /// A point snaps to places within so many logical pixels.
     static constexpr double reach = 8;
-    /// True for nodes that move themselves and are no places to snap to. Nodes are counted as in model/shaping/chains.h.
+    /// True for nodes that move themselves and are no places to snap to. Nodes are counted as in
+    /// model/shaping/curves/chains.h.
     using LeftOut = std::function<bool(const Stroke &, int node)>;
 
     /// This one snaps to nothing.

@@ -6,7 +6,7 @@
 #include "app/tools/canvas_tool.h"
 #include "model/brush/brush.h"
 #include "model/brush/stroke_builder.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <QPointer>
 

@@ -1,7 +1,7 @@
 #include "app/tools/nodes/erasures.h"
 
-#include "model/shaping/chains.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/curves/chains.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 #include "app/tools/nodes/node_tool.h"
-#include "model/shaping/coarse_nodes.h"
+#include "model/shaping/nodes/coarse_nodes.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>

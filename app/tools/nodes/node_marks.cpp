@@ -1,7 +1,7 @@
 #include "app/tools/nodes/node_marks.h"
 
 #include "app/canvas/view_transform.h"
-#include "model/shaping/coarse_nodes.h"
+#include "model/shaping/nodes/coarse_nodes.h"
 #include "render/pixel_map.h"
 
 #include <QPixmap>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/canvas/overlay/overlay.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <map>
 #include <optional>

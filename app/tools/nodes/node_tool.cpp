@@ -5,7 +5,7 @@
 #include "app/session/selecting/pick.h"
 #include "app/tools/nodes/erasures.h"
 #include "app/tools/tool_fields.h"
-#include "model/shaping/coarse_nodes.h"
+#include "model/shaping/nodes/coarse_nodes.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>

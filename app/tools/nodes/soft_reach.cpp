@@ -5,7 +5,7 @@
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/brush/stroke_fit.h"
-#include "model/shaping/coarse_nodes.h"
+#include "model/shaping/nodes/coarse_nodes.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>

@@ -3,7 +3,7 @@
 
 #include "model/painting/stroke.h"
 #include "model/painting/stroke_places.h"
-#include "model/shaping/soft_move.h"
+#include "model/shaping/nodes/soft_move.h"
 #include "render/view.h"
 
 #include <QObject>

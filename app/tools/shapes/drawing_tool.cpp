@@ -4,7 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
-#include "model/shaping/node_path.h"
+#include "model/shaping/nodes/node_path.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

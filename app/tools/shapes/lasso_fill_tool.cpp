@@ -4,8 +4,8 @@
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/editor.h"
 #include "model/area/offset_curve.h"
-#include "model/shaping/curve_fit.h"
-#include "model/shaping/node_path.h"
+#include "model/shaping/curves/curve_fit.h"
+#include "model/shaping/nodes/node_path.h"
 #include "undo/edits.h"
 
 #include <QKeyEvent>

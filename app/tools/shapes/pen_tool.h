@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/tools/shapes/drawing_tool.h"
-#include "model/shaping/node_path.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/node_path.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <optional>
 

@@ -6,7 +6,7 @@
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
-#include "model/shaping/node_path.h"
+#include "model/shaping/nodes/node_path.h"
 #include "undo/edits.h"
 
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/selecting/eraser_scope.h"
-#include "model/shaping/soft_eraser.h"
+#include "model/shaping/erasing/soft_eraser.h"
 
 #include <QObject>
 

@@ -3,8 +3,8 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/at_next_change.h"
-#include "model/shaping/erase.h"
-#include "model/shaping/fill_cut.h"
+#include "model/shaping/erasing/erase.h"
+#include "model/shaping/erasing/fill_cut.h"
 
 #include <QPainter>
 

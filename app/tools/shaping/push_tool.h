@@ -3,7 +3,7 @@
 #include "app/session/gesture.h"
 #include "app/session/selecting/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
-#include "model/shaping/tweak.h"
+#include "model/shaping/nodes/tweak.h"
 
 #include <QBasicTimer>
 

@@ -2,7 +2,7 @@
 
 #include "app/tools/canvas_tool.h"
 #include "model/brush/stroke_builder.h"
-#include "model/shaping/redraw.h"
+#include "model/shaping/nodes/redraw.h"
 
 #include <QPointer>
 

@@ -1,7 +1,7 @@
 #include "app/widgets/habits/compare_button.h"
 
 #include "app/session/editor.h"
-#include "undo/stroke_history.h"
+#include "undo/history/stroke_history.h"
 
 namespace suffuse {
 

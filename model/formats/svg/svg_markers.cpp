@@ -1,6 +1,6 @@
 #include "model/formats/svg/svg_markers.h"
 
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 
 #include <numbers>
 

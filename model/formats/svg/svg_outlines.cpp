@@ -1,7 +1,7 @@
 #include "model/formats/svg/svg_outlines.h"
 
 #include "model/area/offset_curve.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 #include "model/shaping/transform.h"
 
 #include <algorithm>

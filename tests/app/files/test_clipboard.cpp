@@ -7,7 +7,7 @@
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"
-#include "model/shaping/chains.h"
+#include "model/shaping/curves/chains.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"

@@ -7,7 +7,7 @@
 #include "model/area/outline.h"
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
-#include "model/shaping/reshape.h"
+#include "model/shaping/nodes/reshape.h"
 #include "tests/app/session.h"
 
 #include <QComboBox>

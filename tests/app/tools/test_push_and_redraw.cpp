@@ -2,7 +2,7 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/shaping/push_tool.h"
 #include "app/tools/shaping/redraw_tool.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 #include "tests/app/trunk.h"
 
 #include <QTemporaryDir>

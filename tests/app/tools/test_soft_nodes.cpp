@@ -2,8 +2,8 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/nodes/node_tool.h"
 #include "app/widgets/numbers/number_field.h"
-#include "model/shaping/coarse_nodes.h"
-#include "model/shaping/soft_move.h"
+#include "model/shaping/nodes/coarse_nodes.h"
+#include "model/shaping/nodes/soft_move.h"
 #include "tests/app/trunk.h"
 
 #include <QTemporaryDir>

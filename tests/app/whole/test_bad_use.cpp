@@ -6,7 +6,7 @@
 #include "app/tools/select/select_tool.h"
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
-#include "model/shaping/split.h"
+#include "model/shaping/curves/split.h"
 #include "render/backends.h"
 #include "tests/app/shapes.h"
 

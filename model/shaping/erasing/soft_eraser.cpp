@@ -1,0 +1,165 @@
+#include "model/shaping/erasing/soft_eraser.h"
+
+#include "model/paint/half_width.h"
+#include "model/painting/influence.h"
+#include "model/shaping/curves/split.h"
+
+namespace suffuse {
+
+namespace {
+
+/// A lifting segment spreads so short a time that it is done before the paint around it is dry.
+constexpr float liftingAge = 0.1f;
+/// Paint is looked for up to so many radii from the path, at points so many radii apart.
+constexpr double soughtRadii = 0.95, spacingRadii = 1.0 / 3;
+/// What has been taken counts for what comes so many spreads later along the path: before, it is the same stroke of
+/// the hand.
+constexpr double sameStroke = 3;
+constexpr double mostPathParts = 64; // of a segment
+
+/// Its density is that of a peak of 1, and its granulation the share of the strength.
+Brush pathBrush(const SoftTip &tip)
+{
+    Brush brush;
+    brush.maxAge = liftingAge;
+    brush.setSpread(tip.spread());
+    brush.peak = 1;
+    brush.granulation = 1;
+    brush.dynamics = {{BrushQuantity::Granulation, BrushInput::Pressure, {{{0, 0}, {1, 1}}}}};
+    brush.interval = 2 * samplingInterval; // it need not be as fine as a drawing
+    return brush;
+}
+
+} // namespace
+
+double liftingPeak(double excess, double share, const SoftTip &tip)
+{
+    const double ends = std::max(0.0, 2 * share - 1) / tip.softness; // in spreads
+    return excess * std::min(1.0, 2 * share) * std::exp(ends * ends);
+}
+
+SoftEraser::SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T)
+    : m_tip(tip), m_time(T), m_builder(pathBrush(tip), 0), m_strokes(strokes)
+{}
+
+void SoftEraser::add(const PenSample &sample)
+{
+    if (m_targets.empty()) {
+        for (const StrokePtr &stroke : m_strokes)
+            m_targets.push_back({PaintSamples(stroke, m_time, sample.position, spacingRadii * m_tip.radius),
+                                 influenceOf(*stroke, m_time).united(influenceOf(*stroke, stroke->driesAt())),
+                                 {},
+                                 0});
+        m_strokes.clear();
+    }
+    m_builder.add(sample);
+    follow();
+}
+
+void SoftEraser::finish()
+{
+    m_builder.finish();
+    follow();
+}
+
+void SoftEraser::follow()
+{
+    const StrokePtr path = m_builder.stroke();
+    if (!path)
+        return;
+    const int frozen = m_builder.frozenSegments();
+    const std::size_t before = m_frozenParts;
+    m_parts.resize(before);
+    for (int k = m_frozenSegments; k < int(path->segments.size()); ++k) {
+        addParts(*path, path->segments[std::size_t(k)]);
+        if (k < frozen)
+            m_frozenParts = m_parts.size();
+    }
+    m_frozenSegments = std::max(m_frozenSegments, frozen);
+    for (SoughtStroke &target : m_targets)
+        seek(target, before);
+}
+
+/// Appends the segment in parts.
+void SoftEraser::addParts(const Stroke &path, const Segment &segment)
+{
+    const Cubic curve = path.cubicOf(segment);
+    const double arc = arcLength(curve), begin = m_parts.empty() ? 0 : m_parts.back().to;
+    const int count = int(std::clamp(std::ceil(arc / m_tip.radius), 1.0, mostPathParts));
+    for (int i = 0; i < count; ++i) {
+        const double from = double(i) / count, to = double(i + 1) / count;
+        PathPart part;
+        part.curve = partOf(curve, from, to);
+        part.density = double(segment.density);
+        part.share = m_tip.strength * double(segment.granulation);
+        part.born = segment.born;
+        part.reach = part.curve.controlBox().grown(m_tip.radius);
+        part.from = begin + from * arc;
+        part.to = begin + to * arc;
+        m_parts.push_back(part);
+    }
+}
+
+/// Looks for a stroke's paint under the parts from `from` on. What was found there before was provisional.
+void SoftEraser::seek(SoughtStroke &target, std::size_t from)
+{
+    std::erase_if(target.hits, [from](const FoundPaint &hit) { return hit.part >= from; });
+    for (std::size_t i = from; i < m_parts.size(); ++i) {
+        const PathPart &part = m_parts[i];
+        if (!(part.share > 0) || !target.reach.intersects(part.reach))
+            continue;
+        while (i < m_frozenParts && target.taken < target.hits.size() &&
+               m_parts[target.hits[target.taken].part].to < part.from - sameStroke * m_tip.spread())
+            target.samples.take(lifting(target.hits[target.taken++], target.samples.stroke()->origin));
+        if (const double excess = target.samples.excessWithin(part.curve.at(0.5), soughtRadii * m_tip.radius);
+            excess > 0)
+            target.hits.push_back({i, excess});
+    }
+}
+
+Segment SoftEraser::lifting(const FoundPaint &hit, Point origin) const
+{
+    const PathPart &part = m_parts[hit.part];
+    Segment segment;
+    for (std::size_t i = 0; i < 4; ++i)
+        segment.bezier[i] = toOffset(part.curve.p[i], origin);
+    const double spread = m_tip.spread();
+    segment.diffusion = float(spread * spread / (4 * double(liftingAge)));
+    segment.maxAge = liftingAge;
+    segment.density = float(std::min(1e12, part.density * liftingPeak(hit.excess, part.share, m_tip)));
+    segment.born = part.born;
+    segment.lift = true;
+    return segment;
+}
+
+std::set<StrokeId> SoftEraser::touched() const
+{
+    std::set<StrokeId> ids;
+    for (const SoughtStroke &target : m_targets)
+        if (!target.hits.empty())
+            ids.insert(target.samples.stroke()->id);
+    return ids;
+}
+
+Stroke SoftEraser::erased(const Stroke &stroke) const
+{
+    Stroke result = stroke;
+    const auto target = std::ranges::find_if(
+        m_targets, [&stroke](const SoughtStroke &t) { return t.samples.stroke()->id == stroke.id; });
+    if (target == m_targets.end())
+        return result;
+    bool goesOn = false;
+    std::size_t next = 0;
+    for (const FoundPaint &hit : target->hits) {
+        Segment segment = lifting(hit, stroke.origin);
+        goesOn = goesOn && hit.part == next;
+        next = hit.part + 1;
+        if (isPoint(segment)) // as small as float32 can tell, so that what follows begins at the same place
+            continue;
+        segment.start = !std::exchange(goesOn, true);
+        result.segments.push_back(std::move(segment));
+    }
+    return result;
+}
+
+} // namespace suffuse

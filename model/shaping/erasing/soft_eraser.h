@@ -1,0 +1,80 @@
+// The soft eraser: segments that take paint away, where a path comes over paint that is seen.
+#pragma once
+
+#include "model/brush/stroke_builder.h"
+#include "model/shaping/erasing/paint_samples.h"
+
+#include <set>
+
+namespace suffuse {
+
+/// The tip of a soft eraser. What it lays down spreads by the tip's own softness, whatever the paint has.
+struct SoftTip {
+    static constexpr double leastSoftness = 0.4, greatestSoftness = 2;
+
+    double radius = 10;    ///< where the paint ends beside a path of full strength, canvas units
+    double softness = 0.6; ///< the spread s of what takes away, radii
+    double strength = 1;   ///< (0, 1]; from a half on paint is gone in the middle of the path
+
+    double spread() const { return softness * radius; }
+};
+
+/// The peak of a lifting density, for paint whose density is by `excess` over that at which it ends. `share`: of the
+/// whole strength, q. Up to a half it is 2q: a half just reaches the middle, and what is feathered gets paler. Beyond,
+/// it is e^{(2q − 1)²x}, x = (radius/s)²: the paint ends at (2q − 1) radii, whatever the softness.
+double liftingPeak(double excess, double share, const SoftTip &tip);
+
+/// One drag of the eraser over strokes. What it has laid down at one place counts when the path comes by again: where
+/// nothing is left, nothing more is taken. The result depends on the samples, not on when one asks for it.
+class SoftEraser {
+public:
+    /// `strokes`: those that it may touch, as they are without it, at document time T.
+    SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T);
+
+    /// The pressure is a share of the strength.
+    void add(const PenSample &sample);
+    void finish();
+
+    /// The strokes of which paint is taken so far.
+    std::set<StrokeId> touched() const;
+    /// One of the strokes, as it was given, with what takes paint away behind its segments; each part of the path that
+    /// lies over its paint is a chain.
+    Stroke erased(const Stroke &stroke) const;
+
+private:
+    /// A part of the path, no longer than the radius.
+    struct PathPart {
+        Cubic curve;        ///< canvas units
+        double density = 0; ///< φˢ of a peak of 1
+        double share = 0;   ///< of the strength
+        Microseconds born = 0;
+        Rect reach;
+        double from = 0, to = 0; ///< arc length
+    };
+    struct FoundPaint {
+        std::size_t part = 0;
+        double excess = 0;
+    };
+    struct SoughtStroke {
+        PaintSamples samples;
+        Rect reach;
+        std::vector<FoundPaint> hits; ///< in the order of the path
+        std::size_t taken = 0;        ///< how many of them the samples know
+    };
+
+    void follow();
+    void addParts(const Stroke &path, const Segment &segment);
+    void seek(SoughtStroke &target, std::size_t from);
+    Segment lifting(const FoundPaint &hit, Point origin) const;
+
+    SoftTip m_tip;
+    Microseconds m_time;
+    StrokeBuilder m_builder;
+    std::vector<StrokePtr> m_strokes; ///< until the path begins
+    std::vector<SoughtStroke> m_targets;
+    std::vector<PathPart> m_parts;
+    std::size_t m_frozenParts = 0; ///< those that will not change any more
+    int m_frozenSegments = 0;      ///< of the path: what they are made of
+};
+
+} // namespace suffuse

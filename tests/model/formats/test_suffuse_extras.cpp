@@ -1,0 +1,154 @@
+// What a document file holds beside the picture.
+#include "model/formats/files.h"
+#include "tests/model/random_paintings.h"
+#include "suffuse_chunks.h"
+
+#include <QCborArray>
+#include <QCborMap>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <limits>
+
+using namespace suffuse;
+
+namespace {
+
+DocumentExtras someExtras()
+{
+    DocumentExtras extras;
+    extras.preview = QByteArray("\x89PNG\r\n\x1a\n") + "pixels";
+    extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567};
+    extras.history = "steps";
+    extras.unknown = {{"meta", QByteArray("\0a\xff", 3)}, {"xyzw", {}}, {"meta", "again"}};
+    return extras;
+}
+
+Painting somePainting()
+{
+    return test::RandomPaintings(41).painting(5, 12);
+}
+
+/// Chunks that a reader may not skip, as bytes.
+test::ChunkList pictureOf(const QByteArray &file)
+{
+    test::ChunkList chunks = test::chunksOf(file);
+    std::erase_if(chunks, [](const auto &c) { return c.first.front() >= 'a'; });
+    return chunks;
+}
+
+} // namespace
+
+class TestSuffuseExtras : public QObject {
+    Q_OBJECT
+
+private slots:
+    void extrasComeBack()
+    {
+        const QByteArray bytes = writeDocument(somePainting(), someExtras(), FileFormat::Suffuse);
+        const auto d = readDocument(bytes, QStringLiteral("a.suffuse"));
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QVERIFY(d->losses.empty());
+        QVERIFY(d->painting == somePainting());
+        QVERIFY(d->extras == someExtras());
+        QCOMPARE(writeDocument(d->painting, d->extras, FileFormat::Suffuse), bytes);
+        const auto p = readPainting(bytes, QStringLiteral("a.suffuse"));
+        QVERIFY(p && *p == somePainting());
+    }
+
+    void pictureChunksDoNotDependOnThem()
+    {
+        const Painting p = somePainting();
+        QCOMPARE(pictureOf(writeDocument(p, someExtras(), FileFormat::Suffuse)), test::chunksOf(writeSuffuseFile(p)));
+        DocumentExtras none;
+        none.view = WorkspaceState{};
+        QCOMPARE(pictureOf(writeDocument(p, none, FileFormat::Suffuse)), test::chunksOf(writeSuffuseFile(p)));
+    }
+
+    /// Written by a program that knows more.
+    void unknownChunksSurviveASave()
+    {
+        const Painting p = somePainting();
+        test::ChunkList chunks = test::chunksOf(writeSuffuseFile(p));
+        chunks.insert(chunks.begin() + 1, {"licn", "CC BY"});
+        chunks.push_back({"futu", QByteArray(1000, 'f')});
+        QTemporaryDir folder;
+        const auto d = readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse"));
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        const QString path = folder.filePath(QStringLiteral("b.suffuse"));
+        QVERIFY(saveDocument(d->painting, d->extras, path));
+        const auto again = loadDocument(path);
+        QVERIFY(again && again->painting == p);
+        QCOMPARE(again->extras.unknown,
+                 (std::vector<AncillaryChunk>{{"licn", "CC BY"}, {"futu", QByteArray(1000, 'f')}}));
+    }
+
+    void previewStandsAtTheStart()
+    {
+        const auto chunks = test::chunksOf(writeDocument(somePainting(), someExtras(), FileFormat::Suffuse));
+        QCOMPARE(chunks[0].first, QByteArray("HEAD"));
+        QCOMPARE(chunks[1].first, QByteArray("prev"));
+        QCOMPARE(chunks[2].first, QByteArray("view"));
+    }
+
+    void senselessExtrasAreLeftOut_data()
+    {
+        QTest::addColumn<QByteArray>("type");
+        QTest::addColumn<QByteArray>("payload");
+        const auto view = [](const char *name, const QCborValue &value) {
+            QCborMap map{{QLatin1String("centre"), QCborArray{1.0, 2.0}}, {QLatin1String("scale"), 1.0}};
+            map.insert(QLatin1String(name), value);
+            return QCborValue(map).toCbor();
+        };
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        QTest::newRow("no PNG") << QByteArray("prev") << QByteArray("GIF89a");
+        QTest::newRow("huge PNG") << QByteArray("prev") << QByteArray("\x89PNG\r\n\x1a\n") + QByteArray(2 << 20, 'x');
+        QTest::newRow("no CBOR") << QByteArray("view") << QByteArray("\xff\xff");
+        QTest::newRow("empty") << QByteArray("view") << QByteArray();
+        QTest::newRow("NaN scale") << QByteArray("view") << view("scale", nan);
+        QTest::newRow("no scale") << QByteArray("view") << view("scale", 0.0);
+        QTest::newRow("endless centre") << QByteArray("view")
+                                        << view("centre", QCborArray{1.0, std::numeric_limits<double>::infinity()});
+        QTest::newRow("short centre") << QByteArray("view") << view("centre", QCborArray{1.0});
+        QTest::newRow("NaN rotation") << QByteArray("view") << view("rotation", nan);
+        QTest::newRow("type") << QByteArray("view") << view("mirrored", 3);
+    }
+    void senselessExtrasAreLeftOut()
+    {
+        QFETCH(QByteArray, type);
+        QFETCH(QByteArray, payload);
+        test::ChunkList chunks = test::chunksOf(writeSuffuseFile(somePainting()));
+        chunks.insert(chunks.begin() + 1, {type, payload});
+        const auto d = readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse"));
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QVERIFY(d->painting == somePainting());
+        QVERIFY(d->extras == DocumentExtras());
+    }
+
+    /// CBOR that breaks off anywhere is not looked into.
+    void damagedViewsDoNoHarm()
+    {
+        const auto whole = test::chunksOf(writeDocument(Painting(), someExtras(), FileFormat::Suffuse));
+        QCOMPARE(whole[2].first, QByteArray("view"));
+        const qsizetype size = whole[2].second.size();
+        for (qsizetype at = 0; at < size; ++at) {
+            test::ChunkList chunks = whole;
+            chunks[2].second.truncate(at);
+            const auto cut = readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse"));
+            QVERIFY(cut && !cut->extras.view);
+            for (int value = 0; value < 256; ++value) {
+                chunks[2].second = whole[2].second;
+                chunks[2].second[at] = char(value);
+                QVERIFY(readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse")));
+            }
+        }
+    }
+
+    void textFormHoldsNone()
+    {
+        QCOMPARE(writeDocument(somePainting(), someExtras(), FileFormat::Text), writeTextForm(somePainting()));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSuffuseExtras)
+#include "test_suffuse_extras.moc"

@@ -1,0 +1,109 @@
+#include "undo/history/order_tree.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+using Parents = std::unordered_map<GroupId, GroupId>;
+
+/// The members of a group, which is put on top of its siblings if it is not there yet.
+std::vector<Sibling> &membersOf(GroupId id, const Parents &parents, std::vector<Sibling> &roots)
+{
+    const auto it = parents.find(id);
+    if (it == parents.end())
+        return roots;
+    std::vector<Sibling> &around = membersOf(it->second, parents, roots);
+    if (around.empty() || around.back().group != id) {
+        around.emplace_back();
+        around.back().group = id;
+    }
+    return around.back().members;
+}
+
+void selectWholeGroups(std::vector<Sibling> &siblings)
+{
+    for (Sibling &s : siblings) {
+        if (s.group == 0)
+            continue;
+        selectWholeGroups(s.members);
+        s.selected = std::all_of(s.members.begin(), s.members.end(), [](const Sibling &m) { return m.selected; });
+    }
+}
+
+void appendUnits(const std::vector<Sibling> &siblings, std::vector<const Sibling *> &units)
+{
+    for (const Sibling &s : siblings) {
+        if (s.selected)
+            units.push_back(&s);
+        else
+            appendUnits(s.members, units);
+    }
+}
+
+} // namespace
+
+std::vector<Sibling> orderTree(const Painting &painting, const std::set<StrokeId> &selected)
+{
+    Parents parents;
+    for (const Group &g : painting.groups)
+        parents.emplace(g.id, g.parent);
+    std::vector<Sibling> roots;
+    for (const StrokePtr &s : painting.strokes) {
+        Sibling leaf;
+        leaf.stroke = s->id;
+        leaf.selected = selected.contains(s->id) && !painting.isLocked(*s);
+        membersOf(s->group, parents, roots).push_back(std::move(leaf));
+    }
+    selectWholeGroups(roots);
+    return roots;
+}
+
+std::vector<const Sibling *> selectedUnits(const std::vector<Sibling> &siblings)
+{
+    std::vector<const Sibling *> units;
+    appendUnits(siblings, units);
+    return units;
+}
+
+void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &visit)
+{
+    if (sibling.group == 0)
+        visit(sibling.stroke);
+    for (const Sibling &member : sibling.members)
+        forEachStroke(member, visit);
+}
+
+std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings)
+{
+    std::vector<StrokeId> order;
+    for (const Sibling &s : siblings)
+        forEachStroke(s, [&order](StrokeId id) { order.push_back(id); });
+    return order;
+}
+
+std::vector<GroupId> groupsAround(const Painting &painting, GroupId id)
+{
+    std::vector<GroupId> chain;
+    while (id != 0 && chain.size() <= painting.groups.size()) {
+        chain.push_back(id);
+        const auto it = std::ranges::find(painting.groups, id, &Group::id);
+        id = it == painting.groups.end() ? 0 : it->parent;
+    }
+    return chain;
+}
+
+GroupId outermostGroup(const Painting &painting, GroupId id)
+{
+    for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
+        const auto it =
+            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
+        if (it == painting.groups.end() || it->parent == 0)
+            return id;
+        id = it->parent;
+    }
+    return id;
+}
+
+} // namespace suffuse
