@@ -2,6 +2,7 @@
 
 #include "model/brush/brush_width.h"
 #include "model/painting/validate.h"
+#include "model/shaping/transform.h"
 #include "undo/fill_edits.h"
 #include "undo/history/order_tree.h"
 
@@ -165,10 +166,11 @@ std::vector<int> stayingLetters(const std::vector<Letter> &old, const QString &o
     return out;
 }
 
-/// Gives a stroke the outline of a letter. The segments have the values of the first one it had.
+/// Gives a stroke the outline of a letter. The segments have the values of the first one it had that lays paint.
 void setOutline(Stroke &stroke, const Letter &letter)
 {
-    Segment values = stroke.segments.front();
+    const auto laying = std::ranges::find(stroke.segments, false, &Segment::lift);
+    Segment values = laying == stroke.segments.end() ? stroke.segments.front() : *laying;
     values.start = values.lift = false;
     values.node = NodeKind::Corner;
     values.style.reset();
@@ -196,12 +198,24 @@ bool hasSameLinearPart(const Affine &a, const Affine &b)
     return a.a == b.a && a.b == b.b && a.c == b.c && a.d == b.d;
 }
 
-/// A stroke that is a letter now, or null where it cannot be.
-StrokePtr asLetter(const Stroke &values, const Letter &letter)
+/// A stroke that is a letter now, or null where it cannot be. What was erased of it goes along with `map`, from where
+/// the letter was to where it is.
+StrokePtr asLetter(const Stroke &values, const Letter &letter, const Affine &map = {})
 {
     auto stroke = std::make_shared<Stroke>(values);
     stroke->name = letter.characters;
     setOutline(*stroke, letter);
+    Stroke erased = values;
+    std::erase_if(erased.segments, [](const Segment &segment) { return !segment.lift; });
+    if (!erased.segments.empty() && !stroke->segments.empty()) {
+        erased.fill = {};
+        erased = transformed(erased, map, SpreadRule::Scales);
+        for (Segment &segment : erased.segments) {
+            for (Offset &p : segment.bezier)
+                p = toOffset(erased.origin + p, stroke->origin);
+            stroke->segments.push_back(std::move(segment));
+        }
+    }
     return stroke->segments.empty() || !problemOf(*stroke).isEmpty() ? nullptr : stroke;
 }
 
@@ -209,8 +223,10 @@ StrokePtr asLetter(const Stroke &values, const Letter &letter)
 StrokePtr staying(const Letter &old, const Letter &now)
 {
     const bool keepsShape = old.cluster->outline == now.cluster->outline && hasSameLinearPart(old.place, now.place);
-    if (!keepsShape)
-        return asLetter(*old.stroke, now);
+    if (!keepsShape) {
+        const std::optional<Affine> back = old.place.inverse();
+        return asLetter(*old.stroke, now, back ? now.place * *back : Affine());
+    }
     if (old.place.offset == now.place.offset)
         return old.stroke;
     auto moved = std::make_shared<Stroke>(*old.stroke);
@@ -225,6 +241,7 @@ Stroke like(const Stroke &neighbour, const Stroke &letter)
     stroke.id = 0;
     stroke.visible = true;
     stroke.locked = false;
+    std::erase_if(stroke.segments, [](const Segment &segment) { return segment.lift; }); // only that letter is erased
     stroke.segments.resize(1);
     Segment &values = stroke.segments.front();
     values.born = letter.segments.front().born;

@@ -373,6 +373,41 @@ private slots:
         QCOMPARE(page.stack.count(), steps);
     }
 
+    /// What was erased of a letter goes along with it, also where it gets another outline.
+    void erasuresGoAlong()
+    {
+        Page page;
+        Text text = plain(QStringLiteral("ab"));
+        const GroupId group = page.put(text);
+        const Stroke before = *page.letter(1);
+        page.push(changeStrokes(page.document, {before.id}, [](Stroke &stroke) {
+            Segment erasure = stroke.segments.front();
+            erasure.start = erasure.lift = true;
+            erasure.density = 1;
+            erasure.diffusion = 9;
+            erasure.bezier = {Offset{0, -50}, Offset{20, -50}, Offset{40, -50}, Offset{60, -50}};
+            stroke.segments.push_back(erasure);
+        }));
+        text.size = 50;
+        page.set(group, text);
+        const StrokePtr half = page.letter(1);
+        QCOMPARE(half->segments.size(), before.segments.size() + 1);
+        const Segment &erasure = half->segments.back();
+        QVERIFY(erasure.lift && erasure.start && !half->segments.front().lift);
+        QCOMPARE(erasure.diffusion, 9.0f / 4);
+        // Half as long, and as far up from the line of writing, which runs through the text's place.
+        QVERIFY(std::abs(erasure.bezier[3].x - erasure.bezier[0].x - 30) < 1e-3);
+        QVERIFY(std::abs((half->origin + erasure.bezier[0]).y -
+                         (text.place.offset.y + ((before.origin + Offset{0, -50}).y - text.place.offset.y) / 2)) <
+                1e-3);
+        page.retype(group, QStringLiteral("abc")); // a new letter is whole
+        QVERIFY(std::ranges::none_of(page.letter(2)->segments, &Segment::lift));
+        text.string = QStringLiteral("abc");
+        text.weight = 700;
+        page.set(group, text);
+        QVERIFY(page.letter(1)->segments.back().lift);
+    }
+
     void lockedTextsStay()
     {
         Page page;
