@@ -1,6 +1,10 @@
 #include "app/widgets/numbers/decimal_box.h"
 
 #include "app/widgets/numbers/arithmetic.h"
+#include "app/widgets/numbers/number_field.h"
+
+#include <QKeyEvent>
+#include <QToolTip>
 
 #include <cmath>
 
@@ -22,7 +26,59 @@ QValidator::State stateOf(const std::optional<double> &number, double minimum, d
     return number && *number >= minimum && *number <= maximum ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
+/// Says below a box why it does not take what stands in it; nothing where it does.
+template <class Box>
+void sayWhyRefused(Box &box, const std::optional<double> &read)
+{
+    if (box.hasAcceptableInput())
+        return;
+    const QString text = box.cleanText();
+    const auto inWords = [&box](double value) {
+        return box.locale().toString(value, 'f', QLocale::FloatingPointShortest);
+    };
+    const QString why = read ? NumberField::tr("%1 is out of range: %2 to %3 is possible.")
+                                   .arg(text, inWords(box.minimum()), inWords(box.maximum()))
+                             : NumberField::whyUnread(text, box.suffix().trimmed());
+    // After what Return and Tab do to the focus, which hides tool tips.
+    QMetaObject::invokeMethod(
+        &box, [&box, why] { QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), why, &box); },
+        Qt::QueuedConnection);
+}
+
+bool isReturn(const QKeyEvent &event)
+{
+    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
 } // namespace
+
+void DecimalBox::keyPressEvent(QKeyEvent *event)
+{
+    if (isReturn(*event) && !hasAcceptableInput())
+        sayWhyRefused(*this, read(cleanText()));
+    else
+        QDoubleSpinBox::keyPressEvent(event);
+}
+
+void DecimalBox::focusOutEvent(QFocusEvent *event)
+{
+    sayWhyRefused(*this, read(cleanText()));
+    QDoubleSpinBox::focusOutEvent(event);
+}
+
+void WholeBox::keyPressEvent(QKeyEvent *event)
+{
+    if (isReturn(*event) && !hasAcceptableInput())
+        sayWhyRefused(*this, read(cleanText()));
+    else
+        QSpinBox::keyPressEvent(event);
+}
+
+void WholeBox::focusOutEvent(QFocusEvent *event)
+{
+    sayWhyRefused(*this, read(cleanText()));
+    QSpinBox::focusOutEvent(event);
+}
 
 std::optional<double> DecimalBox::read(const QString &text) const
 {

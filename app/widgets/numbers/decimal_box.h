@@ -9,7 +9,8 @@ namespace suffuse {
 
 /// A spin box that reads numbers as all other fields do (`evaluateArithmetic`): 12.5 and 12,5 are the same in every
 /// language, and "12*1.5" or "50" with the box's unit are understood. Qt's own takes the other language's decimal sign
-/// for one that groups digits, and makes 125 of it.
+/// for one that groups digits, and makes 125 of it. Return on what cannot be read, or is out of range, does nothing
+/// else than say so: a dialog is not confirmed with another number than the one that stands there.
 class DecimalBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -18,6 +19,10 @@ public:
 
     double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     std::optional<double> read(const QString &text) const;
@@ -32,6 +37,10 @@ public:
 
     int valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     std::optional<double> read(const QString &text) const;

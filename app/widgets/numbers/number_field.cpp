@@ -72,9 +72,9 @@ void NumberField::show(std::optional<double> value)
     replaceText(value ? m_display.text(*value) : mixed);
 }
 
-QString NumberField::whyRefused(const QString &text) const
+QString NumberField::whyUnread(const QString &text, const QString &unit)
 {
-    const QString unit = m_display.unit.trimmed(), foreign = foreignUnit(text, unit);
+    const QString foreign = foreignUnit(text, unit);
     if (foreign.isEmpty())
         return tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(text);
     return unit.isEmpty() ? tr("“%1” is not possible here: this number has no unit.").arg(foreign)
@@ -123,7 +123,7 @@ void NumberField::take(const QString &typedText)
     const std::optional<double> typed = evaluateArithmetic(typedText, current, unit);
     if (!typed) {
         show(m_value);
-        complain(whyRefused(typedText));
+        complain(whyUnread(typedText, unit));
         return;
     }
     const double exact = m_display.toValue(*typed), value = m_integer ? std::round(exact) : exact;

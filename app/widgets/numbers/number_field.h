@@ -43,6 +43,9 @@ public:
     void setMixedText(const QString &text);
     std::optional<double> value() const { return m_value; }
 
+    /// Why a text is no number for a field with this unit, in a sentence.
+    static QString whyUnread(const QString &text, const QString &unit);
+
 signals:
     /// The user has entered a valid number, by Return or by leaving the field.
     void entered(double value);
@@ -65,7 +68,6 @@ protected:
 
 private:
     void take(const QString &typedText);
-    QString whyRefused(const QString &text) const;
     QString inWords(double value) const;
     QString rangeHint(double value) const;
     void complain(const QString &hint); ///< an empty hint takes the complaint back

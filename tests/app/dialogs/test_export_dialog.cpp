@@ -21,6 +21,7 @@
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QToolTip>
 
 #include <cmath>
 #include <cstring>
@@ -121,6 +122,30 @@ private slots:
         dialog.quality()->setEnabled(true);
         enter(*dialog.quality(), "30*3");
         QCOMPARE(dialog.quality()->value(), 90);
+    }
+
+    /// Nothing is written with another size than the one that was asked for.
+    void returnOnWhatCannotBeReadExportsNothing()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, {});
+        dialog.path()->setText(m_folder->filePath("never.png"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        const int width = dialog.widthBox()->value();
+        for (const char *text : {"2000*", "8in", "0"}) {
+            QToolTip::hideText();
+            dialog.widthBox()->setFocus();
+            dialog.widthBox()->selectAll();
+            QTest::keyClicks(dialog.widthBox(), text);
+            QTest::keyClick(dialog.widthBox(), Qt::Key_Return);
+            QTRY_VERIFY(QToolTip::text().contains(QLatin1String(text) == QLatin1String("8in") ? "in" : text));
+            QVERIFY(dialog.isVisible() && dialog.widthBox()->hasFocus());
+            QVERIFY(!QFile::exists(m_folder->filePath("never.png")));
+            QCOMPARE(dialog.widthBox()->value(), width);
+        }
+        dialog.heightBox()->setFocus(); // what is left is what was there, and it says so
+        QCOMPARE(dialog.widthBox()->value(), width);
     }
 
     void exportWritesThePicture()
