@@ -4,8 +4,7 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
-
-#include <QInputDialog>
+#include "app/widgets/asking/ask_number.h"
 
 #include <memory>
 
@@ -41,14 +40,13 @@ void changeAid(CanvasWidget &canvas, bool CanvasAids::*aid, bool on)
 
 void askForGridStep(CanvasWidget &canvas)
 {
-    bool ok = false;
-    const double step =
-        QInputDialog::getDouble(canvas.window(), Commands::tr("Grid"), Commands::tr("Step in canvas units"),
-                                canvas.aids().gridStep, 0.001, maxGridStep, 3, &ok);
-    if (!ok)
+    const std::optional<double> step =
+        askNumber(canvas.window(), {Commands::tr("Grid"), Commands::tr("Step in canvas units"), canvas.aids().gridStep,
+                                    0.001, maxGridStep});
+    if (!step)
         return;
     CanvasAids aids = canvas.aids();
-    aids.gridStep = step;
+    aids.gridStep = *step;
     canvas.setAids(aids);
     settings::setCanvasAids(aids);
 }

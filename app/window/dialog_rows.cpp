@@ -7,6 +7,7 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
+#include "app/widgets/asking/ask_number.h"
 #include "app/widgets/habits/place_beside.h"
 #include "model/area/outline.h"
 #include "undo/time_edits.h"
@@ -77,20 +78,19 @@ void rewetSelected(const Workplace &place)
                                  8000);
         return;
     }
-    bool ok = false;
-    const double seconds = QInputDialog::getDouble(&place.window, Commands::tr("Re-wet"),
-                                                   Commands::tr("Seconds that the paint spreads on"), usualSeconds,
-                                                   0.001, mostSeconds, 3, &ok);
-    if (!ok)
+    const std::optional<double> seconds =
+        askNumber(&place.window, {Commands::tr("Re-wet"), Commands::tr("Seconds that the paint spreads on"),
+                                  usualSeconds, 0.001, mostSeconds});
+    if (!seconds)
         return;
-    Edit edit = rewet(editor.document(), now, toMicroseconds(seconds));
+    Edit edit = rewet(editor.document(), now, toMicroseconds(*seconds));
     if (edit.isEmpty())
         emit place.commands.said(Commands::tr("Nothing that is selected is painted yet at this moment."), 5000);
     editor.push(std::move(edit), Commands::tr("Re-wet"));
 }
 
-/// Puts a dialog whose work shows on the canvas at once beside what is selected, or beside the canvas, as far as there is
-/// room.
+/// Puts a dialog whose work shows on the canvas at once beside what is selected, or beside the canvas, as far as there
+/// is room.
 void moveBesideSelected(QDialog &dialog, const Workplace &place)
 {
     constexpr int paint = 24; // logical pixels that the paint may reach beyond its curves

@@ -331,12 +331,17 @@ private slots:
         s.playback().seek(5 * second);
         bool asked = false;
         QTimer::singleShot(0, &s.window, [&] {
-            auto *dialog = qobject_cast<QInputDialog *>(QApplication::activeModalWidget());
-            if (!dialog)
+            QWidget *dialog = QApplication::activeModalWidget();
+            auto *box = dialog ? dialog->findChild<QDoubleSpinBox *>() : nullptr;
+            if (!box)
                 return;
             asked = true;
-            dialog->setDoubleValue(2);
-            dialog->accept();
+            box->selectAll();
+            QTest::keyClicks(box, "2*"); // not to be read yet
+            QTest::keyClick(box, Qt::Key_Return);
+            QVERIFY(dialog->isVisible());
+            QTest::keyClicks(box, "1");
+            QTest::keyClick(box, Qt::Key_Return);
         });
         s.use(Command::Rewet);
         QVERIFY(asked);

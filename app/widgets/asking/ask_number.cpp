@@ -1,0 +1,39 @@
+#include "app/widgets/asking/ask_number.h"
+
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/numbers/decimal_box.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+std::optional<double> askNumber(QWidget *parent, const NumberQuestion &question)
+{
+    QDialog dialog(parent);
+    dialog.setWindowTitle(question.title);
+    auto *label = new QLabel(question.label, &dialog);
+    auto *box = new DecimalBox(&dialog);
+    box->setDecimals(question.decimals);
+    box->setRange(question.minimum, question.maximum);
+    box->setValue(question.value);
+    box->setKeyboardTracking(false);
+    box->selectAll();
+    label->setBuddy(box);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    auto *column = new QVBoxLayout(&dialog);
+    for (QWidget *widget :
+         {static_cast<QWidget *>(label), static_cast<QWidget *>(box), static_cast<QWidget *>(buttons)})
+        column->addWidget(widget);
+    giveMnemonics(dialog);
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    box->interpretText();
+    return box->value();
+}
+
+} // namespace suffuse
