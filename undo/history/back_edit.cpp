@@ -1,6 +1,7 @@
 #include "undo/history/back_edit.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace suffuse {
 
@@ -67,6 +68,12 @@ void extendBack(Edit &back, Edit newer, const Painting &now)
     }
     if (!holdsAllOf(back.strokes, newer.strokes))
         back.strokes.merge(newer.strokes);
+    if (newer.places) { // What was added in between and is gone again is in neither painting.
+        std::unordered_set<StrokeId> present;
+        for (const StrokePtr &stroke : now.strokes)
+            present.insert(stroke->id);
+        std::erase_if(back.strokes, [&](const auto &entry) { return !entry.second && !present.contains(entry.first); });
+    }
     keepOldest(back.canvas, newer.canvas);
     keepOldest(back.groups, newer.groups);
     keepOldest(back.swatches, newer.swatches);

@@ -159,6 +159,9 @@ public:
     /// Exchanges an edit. Returns false if the step does not fit the present painting, or does not lead to a valid one.
     bool exchange(Edit edit)
     {
+        // Steps of earlier versions also name strokes that came and went within the step.
+        std::erase_if(edit.strokes,
+                      [&](const auto &entry) { return !entry.second && !m_present.contains(entry.first); });
         if (!(edit.places ? placesFit(edit) : statesFit(edit)))
             return false;
         for (const auto &[id, stroke] : edit.strokes) {

@@ -2,6 +2,7 @@
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
+#include "undo/history/kept_history.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -95,6 +96,38 @@ private slots:
         QVERIFY(save(b, path("kept.suffuse")));
         QVERIFY(b.open(path("kept.suffuse")));
         QCOMPARE(b.undoStack().count(), 3);
+    }
+
+    /// A stroke that comes and goes within one step, as letters do that are typed and taken back, is none of the
+    /// step's.
+    void comesAndGoesWithinAStep()
+    {
+        Editor a;
+        paint(a, 1);
+        a.setKeepsHistory(true);
+        const StrokePtr first = a.document().painting()->strokes.front();
+        auto other = std::make_shared<Stroke>(*first), changed = std::make_shared<Stroke>(*first);
+        other->id = a.document().takeStrokeId();
+        changed->name = QStringLiteral("named");
+        Gesture gesture = a.begin(QStringLiteral("x"));
+        Edit comes;
+        comes.strokes[other->id] = other;
+        comes.order = std::vector<StrokeId>{first->id, other->id};
+        gesture.show(comes);
+        Edit goes;
+        goes.strokes[other->id] = nullptr;
+        goes.strokes[first->id] = changed;
+        goes.order = std::vector<StrokeId>{first->id};
+        gesture.show(goes);
+        gesture.commit();
+        QCOMPARE(historyOf(a.undoStack()).steps.back().edit.strokes.size(), std::size_t(1));
+        QVERIFY(save(a, path("gone.suffuse")));
+        Editor b;
+        QVERIFY(b.open(path("gone.suffuse")));
+        QVERIFY(b.keepsHistory());
+        QCOMPARE(b.undoStack().count(), 2);
+        b.undoStack().undo();
+        QVERIFY(b.document().painting()->strokes.front()->name.isEmpty());
     }
 
     void itCanBeTakenOut()
