@@ -3,6 +3,7 @@
 #include "app/panels/strokes/dragged_rows.h"
 #include "app/panels/strokes/row_changes.h"
 #include "app/panels/strokes/row_data.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 
@@ -204,6 +205,8 @@ void StrokesModel::toggle(const QModelIndex &index, ValueEntry *entry)
             m_editor, node.stroke, flip,
             eye ? (on ? tr("Hide stroke") : tr("Show stroke")) : (on ? tr("Unlock stroke") : tr("Lock stroke")), entry);
     }
+    if (eye)
+        commands::deselectHidden(m_editor);
 }
 
 void StrokesModel::rebuild()

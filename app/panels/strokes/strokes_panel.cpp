@@ -368,6 +368,7 @@ void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
     menu.addAction(visible ? tr("&Hide") : tr("Sh&ow"), this, [this, strokes, visible] {
         m_editor.push(suffuse::setVisible(m_editor.document(), strokes, !visible),
                       visible ? tr("Hide strokes") : tr("Show strokes"));
+        commands::deselectHidden(m_editor);
     });
     menu.addAction(locked ? tr("Un&lock") : tr("&Lock"), this, [this, strokes, locked] {
         m_editor.push(setLocked(m_editor.document(), strokes, !locked),

@@ -169,6 +169,17 @@ void hideSelected(Editor &editor)
     editor.push(std::move(edit), QCoreApplication::translate("Commands", "Hide strokes"));
 }
 
+void deselectHidden(Editor &editor)
+{
+    const Painting &painting = *editor.document().painting();
+    Selection selection = editor.document().selection();
+    for (const StrokePtr &stroke : painting.strokes)
+        if (!painting.isVisible(*stroke) && selection.strokes.erase(stroke->id) > 0)
+            std::erase_if(selection.segments, [&](const SegmentRef &ref) { return ref.stroke == stroke->id; });
+    if (selection != editor.document().selection())
+        editor.document().setSelection(std::move(selection));
+}
+
 void unlockAllStrokes(Editor &editor)
 {
     editor.push(unlockAll(editor.document()), QCoreApplication::translate("Commands", "Unlock all"));

@@ -38,6 +38,8 @@ void removeSelectedErasures(Editor &editor);
 /// Both deselect the strokes that they lock or hide.
 void lockSelected(Editor &editor);
 void hideSelected(Editor &editor);
+/// What has been hidden by itself is not moved or deleted unseen.
+void deselectHidden(Editor &editor);
 void unlockAllStrokes(Editor &editor);
 void showAllStrokes(Editor &editor);
 /// Names the group that is selected as a whole, or else each selected stroke.

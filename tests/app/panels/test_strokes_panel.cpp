@@ -167,6 +167,22 @@ private slots:
         QCOMPARE(panel.view()->model()->rowCount(), 3);
     }
 
+    /// No key moves or deletes unseen what an eye has hidden.
+    void whatAnEyeHidesIsDeselected()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        bench.select({2, 3});
+        const QModelIndex eye = panel.viewIndexOf(3).siblingAtColumn(StrokesModel::EyeColumn);
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, panel.view()->visualRect(eye).center());
+        QVERIFY(!bench.stroke(3).visible);
+        QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{2});
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, panel.view()->visualRect(eye).center());
+        QVERIFY(bench.stroke(3).visible);
+        QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{2});
+    }
+
     /// A press on an eye that is drawn on over other rows hides them as well, in one step. It is no drag of a row and
     /// selects nothing, and what is hidden already stays so.
     void eyesAndLocksAreSwept()
@@ -202,7 +218,7 @@ private slots:
         QVERIFY(bench.stroke(5).visible && !bench.stroke(4).visible);
         QCOMPARE(bench.steps(), 4);
         QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4, 5}));
-        QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{5});
+        QVERIFY(bench.editor.document().selection().isEmpty()); // what is hidden is not selected
     }
 
     /// A name that is being typed counts before what a shortcut does, like a number.
@@ -527,6 +543,8 @@ private slots:
         trigger("Unlock");
         trigger("Hide");
         QVERIFY(!bench.stroke(1).visible && !bench.stroke(3).visible);
+        QVERIFY(bench.editor.document().selection().isEmpty());
+        bench.select({1, 3});
         trigger("Show");
         QCOMPARE(bench.steps(), 4);
         trigger("Delete");
