@@ -115,7 +115,7 @@ private slots:
         connect(&field, &NumberField::refused, &field, [&](const QString &text) { hint = text; });
         field.setRange(1e-6, 4);
         type(field, "0");
-        QVERIFY2(hint.contains("0.000001 to 4"), qPrintable(hint));
+        QVERIFY2(hint.contains("more than 0 and up to 4"), qPrintable(hint));
         type(field, "0.0000025");
         QVERIFY2(hint.isEmpty(), qPrintable(hint));
     }
