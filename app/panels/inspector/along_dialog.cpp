@@ -332,11 +332,9 @@ void AlongDialog::giveUpDrag()
 
 void AlongDialog::step(bool back)
 {
-    if (m_curve->isDragging() && back) { // as by its own key
+    if (m_curve->isDragging()) { // What it has changed so far is a change, and comes back by redo.
         m_curve->dropDrag();
-        giveUpDrag();
-        showQuantity();
-        return;
+        m_beforeDrag.reset();
     }
     auto &from = back ? m_past : m_future, &to = back ? m_future : m_past;
     const Quantity quantity = from.back().first; // that was changed
