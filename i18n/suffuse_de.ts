@@ -2766,7 +2766,7 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Alles Gemalte bleibt bearbeitbar: V, dann Farbe anklicken, um sie zu verschieben, zu skalieren oder umzufärben.</translation>
     </message>
     <message>
-        <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
         <translation>Ziehen malt, Tippen: Punkt. Rechtsklick: Palette. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
 </context>

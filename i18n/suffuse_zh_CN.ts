@@ -2754,7 +2754,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>画下的一切都可以再编辑：按 V 并点击颜料，即可移动、缩放或重新上色。</translation>
     </message>
     <message>
-        <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
         <translation>拖动绘制，轻点成点。右键：面板。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
     </message>
 </context>

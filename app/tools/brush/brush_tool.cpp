@@ -100,8 +100,8 @@ QString BrushTool::hint() const
         return m_said;
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint, tap for a dot. Right button: palette. Shift+drag: size and opacity. Ctrl+click: take the "
-              "picture's colour, with Shift the stroke's own.");
+    return tr("Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture's "
+              "colour, with Shift the stroke's own.");
 }
 
 QWidget *BrushTool::options()
