@@ -1024,6 +1024,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
         <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Duplizieren“ verdoppelt sie in ihrem Strich, „Löschen“ entfernt sie.</translation>
     </message>
+    <message>
+        <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
+        <translation>Was dazukam, wurde später als zum gezeigten Zeitpunkt gemalt. Seine Zeiten wurden auf diesen Zeitpunkt zurückgesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -9384,10 +9388,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click or Return: type a text, or in the text that is there.</source>
         <translation>Klick oder Eingabe: einen Text schreiben, oder in den, der dort steht.</translation>
-    </message>
-    <message>
-        <source>Some of this text is locked. Object ▸ Unlock All lets it be typed in again.</source>
-        <translation>Ein Teil dieses Textes ist gesperrt. „Objekt ▸ Alle entsperren“ lässt wieder darin schreiben.</translation>
     </message>
 </context>
 <context>

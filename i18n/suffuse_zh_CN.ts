@@ -1016,6 +1016,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
         <translation>擦除不能脱离它所去除的颜料单独复制。“再制”会在笔画内复制它，“删除”会移除它。</translation>
     </message>
+    <message>
+        <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
+        <translation>加入的内容绘制于当前显示时刻之后，其时间已移回到这一时刻。</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -9333,10 +9337,6 @@ Arrow keys work too.</source>
     <message>
         <source>Click or Return: type a text, or in the text that is there.</source>
         <translation>点击或回车：键入文字，或在已有的文字中键入。</translation>
-    </message>
-    <message>
-        <source>Some of this text is locked. Object ▸ Unlock All lets it be typed in again.</source>
-        <translation>此文字有部分被锁定。“对象 ▸ 全部解锁”后即可再次编辑。</translation>
     </message>
 </context>
 <context>

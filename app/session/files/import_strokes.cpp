@@ -23,18 +23,22 @@ Rect controlBoxOf(const std::vector<Stroke> &strokes)
     return box;
 }
 
-/// Moves the strokes back in time, as far as it takes for all segments and fills to be born by `now`: pasted paint is
-/// seen at once.
-void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
+/// When the last of their segments and fills is born.
+Microseconds latestBirthOf(const std::vector<Stroke> &strokes)
 {
-    Microseconds latest = now;
+    Microseconds latest = 0;
     for (const Stroke &stroke : strokes) {
         for (const Segment &segment : stroke.segments)
             latest = std::max(latest, segment.born);
         if (stroke.fill)
             latest = std::max(latest, stroke.fill->born);
     }
-    const Microseconds by = latest - now;
+    return latest;
+}
+
+/// Moves the strokes back in time, none of them to before 0.
+void bringBack(std::vector<Stroke> &strokes, Microseconds by)
+{
     for (Stroke &stroke : strokes) {
         for (Segment &segment : stroke.segments) {
             const Microseconds shift = std::min(by, segment.born);
@@ -80,8 +84,11 @@ QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> c
         strokes.push_back(*stroke);
     for (Stroke &stroke : strokes)
         stroke.visible = true, stroke.locked = false;
-    bringBefore(strokes, editor.clock().time());
     Document &document = editor.document();
+    const Microseconds later = latestBirthOf(strokes) - editor.clock().time();
+    const bool keepsTimes = document.painting()->strokes.empty(); // there is no time yet that they could disagree with
+    if (later > 0 && !keepsTimes)
+        bringBack(strokes, later); // pasted paint is seen at once
     Edit edit;
     std::map<GroupId, GroupId> fresh;
     for (const Group &group : added.groups)
@@ -114,12 +121,20 @@ QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> c
         edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
-    if (!edit.strokes.empty())
+    const bool comes = !edit.strokes.empty();
+    if (comes)
         editor.push(std::move(edit), undoText);
-    if (refused == 0)
-        return {};
-    return QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
-                                       nullptr, refused);
+    if (comes && later > 0 && keepsTimes)
+        editor.clock().setTime(document.painting()->end()); // as its file is seen when it is opened
+    return joinedSentences(
+        {refused == 0
+             ? QString()
+             : QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
+                                           nullptr, refused),
+         comes && later > 0 && !keepsTimes
+             ? QCoreApplication::translate("Clipboard", "What came was painted later than the moment that is shown. "
+                                                        "Its times were brought back to this moment.")
+             : QString()});
 }
 
 QString joinedSentences(const QStringList &sentences)

@@ -13,8 +13,9 @@ namespace suffuse {
 class Editor;
 
 /// Adds strokes on top of all, in groups of their own, visible, unlocked and selected, as one undo step. Their middle
-/// lies at `centre`, or they stay where they were, and none is born after the moment that is shown. Returns an empty
-/// string, or which of them could not be added and why.
+/// lies at `centre`, or they stay where they were. An empty painting takes over their times, and is then seen at its
+/// end; in others none is born after the moment that is shown: all are brought back in time together. Returns an empty
+/// string, or which of them could not be added and why, and whether they were brought back.
 QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> centre, const QString &undoText);
 
 /// Joins the sentences that are not empty, one after the other.

@@ -160,6 +160,58 @@ private slots:
         QVERIFY(outermost.size() == 1 && *outermost.begin() != 0);
     }
 
+    /// Two strokes that were painted one after the other, the second with a fill.
+    Painting twoMoments()
+    {
+        Stroke early = *line(1, {20, 20}, {220, 20}), late = *line(2, {20, 60}, {220, 60});
+        for (Segment &segment : early.segments)
+            segment.born = 1'000'000;
+        for (Segment &segment : late.segments)
+            segment.born = 9'000'000;
+        Fill fill;
+        fill.born = 12'000'000;
+        late.fill = fill;
+        Painting painting;
+        painting.strokes = {std::make_shared<const Stroke>(early), std::make_shared<const Stroke>(late)};
+        return painting;
+    }
+
+    void anEmptyPaintingTakesOverTheTimes()
+    {
+        Selecting s({});
+        s.editor().clock().setManual(false);
+        const Painting file = twoMoments();
+        s.window.importStrokes(write("times.suffuse", writePainting(file, FileFormat::Suffuse)));
+        QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
+        QCOMPARE(s.painting().strokes[0]->segments[0].born, Microseconds(1'000'000));
+        QCOMPARE(s.painting().strokes[1]->segments[0].born, Microseconds(9'000'000));
+        QCOMPARE(s.painting().strokes[1]->fill->born, Microseconds(12'000'000));
+        // All is dry, as in the file when it is opened.
+        QCOMPARE(s.editor().clock().time(), file.end());
+        QVERIFY(!s.editor().clock().isRunning() && !s.editor().clock().isInPast());
+        QCOMPARE(s.window.statusBar()->currentMessage(), QString());
+        s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+        QCOMPARE(s.editor().clock().time(), Microseconds(0));
+        s.use(Command::Redo);
+        QCOMPARE(s.editor().clock().time(), file.end());
+    }
+
+    void timesThatAreBroughtBackAreSaid()
+    {
+        Selecting s({line(1, {200, 200}, {600, 200})});
+        const Microseconds now = s.editor().clock().time();
+        QVERIFY(now < 12'000'000);
+        s.window.importStrokes(write("later.suffuse", writePainting(twoMoments(), FileFormat::Suffuse)));
+        const Microseconds by = 12'000'000 - now;
+        QCOMPARE(s.painting().strokes[2]->fill->born, now);
+        QCOMPARE(s.painting().strokes[2]->segments[0].born, std::max(Microseconds(0), 9'000'000 - by));
+        const QString said = s.window.statusBar()->currentMessage();
+        QVERIFY2(said.contains("brought back to this moment"), qPrintable(said));
+        s.window.importStrokes(write("now.svg", drawing)); // is painted now
+        QVERIFY(!s.window.statusBar()->currentMessage().contains("brought back"));
+    }
+
     void mistakesAreShownAndChangeNothing()
     {
         Selecting s({line(1, {200, 200}, {600, 200})});
