@@ -1028,6 +1028,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
         <translation>Was dazukam, wurde später als zum gezeigten Zeitpunkt gemalt. Seine Zeiten wurden auf diesen Zeitpunkt zurückgesetzt.</translation>
     </message>
+    <message>
+        <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
+        <translation>Das Eingefügte liegt außerhalb dessen, was von der Leinwand zu sehen ist. „Ansicht ▸ Auswahl einpassen“ führt dorthin.</translation>
+    </message>
+    <message>
+        <source>There it would not be seen: what was pasted lies in the middle of what is seen of the canvas.</source>
+        <translation>Dort wäre es nicht zu sehen: Das Eingefügte liegt in der Mitte dessen, was von der Leinwand zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

@@ -1020,6 +1020,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
         <translation>加入的内容绘制于当前显示时刻之后，其时间已移回到这一时刻。</translation>
     </message>
+    <message>
+        <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
+        <translation>粘贴的内容位于画布可见部分之外。“视图 ▸ 缩放到所选内容”可前往该处。</translation>
+    </message>
+    <message>
+        <source>There it would not be seen: what was pasted lies in the middle of what is seen of the canvas.</source>
+        <translation>在那里会看不到：粘贴的内容已放在画布可见部分的中央。</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

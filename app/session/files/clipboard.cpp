@@ -2,7 +2,6 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
-#include "app/session/files/import_strokes.h"
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
@@ -19,6 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace suffuse::clipboard {
 
@@ -105,6 +108,43 @@ std::optional<Stroke> selectedPart(const Stroke &stroke, const Selection &select
     return withSegmentsOnly(stroke, chosen);
 }
 
+std::map<GroupId, GroupId> parentsOf(const Painting &painting)
+{
+    std::map<GroupId, GroupId> parents;
+    for (const Group &group : painting.groups)
+        parents[group.id] = group.parent;
+    return parents;
+}
+
+/// The groups that come along: those of which several members are copied, or all. One stroke out of a group is a stroke
+/// and no group. `members` counts what is copied of each group by itself; in `incomplete` are those that keep strokes.
+std::set<GroupId> groupsToCopy(const std::map<GroupId, GroupId> &parents, std::map<GroupId, int> members,
+                               std::set<GroupId> incomplete)
+{
+    const auto depth = [&](GroupId group) {
+        int levels = 0;
+        for (; group; group = parents.at(group))
+            ++levels;
+        return levels;
+    };
+    std::vector<std::pair<int, GroupId>> innerFirst;
+    for (const auto &[group, parent] : parents)
+        innerFirst.emplace_back(-depth(group), group);
+    std::ranges::sort(innerFirst);
+    std::set<GroupId> result;
+    for (const auto &[level, group] : innerFirst) {
+        const GroupId parent = parents.at(group);
+        const int copied = members[group];
+        if (copied > 0)
+            ++members[parent];
+        if (incomplete.contains(group))
+            incomplete.insert(parent);
+        if (copied > 1 || (copied > 0 && !incomplete.contains(group)))
+            result.insert(group);
+    }
+    return result;
+}
+
 QByteArray svgFrom(const QMimeData &data)
 {
     if (data.hasFormat(svgMime))
@@ -144,33 +184,46 @@ Painting asPainting(const Painting &painting, const Selection &selection)
     result.canvas.paper.image = nullptr; // a copy holds strokes and no image
     if (result.canvas.paper.kind == PaperKind::Image)
         result.canvas.paper = {};
-    std::set<GroupId> groups;
+    std::map<GroupId, int> members; // of each group, how many of its strokes and groups are copied
+    std::set<GroupId> incomplete;   // not all of their own strokes are
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!selection.strokes.contains(stroke->id))
+        if (!selection.strokes.contains(stroke->id)) {
+            incomplete.insert(stroke->group);
             continue;
+        }
         std::optional<Stroke> part = selectedPart(*stroke, selection);
         if (!part)
             continue;
         result.strokes.push_back(std::make_shared<const Stroke>(std::move(*part)));
-        groups.insert(stroke->group);
+        ++members[stroke->group];
     }
-    for (bool more = true; more;) { // adds the groups around the groups, too
-        more = false;
-        for (const Group &group : painting.groups)
-            if (groups.contains(group.id) && group.parent)
-                more = groups.insert(group.parent).second || more;
-    }
-    for (const Group &group : painting.groups)
-        if (groups.contains(group.id))
-            result.groups.push_back(group);
-    // Some of a text's letters are no text: it would have all of them when it is edited.
-    std::set<GroupId> incomplete;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (!selection.strokes.contains(stroke->id))
-            incomplete.insert(stroke->group);
-    for (Group &group : result.groups)
+    const std::map<GroupId, GroupId> parents = parentsOf(painting);
+    const std::set<GroupId> kept = groupsToCopy(parents, members, incomplete);
+    const auto nearestKept = [&](GroupId group) {
+        while (group && !kept.contains(group))
+            group = parents.at(group);
+        return group;
+    };
+    for (Group group : painting.groups) {
+        if (!kept.contains(group.id))
+            continue;
+        group.parent = nearestKept(group.parent);
         if (incomplete.contains(group.id))
-            group.text = {};
+            group.text = {}; // Some of a text's letters are no text: it would have all of them when it is edited.
+        result.groups.push_back(std::move(group));
+    }
+    StrokeList placed;
+    for (const StrokePtr &stroke : result.strokes) {
+        const GroupId group = nearestKept(stroke->group);
+        if (group == stroke->group) {
+            placed.push_back(stroke);
+            continue;
+        }
+        Stroke plain = *stroke;
+        plain.group = group;
+        placed.push_back(std::make_shared<const Stroke>(std::move(plain)));
+    }
+    result.strokes = std::move(placed);
     return result;
 }
 
@@ -219,7 +272,7 @@ QString cut(Editor &editor)
     return leftOut;
 }
 
-QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre)
+QString paste(Editor &editor, const QMimeData &data, const Landing &landing)
 {
     const QString pasting = QCoreApplication::translate("Clipboard", "Paste");
     if (data.hasFormat(strokesMime)) {
@@ -227,7 +280,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
             readTextForm(data.data(strokesMime), QCoreApplication::translate("Clipboard", "Clipboard"));
         if (!read)
             return read.error();
-        return addStrokes(editor, *read, centre, pasting);
+        return addStrokes(editor, *read, landing, pasting);
     }
     if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
         Result<SvgDrawing> drawing = readSvgDrawing(svg);
@@ -238,7 +291,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         const QString problem =
             painting.strokes.empty()
                 ? QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.")
-                : addStrokes(editor, painting, centre, pasting);
+                : addStrokes(editor, painting, landing, pasting);
         return joinedSentences({problem, leftOutOf(*drawing)});
     }
     if (const auto colour = colourFrom(data)) {

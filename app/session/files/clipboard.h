@@ -1,12 +1,11 @@
 // Cut, copy and paste. Between paintings they are exact; other programs give and get pictures, curves and colours.
 #pragma once
 
+#include "app/session/files/import_strokes.h"
 #include "model/painting/painting.h"
 #include "model/painting/selection.h"
 
 #include <QMimeData>
-
-#include <optional>
 
 namespace suffuse {
 
@@ -17,8 +16,8 @@ namespace clipboard {
 /// Type of the selected strokes (or runs of selected segments), as a painting in the text form.
 inline constexpr char strokesMime[] = "application/x-suffuse-strokes+json";
 
-/// The selection as a painting of its own, with the groups that its strokes are in. It has no strokes if nothing is
-/// selected.
+/// The selection as a painting of its own, with the groups of which it has several members, or all. It has no strokes
+/// if nothing is selected.
 Painting asPainting(const Painting &painting, const Selection &selection);
 
 /// Offers strokes in every form that other programs understand. PNG (transparent, 1 pixel a unit, at most 4,096 a side)
@@ -38,7 +37,7 @@ QString cut(Editor &editor);
 /// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
 /// Returns an empty string, or what could not be pasted and why, which includes the parts of an SVG drawing that
 /// strokes cannot show.
-QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre);
+QString paste(Editor &editor, const QMimeData &data, const Landing &landing);
 
 } // namespace clipboard
 

@@ -54,6 +54,31 @@ void bringBack(std::vector<Stroke> &strokes, Microseconds by)
     }
 }
 
+struct Placed {
+    Point by;     ///< how far what comes is moved
+    QString said; ///< where it lies, if not where it was expected
+};
+
+/// Of strokes with that box.
+Placed placedBy(const Landing &landing, const Rect &box)
+{
+    Placed placed;
+    if (landing.middle)
+        placed.by = *landing.middle - box.centre();
+    const Rect there{box.left + placed.by.x, box.top + placed.by.y, box.right + placed.by.x, box.bottom + placed.by.y};
+    if (landing.seen.isEmpty() || box.isEmpty() || there.intersects(landing.seen))
+        return placed;
+    if (!landing.middle) {
+        placed.said = QCoreApplication::translate("Clipboard", "What was pasted lies outside of what is seen of the "
+                                                               "canvas. View ▸ Zoom to Selection goes there.");
+        return placed;
+    }
+    placed.by = landing.seen.centre() - box.centre();
+    placed.said = QCoreApplication::translate(
+        "Clipboard", "There it would not be seen: what was pasted lies in the middle of what is seen of the canvas.");
+    return placed;
+}
+
 /// Puts all strokes into one group of that name.
 Painting inOneGroup(Painting painting, const QString &name)
 {
@@ -77,7 +102,7 @@ Painting inOneGroup(Painting painting, const QString &name)
 
 } // namespace
 
-QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> centre, const QString &undoText)
+QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText)
 {
     std::vector<Stroke> strokes;
     for (const StrokePtr &stroke : added.strokes)
@@ -93,7 +118,8 @@ QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> c
     std::map<GroupId, GroupId> fresh;
     for (const Group &group : added.groups)
         fresh[group.id] = document.takeGroupId();
-    const Point by = centre ? *centre - controlBoxOf(strokes).centre() : Point{};
+    const Placed placed = placedBy(landing, controlBoxOf(strokes));
+    const Point by = placed.by;
     if (!added.groups.empty()) {
         edit.groups = document.painting()->groups;
         for (Group group : added.groups) {
@@ -127,10 +153,11 @@ QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> c
     if (comes && later > 0 && keepsTimes)
         editor.clock().setTime(document.painting()->end()); // as its file is seen when it is opened
     return joinedSentences(
-        {refused == 0
-             ? QString()
-             : QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
-                                           nullptr, refused),
+        {comes ? placed.said : QString(),
+         refused == 0 ? QString()
+                      : QCoreApplication::translate("Clipboard",
+                                                    "%n stroke(s) cannot lie there, too far out, and were left out.",
+                                                    nullptr, refused),
          comes && later > 0 && !keepsTimes
              ? QCoreApplication::translate("Clipboard", "What came was painted later than the moment that is shown. "
                                                         "Its times were brought back to this moment.")

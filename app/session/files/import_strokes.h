@@ -12,11 +12,21 @@ namespace suffuse {
 
 class Editor;
 
-/// Adds strokes on top of all, in groups of their own, visible, unlocked and selected, as one undo step. Their middle
-/// lies at `centre`, or they stay where they were. An empty painting takes over their times, and is then seen at its
-/// end; in others none is born after the moment that is shown: all are brought back in time together. Returns an empty
-/// string, or which of them could not be added and why, and whether they were brought back.
-QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> centre, const QString &undoText);
+/// Where strokes that come in are to lie, canvas units.
+struct Landing {
+    std::optional<Point> middle; ///< where their middle is to lie; none: they lie where they were
+    Rect seen;                   ///< what can be seen of the canvas; empty: they need not be seen
+    Landing() = default;
+    Landing(std::optional<Point> middle, const Rect &seen = {}) : middle(middle), seen(seen) {}
+    Landing(Point middle) : middle(middle) {}
+};
+
+/// Adds strokes on top of all, in groups of their own, visible, unlocked and selected, as one undo step. They lie where
+/// `landing` says; where they would lie wholly outside of what is seen, their middle comes to the middle of that, or,
+/// where they are to lie as they were, only the returned string says so. An empty painting takes over their times, and
+/// is then seen at its end; in others none is born after the moment that is shown: all are brought back in time
+/// together. Returns an empty string, or which of them could not be added and why, and whether they were brought back.
+QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText);
 
 /// Joins the sentences that are not empty, one after the other.
 QString joinedSentences(const QStringList &sentences);

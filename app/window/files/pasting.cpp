@@ -11,11 +11,28 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
 
 constexpr int pastedShownMs = 8'000;
+
+/// What can be seen of the canvas. All of the view where the canvas itself is elsewhere.
+Rect seenOf(CanvasWidget &canvas)
+{
+    const View &view = canvas.view();
+    Rect seen;
+    for (const Point corner : {Point{0, 0}, Point{double(view.width), 0}, Point{0, double(view.height)},
+                               Point{double(view.width), double(view.height)}})
+        seen.include(view.toCanvas(corner));
+    const Rect sheet = canvas.editor().document().painting()->canvas.area();
+    if (canvas.aids().showBeyond || !seen.intersects(sheet))
+        return seen;
+    return {std::max(seen.left, sheet.left), std::max(seen.top, sheet.top), std::min(seen.right, sheet.right),
+            std::min(seen.bottom, sheet.bottom)};
+}
 
 } // namespace
 
@@ -55,7 +72,7 @@ Point Pasting::pointer() const
     return view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr} : Point{0.5 * view.width, 0.5 * view.height});
 }
 
-void Pasting::pasteAt(std::optional<Point> centre)
+void Pasting::pasteAt(std::optional<Point> middle)
 {
     if (Tool *tool = m_place.canvas.tool(); tool && tool->takesText()) { // What is pasted then is typed.
         QKeyEvent key(QEvent::KeyPress, Qt::Key_V, Qt::ControlModifier);
@@ -65,7 +82,8 @@ void Pasting::pasteAt(std::optional<Point> centre)
     if (const Tool *tool = m_place.canvas.tool(); tool && tool->isBusy())
         return; // first things first
     const QMimeData *data = QGuiApplication::clipboard()->mimeData();
-    const QString problem = data ? clipboard::paste(m_place.open.editor, *data, centre) : QString();
+    const QString problem =
+        data ? clipboard::paste(m_place.open.editor, *data, {middle, seenOf(m_place.canvas)}) : QString();
     if (!problem.isEmpty())
         emit m_place.commands.said(problem, pastedShownMs);
 }

@@ -19,8 +19,8 @@ public:
 
 private:
     void followClipboard();
-    /// Empty: where it was.
-    void pasteAt(std::optional<Point> centre);
+    /// Without a middle: where it was.
+    void pasteAt(std::optional<Point> middle);
     Point pointer() const;
 
     Workplace m_place;

@@ -8,6 +8,7 @@
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"
 #include "model/shaping/curves/chains.h"
+#include "model/shaping/transform.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
@@ -15,6 +16,7 @@
 #include "undo/node_edits.h"
 
 #include <QClipboard>
+#include <QCursor>
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QImage>
@@ -256,6 +258,78 @@ private slots:
         QVERIFY(pasted.id != 2); // undo may bring that one back
         session.editor().undoStack().setIndex(0);
         QCOMPARE(*session.painting().find(2), original);
+    }
+
+    /// One stroke out of a group is a stroke; a group comes where all of it, or several of its members, were copied.
+    void groupsComeOnlyWhereTheyAreMeant()
+    {
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}};
+        for (StrokeId id = 1; id <= 6; ++id) {
+            Stroke stroke = *makeStroke(id, 3, 10);
+            stroke.group = id <= 3 ? 1 : id <= 5 ? 2 : 0;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        const auto names = [&](std::set<StrokeId> strokes) {
+            const Painting copied = clipboard::asPainting(*painting, {std::move(strokes), {}});
+            QStringList result;
+            for (const StrokePtr &stroke : copied.strokes) {
+                QStringList path;
+                for (GroupId group = stroke->group; group;) {
+                    const auto it = std::ranges::find(copied.groups, group, &Group::id);
+                    if (it == copied.groups.end())
+                        return QStringList{"no such group"};
+                    path.prepend(it->name);
+                    group = it->parent;
+                }
+                result << path.join('/');
+            }
+            return result;
+        };
+        QCOMPARE(names({1}), QStringList{""});
+        QCOMPARE(names({4}), QStringList{""});
+        QCOMPARE(names({1, 2}), (QStringList{"Trees", "Trees"}));
+        QCOMPARE(names({4, 5}), (QStringList{"Leaves", "Leaves"})); // without the group that it is a part of
+        QCOMPARE(names({1, 4}), (QStringList{"Trees", "Trees"}));
+        QCOMPARE(names({1, 6}), (QStringList{"", ""}));
+        QCOMPARE(names({1, 4, 5}), (QStringList{"Trees", "Trees/Leaves", "Trees/Leaves"}));
+        QCOMPARE(names({1, 2, 3, 4, 5}), (QStringList{"Trees", "Trees", "Trees", "Trees/Leaves", "Trees/Leaves"}));
+    }
+
+    void whatIsPastedLiesWhereItIsSeen()
+    {
+        Session session;
+        session.editor().document().reset(withOneStroke());
+        const std::unique_ptr<QMimeData> data(clipboard::mimeOf(session.painting(), 0));
+        const auto middle = [&] { return controlBox(*session.painting().strokes.back()).centre(); };
+        const Rect seen = Rect::of(0, 0, 600, 400);
+        QCOMPARE(clipboard::paste(session.editor(), *data, {Point{500, 300}, seen}), QString());
+        QVERIFY(near(middle(), {500, 300}, 1e-3));
+        QCOMPARE(clipboard::paste(session.editor(), *data, {Point{610, 300}, seen}), QString()); // a part is seen
+        QVERIFY(near(middle(), {610, 300}, 1e-3));
+        QVERIFY(clipboard::paste(session.editor(), *data, {Point{900, -300}, seen}).contains("in the middle"));
+        QVERIFY(near(middle(), {300, 200}, 1e-3));
+        const Rect elsewhere = Rect::of(5'000, 5'000, 600, 400);
+        QVERIFY(clipboard::paste(session.editor(), *data, {std::nullopt, elsewhere}).contains("lies outside"));
+        QVERIFY(near(middle(), controlBox(*session.painting().strokes.front()).centre(), 1e-3));
+        session.editor().document().reset(withOneStroke());
+
+        // The pointer is in the window, and beside the canvas.
+        View view = session.canvas().view();
+        view.centre = {0, 300};
+        view.scale = 1;
+        session.canvas().lookThrough(view);
+        view = session.canvas().view();
+        const QPoint pointer = QCursor::pos();
+        QCursor::setPos(session.canvas().mapToGlobal(QPoint(5, 200)));
+        QGuiApplication::clipboard()->setMimeData(clipboard::mimeOf(session.painting(), 0));
+        session.use(Command::Paste);
+        QCursor::setPos(pointer);
+        QVERIFY(session.window.statusBar()->currentMessage().contains("in the middle"));
+        Rect box;
+        for (const StrokeId id : session.selection().strokes)
+            box = box.united(controlBox(*session.painting().find(id)));
+        QVERIFY(std::abs(box.centre().x - 0.25 * view.width) < 1); // the right half of the view shows the canvas
     }
 
     void runsOfSegments()
