@@ -1217,6 +1217,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>Nicht kombiniert: Ein Strich hat eine Füllung, und diese sind verschieden, überlappen sich oder fehlen bei einigen Strichen.</translation>
     </message>
+    <message>
+        <source>Aligning takes two strokes or groups that are not locked. A group counts as one; it can be aligned relative to the canvas.</source>
+        <translation>Zum Ausrichten braucht es zwei Striche oder Gruppen, die nicht gesperrt sind. Eine Gruppe zählt als eins; sie kann an der Leinwand ausgerichtet werden.</translation>
+    </message>
+    <message>
+        <source>Distributing takes three strokes or groups that are not locked. A group counts as one.</source>
+        <translation>Zum Verteilen braucht es drei Striche oder Gruppen, die nicht gesperrt sind. Eine Gruppe zählt als eins.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

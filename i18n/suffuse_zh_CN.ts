@@ -1207,6 +1207,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
         <translation>未合并：一条笔画只有一个填充，而所选笔画的填充各不相同、相互重叠，或有的没有填充。</translation>
     </message>
+    <message>
+        <source>Aligning takes two strokes or groups that are not locked. A group counts as one; it can be aligned relative to the canvas.</source>
+        <translation>对齐需要两个未锁定的笔画或群组。一个群组算作一个，可相对于画布对齐。</translation>
+    </message>
+    <message>
+        <source>Distributing takes three strokes or groups that are not locked. A group counts as one.</source>
+        <translation>分布需要三个未锁定的笔画或群组。一个群组算作一个。</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

@@ -158,6 +158,11 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
     return box;
 }
 
+int movedUnits(const Document &document)
+{
+    return int(unitsOf(document).size());
+}
+
 Edit align(const Document &document, Align how, AlignTo to, StrokeId anchor)
 {
     const std::vector<MovedUnit> units = unitsOf(document);

@@ -17,6 +17,10 @@ Edit transformSelection(const Document &document, const Painting &before, const 
 /// The box of the curves (`curveBox`) of the selected, unlocked strokes, canvas units; empty if there are none.
 Rect selectionBox(const Painting &painting, const Selection &selection);
 
+/// How many things align and distribute move: the selected, unlocked strokes, groups that are selected as a whole as
+/// one.
+int movedUnits(const Document &document);
+
 enum class Align { Left, Centre, Right, Top, Middle, Bottom };
 enum class AlignTo { Selection, Anchor, Biggest, Canvas };
 /// Moves the selected strokes so that the boxes of what is seen of them when dry (`seenBox`) are aligned. Groups that

@@ -107,6 +107,42 @@ private slots:
         QVERIFY(*editor.document().painting() == *before);
     }
 
+    void aligningOneGroupSaysWhyNot()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        std::set<StrokeId> all;
+        for (const double x : {0, 30, 70}) {
+            const StrokeId id = editor.document().takeStrokeId();
+            Stroke square = strokeAlong(outlineOf({}, {x, x}, {x + 10, x + 10}), Brush(), id, 0);
+            editor.push(addStrokes(editor.document(), {std::make_shared<const Stroke>(square)}, true), "square");
+            all.insert(id);
+        }
+        editor.document().setSelection({all, {}});
+        table[Command::GroupStrokes].trigger();
+        table.update();
+        QSignalSpy said(&table, &Commands::said);
+        const int steps = editor.undoStack().count();
+        table[Command::AlignLeft].trigger();
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.back()[0].toString().contains("relative to the canvas"));
+        table[Command::DistributeGapsAcross].trigger();
+        QCOMPARE(said.size(), 2);
+        QVERIFY(said.back()[0].toString().contains("three strokes or groups"));
+        QCOMPARE(editor.undoStack().count(), steps);
+        table[Command::AlignToCanvas].setChecked(true);
+        table[Command::AlignRight].trigger(); // one is enough for that
+        QCOMPARE(editor.undoStack().count(), steps + 1);
+        table[Command::UngroupStrokes].trigger();
+        table[Command::AlignToSelection].setChecked(true);
+        table[Command::AlignLeft].trigger();
+        QCOMPARE(editor.undoStack().count(), steps + 3);
+        QCOMPARE(said.size(), 2);
+    }
+
     /// The values of a fill are a part of what a stroke looks like.
     void appearancesTakeFillsAlong()
     {

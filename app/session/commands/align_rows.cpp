@@ -12,7 +12,13 @@ std::size_t countSelected(OpenPainting &open)
     return open.editor.document().selection().strokes.size();
 }
 
-void align(const Commands &table, OpenPainting &open, Align how)
+void sayIfAny(Commands &table, const QString &why)
+{
+    if (!why.isEmpty())
+        emit table.said(why, 8000);
+}
+
+void align(Commands &table, OpenPainting &open, Align how)
 {
     using enum Command;
     const auto is = [&](Command command) { return table[command].isChecked(); };
@@ -21,7 +27,7 @@ void align(const Commands &table, OpenPainting &open, Align how)
                        : is(AlignToLast) || is(AlignToFirst) ? AlignTo::Anchor
                                                              : AlignTo::Selection;
     const SelectionOrder &order = open.selectionOrder;
-    commands::alignSelected(open.editor, how, to, is(AlignToFirst) ? order.first() : order.last());
+    sayIfAny(table, commands::alignSelected(open.editor, how, to, is(AlignToFirst) ? order.first() : order.last()));
 }
 
 void addDistributeRows(Commands &table, OpenPainting &open)
@@ -31,20 +37,28 @@ void addDistributeRows(Commands &table, OpenPainting &open)
     const auto canDistribute = [&open] { return countSelected(open) > 2; };
     table.add(DistributeGapsAcross, "distributeGapsAcross", Commands::tr("Even Gaps, &Horizontally"), "gaps-across", {})
         .when(canDistribute)
-        .runs([&editor] { commands::distributeSelected(editor, Axis::Horizontal, Spacing::Gaps); });
+        .runs([&table, &editor] {
+            sayIfAny(table, commands::distributeSelected(editor, Axis::Horizontal, Spacing::Gaps));
+        });
     table.add(DistributeGapsDown, "distributeGapsDown", Commands::tr("Even Gaps, &Vertically"), "gaps-down", {})
         .when(canDistribute)
-        .runs([&editor] { commands::distributeSelected(editor, Axis::Vertical, Spacing::Gaps); });
+        .runs([&table, &editor] {
+            sayIfAny(table, commands::distributeSelected(editor, Axis::Vertical, Spacing::Gaps));
+        });
     table
         .add(DistributeCentresAcross, "distributeCentresAcross", Commands::tr("Even &Centres, Horizontally"),
              "centres-across", {})
         .when(canDistribute)
-        .runs([&editor] { commands::distributeSelected(editor, Axis::Horizontal, Spacing::Centres); });
+        .runs([&table, &editor] {
+            sayIfAny(table, commands::distributeSelected(editor, Axis::Horizontal, Spacing::Centres));
+        });
     table
         .add(DistributeCentresDown, "distributeCentresDown", Commands::tr("Even C&entres, Vertically"), "centres-down",
              {})
         .when(canDistribute)
-        .runs([&editor] { commands::distributeSelected(editor, Axis::Vertical, Spacing::Centres); });
+        .runs([&table, &editor] {
+            sayIfAny(table, commands::distributeSelected(editor, Axis::Vertical, Spacing::Centres));
+        });
 }
 
 } // namespace

@@ -25,9 +25,9 @@ QString deleteSelected(Editor &editor)
         return int(segments ? painting.segmentCount() : painting.strokes.size());
     };
     const int before = count();
-    editor.push(deleteSelection(editor.document(), Leaves::Chains), segments
-                                                        ? QCoreApplication::translate("Commands", "Delete segments")
-                                                        : QCoreApplication::translate("Commands", "Delete strokes"));
+    editor.push(deleteSelection(editor.document(), Leaves::Chains),
+                segments ? QCoreApplication::translate("Commands", "Delete segments")
+                         : QCoreApplication::translate("Commands", "Delete strokes"));
     const int gone = before - count();
     if (gone <= 0)
         return {}; // what is locked stays
@@ -112,14 +112,23 @@ void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)
                 QCoreApplication::translate("Commands", "Rotate by 90°"));
 }
 
-void alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor)
+QString alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor)
 {
+    if (movedUnits(editor.document()) < (to == AlignTo::Canvas ? 1 : 2))
+        return QCoreApplication::translate("Commands",
+                                           "Aligning takes two strokes or groups that are not locked. A group "
+                                           "counts as one; it can be aligned relative to the canvas.");
     editor.push(align(editor.document(), how, to, anchor), QCoreApplication::translate("Commands", "Align"));
+    return {};
 }
 
-void distributeSelected(Editor &editor, Axis axis, Spacing spacing)
+QString distributeSelected(Editor &editor, Axis axis, Spacing spacing)
 {
+    if (movedUnits(editor.document()) < 3)
+        return QCoreApplication::translate(
+            "Commands", "Distributing takes three strokes or groups that are not locked. A group counts as one.");
     editor.push(distribute(editor.document(), axis, spacing), QCoreApplication::translate("Commands", "Distribute"));
+    return {};
 }
 
 void groupSelected(Editor &editor)
@@ -137,8 +146,9 @@ QString combineSelected(Editor &editor)
     bool keepsFills = true;
     Edit edit = combineSelection(editor.document(), &keepsFills);
     if (!keepsFills)
-        return QCoreApplication::translate("Commands", "Not combined: one stroke has one fill, and these differ, overlap, "
-                                                       "or are missing in some strokes.");
+        return QCoreApplication::translate("Commands",
+                                           "Not combined: one stroke has one fill, and these differ, overlap, "
+                                           "or are missing in some strokes.");
     editor.push(std::move(edit), QCoreApplication::translate("Commands", "Combine strokes"));
     return {};
 }

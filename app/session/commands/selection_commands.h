@@ -25,8 +25,9 @@ void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, Va
 void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
 /// Turns the selection about its middle, clockwise, by so many quarters of a turn.
 void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule);
-void alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor);
-void distributeSelected(Editor &editor, Axis axis, Spacing spacing);
+/// Both return an empty string, or why there is nothing to be done.
+QString alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor);
+QString distributeSelected(Editor &editor, Axis axis, Spacing spacing);
 
 void groupSelected(Editor &editor);
 void ungroupSelected(Editor &editor);
