@@ -4885,6 +4885,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Type texts, whose letters are strokes</source>
         <translation>Texte schreiben, deren Buchstaben Striche sind</translation>
     </message>
+    <message>
+        <source>&amp;Zoom to Selection</source>
+        <translation>Auswahl ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Show what is selected as large as possible: strokes, segments or nodes</source>
+        <translation>Zeigt so groß wie möglich, was ausgewählt ist: Striche, Segmente oder Knoten</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

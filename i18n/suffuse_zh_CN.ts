@@ -4868,6 +4868,18 @@ Arrow keys work too.</source>
         <source>Type texts, whose letters are strokes</source>
         <translation>键入文字，其中每个字都是笔画</translation>
     </message>
+    <message>
+        <source>&amp;Zoom to Selection</source>
+        <translation>缩放到所选内容(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Show what is selected as large as possible: strokes, segments or nodes</source>
+        <translation>尽可能大地显示所选内容：笔画、线段或节点</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

@@ -109,6 +109,12 @@ void addViewRows(Commands &table, CanvasWidget &canvas)
     table.add(Fit, "fit", Commands::tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)}).runs([&canvas] {
         canvas.fit();
     });
+    table
+        .add(ZoomToSelection, "zoomToSelection", Commands::tr("&Zoom to Selection"), "",
+             {QKeySequence(Commands::tr("Ctrl+0"))},
+             Commands::tr("Show what is selected as large as possible: strokes, segments or nodes"))
+        .when(anySelected(canvas.editor()))
+        .runs([&canvas] { canvas.zoomToSelection(); });
     table.add(RotateLeft, "rotateLeft", Commands::tr("Turn &Left"), "", {QKeySequence(Commands::tr("Ctrl+4"))})
         .runs([&canvas] { canvas.rotateBy(-turnStep); });
     table.add(RotateRight, "rotateRight", Commands::tr("Turn &Right"), "", {QKeySequence(Commands::tr("Ctrl+6"))})

@@ -21,6 +21,12 @@ void CanvasView::fit(const Rect &area, double margin)
     emit moved();
 }
 
+void CanvasView::lookAt(const Rect &area, double margin)
+{
+    m_transform.fit(area, margin);
+    moveByHand();
+}
+
 void CanvasView::moveByHand()
 {
     m_fitted = false;

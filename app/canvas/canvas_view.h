@@ -22,6 +22,8 @@ public:
 
     /// Shows all of `area` (canvas units) with a margin around it (device pixels).
     void fit(const Rect &area, double margin);
+    /// Shows all of `area` (canvas units) with a margin around it (device pixels), as a hand would.
+    void lookAt(const Rect &area, double margin);
     /// Takes another size of the widget. It emits nothing, since the caller knows whether the view is to be fitted,
     /// too.
     void resize(int width, int height) { m_transform.resize(width, height); }

@@ -2,6 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/renderer_options.h"
 
 #include <QEvent>
@@ -193,6 +194,15 @@ Point CanvasWidget::zoomCentre() const
 void CanvasWidget::fit()
 {
     m_view.fit(m_editor.unsettled().painting()->canvas.area(), fitMargin * devicePixelRatioF());
+}
+
+void CanvasWidget::zoomToSelection()
+{
+    const Document &document = m_editor.document();
+    const Rect chosen = tool() ? tool()->chosenBox() : Rect();
+    const Rect area = chosen.isEmpty() ? seenSelection(*document.painting(), document.selection()) : chosen;
+    if (!area.isEmpty())
+        m_view.lookAt(area, fitMargin * devicePixelRatioF());
 }
 
 void CanvasWidget::viewMoved()

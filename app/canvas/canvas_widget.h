@@ -66,6 +66,9 @@ public:
     void zoomBy(double factor) { m_view.zoomAt(zoomCentre(), factor); }
     void setZoom(double scale) { m_view.setScaleAt(zoomCentre(), scale); } ///< scale in device pixels per canvas unit
     void fit(); ///< Shows the whole canvas, also after the window changes its size.
+    /// Shows what is selected as large as possible, of nodes that the tool has selected the curves around them. Does
+    /// nothing without a selection.
+    void zoomToSelection();
     bool isFitted() const { return m_view.isFitted(); }
     /// Shows what another view shows. The view may be of a window of another size; its centre stays in the middle.
     void lookThrough(const View &view) { m_view.lookThrough(view); }

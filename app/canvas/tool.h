@@ -78,6 +78,8 @@ public:
     /// Selects all that the tool itself selects (nodes), for the command Select All. Returns false if it selects
     /// nothing.
     virtual bool selectAll() { return false; }
+    /// The box of what the tool itself has selected (nodes), canvas units; empty if that is nothing.
+    virtual Rect chosenBox() const { return {}; }
     /// Draws over the picture, in device pixels.
     virtual void paint(QPainter &, const View &, double /*dpr*/) const {}
     /// How far from the control points of the selected strokes `paint` may draw at the moment, in device pixels. No

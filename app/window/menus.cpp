@@ -79,7 +79,7 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *view =
         addMenu(bar, Commands::tr("&View"), table,
-                {{ZoomIn, ZoomOut, Zoom100, Fit},
+                {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
                  {RotateLeft, RotateRight, ResetRotation, Mirror},
                  {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond, ShowUnderlay}});
     view->addSeparator();

@@ -174,6 +174,7 @@ enum class Command {
     ZoomOut,
     Zoom100,
     Fit,
+    ZoomToSelection,
     RotateLeft,
     RotateRight,
     ResetRotation,

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
+#include "app/session/selecting/seen_selection.h"
 #include "app/tools/nodes/erasures.h"
 #include "app/tools/tool_fields.h"
 #include "model/shaping/nodes/coarse_nodes.h"
@@ -535,6 +536,11 @@ void NodeTool::stepSize(int steps)
     const View &view = m_canvas.view();
     const double dpr = m_canvas.devicePixelRatioF();
     m_reach.choose(SoftReach::stepped(m_reach.chosen().value_or(SoftReach::usual(view, dpr)), steps, view, dpr));
+}
+
+Rect NodeTool::chosenBox() const
+{
+    return curvesAround(*m_editor.document().painting(), m_nodes);
 }
 
 std::optional<double> NodeTool::paintMargin() const

@@ -42,6 +42,7 @@ public:
     bool deleteSelected() override { return m_commands.deleteNodes(); }
     /// Selects all nodes of the selected strokes.
     bool selectAll() override { return m_commands.selectAll(); }
+    Rect chosenBox() const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
 

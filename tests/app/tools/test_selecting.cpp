@@ -2,6 +2,7 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/selecting/pick.h"
 #include "app/session/settings/settings.h"
+#include "app/tools/nodes/node_tool.h"
 #include "app/tools/select/select_hints.h"
 #include "model/paint/seen_paint.h"
 #include "render/bench/generator.h"
@@ -474,6 +475,43 @@ private slots:
         s.send(QEvent::MouseButtonRelease, at, Qt::NoModifier);
         QCOMPARE(s.selected(), std::set<StrokeId>{1});
         QVERIFY(s.editor().document().selection().segments.empty());
+    }
+
+    void theViewGoesToWhatIsSelected()
+    {
+        Selecting s({line(1, {200, 200}, {240, 220}), line(2, {700, 500}, {900, 500})});
+        QAction &zoom = s.window.action(Command::ZoomToSelection);
+        QVERIFY(!zoom.isEnabled());
+        const auto shows = [&](const Rect &box) {
+            const View &view = s.canvas().view();
+            const Point a = view.toPixels({box.left, box.top}), b = view.toPixels({box.right, box.bottom});
+            const Point across = b - a, middle = 0.5 * (a + b);
+            QVERIFY(length(middle - Point{0.5 * view.width, 0.5 * view.height}) < 1);
+            QVERIFY(across.x > 0.8 * view.width || across.y > 0.8 * view.height); // as large as possible
+            QVERIFY(across.x < view.width && across.y < view.height);
+        };
+        s.select({2});
+        s.editor().laterChanges().flush();
+        QVERIFY(zoom.isEnabled());
+        s.use(Command::ZoomToSelection);
+        shows(s.seen(2));
+        QVERIFY(!s.canvas().isFitted());
+        s.select({1, 2});
+        s.use(Command::ZoomToSelection);
+        shows(s.seen(1).united(s.seen(2)));
+
+        s.editor().document().setSelection({{2}, {{2, 3}}});
+        s.use(Command::ZoomToSelection);
+        Stroke end = s.stroke(2);
+        end.segments = {end.segments[3]};
+        shows(seenBox(end));
+
+        s.select({1, 2});
+        s.use(Command::Segments);
+        dynamic_cast<NodeTool &>(*s.canvas().tool()).selectNodes({{1, 0}});
+        s.use(Command::ZoomToSelection);
+        shows(Rect{200, 200, 210, 205});
+        QCOMPARE(s.steps(), 0);
     }
 
 private:

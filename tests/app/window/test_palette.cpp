@@ -132,7 +132,8 @@ private slots:
                 "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
                 "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
                 "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
-                "holdToHideOutlines zoomIn zoomOut zoom100 fit rotateLeft rotateRight resetRotation mirror hideDocks "
+                "holdToHideOutlines zoomIn zoomOut zoom100 fit zoomToSelection rotateLeft rotateRight resetRotation "
+                "mirror hideDocks "
                 "resetLayout nextPanel previousPanel fullScreen findCommand shortcuts about")
                 .split(' ');
         QStringList ids;
