@@ -13,10 +13,12 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QTreeWidget>
 
 namespace suffuse {
@@ -159,6 +161,7 @@ void RecolourDialog::addColour(QVBoxLayout &column, const std::vector<Swatch> &s
     m_swatches->setToolTip(tr("The swatches of the painting. Click: the chosen colour becomes this one."));
     m_swatches->setSwatches(swatches);
     m_swatches->showAll();
+    m_swatches->installEventFilter(this);
     auto *scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -290,6 +293,43 @@ void RecolourDialog::showResults()
         m_list->topLevelItem(row)->setIcon(AfterColumn, iconOf(colour, devicePixelRatioF()));
         m_list->topLevelItem(row)->setText(AfterColumn, toOpaqueScreen(colour).name());
     }
+}
+
+void RecolourDialog::setStepKeys(const QList<QKeySequence> &back, const QList<QKeySequence> &on)
+{
+    const auto connectKeys = [this](const QList<QKeySequence> &keys, bool isBack) {
+        for (const QKeySequence &key : keys)
+            connect(new QShortcut(key, this), &QShortcut::activated, this, [this, isBack] { step(isBack); });
+    };
+    connectKeys(back, true);
+    connectKeys(on, false);
+}
+
+void RecolourDialog::step(bool back)
+{
+    m_recolouring.step(back);
+    const QSignalBlocker keeps(m_keeps), maps(m_maps);
+    m_keeps->setChecked(m_recolouring.keepsDifferences());
+    m_maps->setChecked(m_recolouring.isMapped());
+    m_hue->setValue(m_recolouring.shift().hue);
+    m_saturation->setValue(m_recolouring.shift().saturation);
+    m_lightness->setValue(m_recolouring.shift().lightness);
+    m_hint->showHint({});
+    showResults();
+    showColour();
+}
+
+/// Return on a swatch means OK, as everywhere in a dialog; Space takes the swatch.
+bool RecolourDialog::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_swatches && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            keyPressEvent(static_cast<QKeyEvent *>(event));
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 void RecolourDialog::accept()

@@ -4,6 +4,8 @@
 #include "app/widgets/habits/entry_field.h"
 
 #include <QDialog>
+#include <QKeySequence>
+#include <QList>
 
 class QCheckBox;
 class QGridLayout;
@@ -40,10 +42,17 @@ public:
     SliderField *saturation() const { return m_saturation; }
     SliderField *lightness() const { return m_lightness; }
 
+    /// The keys that go back and on through what was changed here.
+    void setStepKeys(const QList<QKeySequence> &back, const QList<QKeySequence> &on);
+
     void accept() override;
     void reject() override;
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    void step(bool back);
     QWidget *makeList();
     int widthOfColumns() const;
     void addColour(QVBoxLayout &column, const std::vector<Swatch> &swatches);

@@ -131,6 +131,7 @@ void recolourArtwork(const Workplace &place)
         emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
         return;
     }
+    dialog.setStepKeys(place.commands[Command::Undo].shortcuts(), place.commands[Command::Redo].shortcuts());
     moveBesideSelected(dialog, place);
     dialog.exec();
 }

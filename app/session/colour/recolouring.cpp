@@ -41,8 +41,11 @@ ColourShift beyond(const ColourShift &earlier, const ColourShift &now)
 Recolouring::Recolouring(Editor &editor)
     : m_editor(editor), m_ofSelection(!editor.document().selection().isEmpty()),
       m_parts(partsToColour(*editor.document().painting(), editor.selection())), m_uses(coloursOf(m_parts, mostUses)),
-      m_set(m_uses.size()), m_swatches(paletteOf(*editor.document().painting()))
-{}
+      m_swatches(paletteOf(*editor.document().painting()))
+{
+    m_wanted.set.resize(m_uses.size());
+    m_changes.push_back(m_wanted);
+}
 
 Recolouring::~Recolouring()
 {
@@ -53,38 +56,38 @@ Colour Recolouring::mapped(const Colour &member, std::size_t use) const
 {
     const Colour &from = m_uses[use].colour;
     Colour colour = member;
-    if (const std::optional<Wish> &wish = m_set[use]) {
-        const bool becomesIt = !m_keeps || samePaint(member, from);
+    if (const std::optional<Wish> &wish = m_wanted.set[use]) {
+        const bool becomesIt = !m_wanted.keeps || samePaint(member, from);
         colour = becomesIt ? wish->colour : shifted(member, shiftBetween(from, wish->colour));
-        colour = shifted(colour, beyond(wish->shift, m_shift));
+        colour = shifted(colour, beyond(wish->shift, m_wanted.shift));
     } else {
-        colour = shifted(colour, m_shift);
+        colour = shifted(colour, m_wanted.shift);
     }
-    return withOpacity(m_maps && hasSwatches() ? m_swatches.nearest(colour) : colour, 1);
+    return withOpacity(m_wanted.maps && hasSwatches() ? m_swatches.nearest(colour) : colour, 1);
 }
 
 void Recolouring::set(const std::vector<std::size_t> &uses, std::optional<Colour> colour)
 {
     for (const std::size_t use : uses)
-        m_set[use] = colour ? std::optional<Wish>({*colour, m_shift}) : std::nullopt;
+        m_wanted.set[use] = colour ? std::optional<Wish>({*colour, m_wanted.shift}) : std::nullopt;
     show();
 }
 
 void Recolouring::setKeepsDifferences(bool keeps)
 {
-    m_keeps = keeps;
+    m_wanted.keeps = keeps;
     show();
 }
 
 void Recolouring::setShift(const ColourShift &shift)
 {
-    m_shift = shift;
+    m_wanted.shift = shift;
     show();
 }
 
 void Recolouring::setMapped(bool mapped)
 {
-    m_maps = mapped;
+    m_wanted.maps = mapped;
     show();
 }
 
@@ -104,6 +107,25 @@ void Recolouring::show()
 
 void Recolouring::rest()
 {
+    m_gesture.rest();
+    if (m_wanted == m_changes[m_at])
+        return;
+    m_changes.resize(++m_at);
+    m_changes.push_back(m_wanted);
+}
+
+bool Recolouring::canStep(bool back) const
+{
+    return back ? m_at > 0 || m_wanted != m_changes[m_at] : m_at + 1 < m_changes.size();
+}
+
+void Recolouring::step(bool back)
+{
+    rest(); // What goes on ends, and is the first to be taken back.
+    if (!canStep(back))
+        return;
+    m_wanted = m_changes[back ? --m_at : ++m_at];
+    show();
     m_gesture.rest();
 }
 

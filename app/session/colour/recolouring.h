@@ -31,22 +31,25 @@ public:
     /// What becomes of each, after all that is wanted; opaque.
     Colour result(std::size_t use) const { return mapped(m_uses[use].colour, use); }
 
-    /// Gives some of the colours another one, which the shift of all leaves alone until it changes; nothing: each has its
-    /// own again.
+    /// Gives some of the colours another one, which the shift of all leaves alone until it changes; nothing: each has
+    /// its own again.
     void set(const std::vector<std::size_t> &uses, std::optional<Colour> colour);
     /// Whether the colours that are one in the list keep their differences when it is changed. They do at first.
     void setKeepsDifferences(bool keeps);
-    bool keepsDifferences() const { return m_keeps; }
+    bool keepsDifferences() const { return m_wanted.keeps; }
     /// Shifts all of them, after each was set.
     void setShift(const ColourShift &shift);
-    const ColourShift &shift() const { return m_shift; }
+    const ColourShift &shift() const { return m_wanted.shift; }
     /// Each becomes the swatch of the painting that looks nearest, after everything else.
     void setMapped(bool mapped);
-    bool isMapped() const { return m_maps; }
+    bool isMapped() const { return m_wanted.maps; }
     bool hasSwatches() const { return !m_swatches.isEmpty(); }
 
-    /// The hand is off it for now: frames are exact, and the journal has what is shown.
+    /// The hand is off it for now: frames are exact, the journal has what is shown, and a change has ended.
     void rest();
+    /// Goes back to what was wanted one change before, or on again.
+    bool canStep(bool back) const;
+    void step(bool back);
     void accept();
     void giveUp();
 
@@ -55,6 +58,15 @@ private:
     struct Wish {
         Colour colour;
         ColourShift shift;
+        friend bool operator==(const Wish &, const Wish &) = default;
+    };
+    /// All that is to become of the colours.
+    struct Wanted {
+        std::vector<std::optional<Wish>> set; ///< for each use
+        bool keeps = true;
+        bool maps = false;
+        ColourShift shift;
+        friend bool operator==(const Wanted &, const Wanted &) = default;
     };
 
     Colour mapped(const Colour &member, std::size_t use) const;
@@ -64,11 +76,10 @@ private:
     bool m_ofSelection;
     ColourParts m_parts;
     std::vector<ColourUse> m_uses;
-    std::vector<std::optional<Wish>> m_set; ///< for each use
     ColourPalette m_swatches;
-    bool m_keeps = true;
-    bool m_maps = false;
-    ColourShift m_shift;
+    Wanted m_wanted;
+    std::vector<Wanted> m_changes; ///< what was wanted at first, and after each change
+    std::size_t m_at = 0;          ///< the one of them that is shown, but for a change that has not ended
     Gesture m_gesture;
 };
 

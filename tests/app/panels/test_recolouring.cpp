@@ -514,6 +514,53 @@ private slots:
         QCOMPARE(dialog.list()->topLevelItemCount(), 1); // of what is selected
     }
 
+    void artworkIsRecolouredStepByStep()
+    {
+        TwoWaves s;
+        s.addSwatches({{"leaf", green}, {"roof", red}});
+        const PaintingPtr now = s.editor().document().painting();
+        const int steps = s.steps();
+        const Colour was = s.colour(s.id);
+        RecolourDialog dialog(s.editor(), &s.window);
+        dialog.setStepKeys({QKeySequence("Ctrl+Z")}, {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+        dialog.setModal(true); // as the command opens it
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        dialog.list()->selectAll();
+        SwatchGrid &grid = *dialog.swatches();
+        grid.setFocus();
+        QTest::keyClick(&grid, Qt::Key_Space);
+        QCOMPARE(s.colour(s.id), green);
+        QTest::keyClick(&grid, Qt::Key_Right);
+        QTest::keyClick(&grid, Qt::Key_Space);
+        QCOMPARE(s.colour(s.id), red);
+        type(*dialog.saturation()->number(), "0");
+        dialog.mapsBox()->click();
+        grid.setFocus();
+        for (int undone = 0; undone < 2; ++undone)
+            QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.colour(s.id), red);
+        QVERIFY(!dialog.mapsBox()->isChecked());
+        QCOMPARE(dialog.saturation()->number()->text(), QString("100 %"));
+        QCOMPARE(dialog.hex()->text(), QString("#ff0000"));
+        QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.colour(s.id), green);
+        QTest::keyClick(&grid, Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(s.colour(s.id), red);
+        for (int undone = 0; undone < 5; ++undone) // more than there are
+            QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.colour(s.id), was);
+        QVERIFY(s.painting() == *now);
+        QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.colour(s.id), green);
+        QCOMPARE(s.steps(), steps);
+        QVERIFY(dialog.isVisible());
+        QTest::keyClick(&grid, Qt::Key_Return); // is OK, and takes no swatch
+        QVERIFY(!dialog.isVisible());
+        QCOMPARE(s.colour(s.id), green);
+        QCOMPARE(s.steps(), steps + 1);
+    }
+
     /// The list of Recolour Artwork shows all of its columns at the size with which the dialog opens.
     void recolourArtworkShowsAllColumns()
     {
