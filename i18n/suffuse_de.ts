@@ -8423,6 +8423,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>No stroke is called “%1”.</source>
         <translation>Kein Strich heißt „%1“.</translation>
     </message>
+    <message>
+        <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
+        <translation>Während in der Liste gesucht wird, lassen sich keine Zeilen ziehen: Zwischen den gezeigten können andere liegen. Bitte zuerst die Suche leeren.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

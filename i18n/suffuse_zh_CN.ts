@@ -8375,6 +8375,10 @@ Arrow keys work too.</source>
         <source>No stroke is called “%1”.</source>
         <translation>没有名为“%1”的笔画。</translation>
     </message>
+    <message>
+        <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
+        <translation>搜索列表时不能拖动行：显示的行之间可能还有其他行。请先清除搜索。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

@@ -8,8 +8,8 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 
-#include <QApplication>
 #include <QAction>
+#include <QApplication>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
@@ -45,6 +45,11 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     column->addWidget(m_view, 1);
 
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) { search(text.trimmed()); });
+    connect(m_view, &StrokesView::dragRefused, this, [this] {
+        emit said(
+            tr("While the list is searched, rows are not dragged: between those that show there may be others. Clear "
+               "the search first."));
+    });
     connect(m_search, &QLineEdit::returnPressed, this, &StrokesPanel::selectFound);
     // Strokes may come, go and be renamed during a search.
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
@@ -95,7 +100,6 @@ void StrokesPanel::search(const QString &text)
         });
     m_syncing = false;
     showWhetherFound();
-    m_view->setDragEnabled(!isSearching());
     takeSelectionFromDocument();
     if (before != isSearching())
         emit searchingChanged();

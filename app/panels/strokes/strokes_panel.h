@@ -49,6 +49,8 @@ public:
 signals:
     /// Emitted when a search begins or ends.
     void searchingChanged();
+    /// Why nothing was done, for the status bar.
+    void said(const QString &message);
 
 protected:
     void showEvent(QShowEvent *event) override;

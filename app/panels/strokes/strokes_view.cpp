@@ -407,6 +407,10 @@ void StrokesView::mousePressEvent(QMouseEvent *event)
 
 void StrokesView::startDrag(Qt::DropActions actions)
 {
+    if (!m_filter.text().isEmpty()) {
+        emit dragRefused();
+        return;
+    }
     selectWholeGroups();
     const UndoEndsDrag ends;
     QTreeView::startDrag(actions);

@@ -26,6 +26,10 @@ public:
     /// holds no other.
     void selectWholeGroups();
 
+signals:
+    /// Emitted where rows would have been dragged during a search, which hides rows between which they could be put.
+    void dragRefused();
+
 protected:
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event = nullptr) const override;

@@ -244,6 +244,8 @@ void Docks::addSelectingRows()
              Commands::tr("Select what the search in the Strokes dock has found"))
         .when([this] { return m_strokes->isSearching(); })
         .runs([this] { m_strokes->selectFound(); });
+    connect(m_strokes, &StrokesPanel::said, this,
+            [this](const QString &message) { emit m_place.commands.said(message, 8'000); });
     connect(m_strokes, &StrokesPanel::searchingChanged, this, [this] { m_place.commands.update(SelectFound); });
 }
 

@@ -9,8 +9,10 @@
 #include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QShortcut>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
 
@@ -40,6 +42,39 @@ private slots:
         bench.editor.undoStack().setIndex(0);
         QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
         QCOMPARE(model->strokeAt(model->index(0, 0)), StrokeId(4));
+    }
+
+    /// What a search hides could lie between the rows: they are not dragged then, and that is said.
+    void aSearchRefusesDragsAndSaysSo()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        for (StrokeId id = 1; id <= 4; ++id) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.name = id % 2 ? "leaf" : "roof";
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        panel.resize(300, 400);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        panel.search()->setText("leaf");
+        QSignalSpy said(&panel, &StrokesPanel::said);
+        QWidget &viewport = *panel.view()->viewport();
+        const QPoint from = panel.view()->visualRect(panel.viewIndexOf(3)).center();
+        const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons) {
+            QMouseEvent event(type, at, viewport.mapToGlobal(at), button, buttons, {});
+            QCoreApplication::sendEvent(&viewport, &event);
+        };
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+        for (int y = 10; y <= 60; y += 10)
+            send(QEvent::MouseMove, from + QPoint(0, y), Qt::NoButton, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, from + QPoint(0, 60), Qt::LeftButton, Qt::NoButton);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said[0][0].toString().contains("Clear the search"));
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
+        QCOMPARE(bench.steps(), 0);
     }
 
     /// Undo gives up what is dragged from one place to another, as it does with every drag. QDrag takes all keys.
