@@ -4,11 +4,26 @@
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "model/shaping/erasing/unfilled.h"
+#include "model/shaping/transform.h"
 #include "undo/edits.h"
 
 #include <algorithm>
 
 namespace suffuse {
+
+namespace {
+
+/// The exact box of what the stroke encloses, offsets from its origin. Handles may reach far beyond the curves.
+Rect enclosedBox(const Stroke &stroke)
+{
+    Rect box;
+    for (const std::vector<Cubic> &loop : closedOutline(stroke))
+        for (const Cubic &curve : loop)
+            box = box.united(curveBox(curve));
+    return box.isEmpty() ? outlineBox(stroke) : box; // a loop without extent
+}
+
+} // namespace
 
 Fill usualFill(const Stroke &stroke)
 {
@@ -49,7 +64,7 @@ Edit addGradients(const Document &document, const std::set<StrokeId> &strokes)
     return changeStrokes(document, strokes, [](Stroke &stroke) {
         if (!stroke.fill || stroke.fill->gradient)
             return;
-        const Rect box = outlineBox(stroke);
+        const Rect box = enclosedBox(stroke);
         Fill fill = *stroke.fill;
         const auto middle = float(box.centre().y);
         fill.gradient = Gradient{{float(box.left), middle}, {float(box.right), middle}, fill.colour};

@@ -5,8 +5,8 @@
 #include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "undo/colour_edits.h"
-#include "undo/fill_edits.h"
 #include "undo/edits.h"
+#include "undo/fill_edits.h"
 #include "undo/node_edits.h"
 #include "undo/time_edits.h"
 
@@ -154,6 +154,33 @@ private slots:
         const auto toBlue = [](const Colour &) { return blue; };
         w.apply(recolour(w.document, partsToColour(*w.document.painting(), {{1}, {{1, 0}}}), toBlue));
         QCOMPARE(w.stroke(1).fill->colour, blue);
+    }
+
+    /// A gradient that is added goes from one side of the outline to the other, however far its handles reach.
+    void aNewGradientSpansTheOutline()
+    {
+        Stroke bow;
+        bow.id = 1;
+        Segment segment;
+        segment.bezier = {Offset{0, 0}, Offset{-60, -100}, Offset{160, -100}, Offset{100, 0}};
+        bow.segments = {segment};
+        bow.fill = Fill{};
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = {std::make_shared<const Stroke>(bow)};
+        Document document;
+        document.reset(painting);
+        Edit edit = addGradients(document, {1});
+        document.exchange(edit);
+        const std::optional<Gradient> gradient = document.painting()->find(1)->fill->gradient;
+        QVERIFY(gradient);
+        double left = 0, right = 0;
+        for (int i = 0; i <= 10'000; ++i) {
+            const double x = bow.cubicOf(segment).at(i / 10'000.0).x;
+            left = std::min(left, x), right = std::max(right, x);
+        }
+        QVERIFY(left < -1 && left > -20);
+        QVERIFY(std::abs(gradient->from.x - left) < 1e-3 && std::abs(gradient->to.x - right) < 1e-3);
+        QVERIFY(std::abs(gradient->from.y + 37.5f) < 1e-3f && gradient->from.y == gradient->to.y);
     }
 
     void swatchesChangeTheSecondColourOfAGradient()
