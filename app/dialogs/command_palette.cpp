@@ -169,7 +169,11 @@ void CommandPalette::fill()
     for (int i = 0; i < int(m_entries.size()); ++i)
         if (const std::optional<int> rank = paletteRank(m_entries[std::size_t(i)], m_search->text()))
             found.emplace_back(*rank, i);
-    std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+    const bool typed = !m_search->text().trimmed().isEmpty(); // else all stand in the order of the menus
+    const auto order = [&](const std::pair<int, int> &each) {
+        return std::pair(each.first, typed && !m_entries[std::size_t(each.second)].enabled);
+    };
+    std::stable_sort(found.begin(), found.end(), [&](const auto &a, const auto &b) { return order(a) < order(b); });
     m_list->clear();
     QPixmap nothing(m_list->iconSize());
     nothing.fill(Qt::transparent);

@@ -102,6 +102,25 @@ private slots:
         settings::store().remove("shortcuts/raise");
     }
 
+    /// Of those that match equally well, what can be used comes first, so that Return does something.
+    void whatCanBeUsedComesFirst()
+    {
+        std::vector<PaletteEntry> entries{entry("Object ▸ Align Left"), entry("Object ▸ Align Right"),
+                                          entry("Object ▸ Realign"), entry("Align")};
+        entries[0].enabled = entries[3].enabled = false;
+        CommandPalette palette(entries, nullptr);
+        const auto shown = [&] {
+            QStringList titles;
+            for (int row = 0; row < palette.list()->count(); ++row)
+                titles << palette.list()->item(row)->text().section(QStringLiteral(" ▸ "), -1);
+            return titles;
+        };
+        QCOMPARE(shown(), (QStringList{"Align Left", "Align Right", "Realign", "Align"})); // as they stand in the menus
+        palette.search()->setText("align");
+        // The whole name is still better than a part of it.
+        QCOMPARE(shown(), (QStringList{"Align", "Align Right", "Align Left", "Realign"}));
+    }
+
     /// Every id that users' settings may hold, for ever; a new command adds its own.
     void noIdIsEverChanged()
     {
