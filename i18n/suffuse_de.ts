@@ -8693,6 +8693,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Export Timelapse</source>
         <translation>Zeitraffer exportieren</translation>
     </message>
+    <message>
+        <source>“%1” has no ending of a film or a picture. Choose one of: %2.</source>
+        <translation>„%1“ hat keine Endung eines Films oder Bilds. Möglich sind: %2.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TimelinePanel</name>

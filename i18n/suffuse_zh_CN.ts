@@ -8643,6 +8643,10 @@ Arrow keys work too.</source>
         <source>Export Timelapse</source>
         <translation>导出缩时视频</translation>
     </message>
+    <message>
+        <source>“%1” has no ending of a film or a picture. Choose one of: %2.</source>
+        <translation>“%1”没有影片或图片的扩展名。请选择：%2。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TimelinePanel</name>

@@ -42,6 +42,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
     m_column->insertWidget(m_column->indexOf(m_progress) + 1, m_left);
     for (QDoubleSpinBox *box : {m_fps, m_length})
         connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::pathChanged);
+    connect(m_path, &QLineEdit::editingFinished, this, &TimelapseDialog::checkEnding);
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
     connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::finish);
     restore();
@@ -189,8 +190,20 @@ void TimelapseDialog::pathChanged()
     m_left->setText(kind == FilmKind::Frames ? tr("%1: %2").arg(frames, QFileInfo(target()).fileName()) : frames);
 }
 
+bool TimelapseDialog::checkEnding()
+{
+    if (filmKindOf(target()) != FilmKind::Frames || imageFormatForPath(target()) != ImageFormat::Unknown)
+        return true;
+    m_hint->showHint(
+        tr("“%1” has no ending of a film or a picture. Choose one of: %2.")
+            .arg(QFileInfo(m_path->text()).fileName(), (filmEndings() + imageEndings()).join(QStringLiteral(", "))));
+    return false;
+}
+
 void TimelapseDialog::startExport()
 {
+    if (!checkEnding())
+        return;
     TimelapseOrder order;
     order.film = film();
     order.idle = m_idle->value();
@@ -202,7 +215,7 @@ void TimelapseDialog::startExport()
         problem =
             tr("A film of %1 frames is too long. Choose a lower rate or a shorter length.").arg(order.film.frames);
     if (!problem.isEmpty()) {
-        m_hint->showHint(problem);
+        m_hint->showHint(problem.left(1).toUpper() + problem.mid(1)); // after a file's name it goes on in lower case
         return;
     }
     const QFileInfo file(order.film.path);

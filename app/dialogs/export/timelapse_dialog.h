@@ -41,6 +41,8 @@ private:
     void restore();
     void remember() override;
     void stop() override { m_job.cancel(); }
+    /// Says so where the name has no ending of a film or a picture. Returns whether it has one.
+    bool checkEnding();
     void showProgress(int frames);
     void setBusy(bool busy) override;
     /// Gives the path of numbered pictures its number if it has none.

@@ -104,6 +104,36 @@ private slots:
         QLocale::setDefault(before);
     }
 
+    /// A name with an ending of no film is refused when it is typed, not only when the film is to be made.
+    void anEndingOfNoFilmIsRefusedAtOnce()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        const auto typeName = [&](const char *name) {
+            dialog.path()->setFocus();
+            dialog.path()->selectAll();
+            QTest::keyClicks(dialog.path(), m_folder.filePath(name));
+            QTest::keyClick(dialog.path(), Qt::Key_Tab);
+        };
+        for (const char *name : {"film.gif", "film", "film%04d.gif"}) {
+            typeName(name);
+            QVERIFY2(dialog.hint()->text().startsWith(QString("“%1” has no ending").arg(name)),
+                     qPrintable(dialog.hint()->text()));
+            QVERIFY(dialog.hint()->text().contains("webm") && dialog.hint()->text().contains("png"));
+        }
+        for (const char *name : {"film.webm", "film.PNG", "film%04d.jpg", "film.webp"}) {
+            typeName(name);
+            QCOMPARE(dialog.hint()->text(), QString());
+        }
+        dialog.path()->setText(m_folder.filePath("film.gif"));
+        dialog.exportButton()->click();
+        QVERIFY(dialog.hint()->text().startsWith("“film.gif” has no ending"));
+        QVERIFY(!dialog.isExporting());
+    }
+
     void browsingAppendsTheEnding()
     {
         Editor editor;
@@ -234,8 +264,8 @@ private slots:
         TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
         dialog.show();
         for (const auto &[name, transparent, says] :
-             {std::tuple{"film.txt", false, "%05d"}, std::tuple{"film.mp4", true, "WebM"},
-              std::tuple{"f.jpg", true, "JPEG"}}) {
+             {std::tuple{"film.txt", false, "has no ending"}, std::tuple{"film%d%d.png", false, "Frames are numbered"},
+              std::tuple{"film.mp4", true, "WebM"}, std::tuple{"f.jpg", true, "JPEG"}}) {
             dialog.path()->setText(m_folder.filePath(name));
             dialog.transparent()->setChecked(transparent);
             dialog.exportButton()->click();
