@@ -5126,6 +5126,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Nothing is erased: what lies under the circle is locked.</source>
         <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist gesperrt.</translation>
     </message>
+    <message>
+        <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
+        <translation>Eine Füllung wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportDialog</name>

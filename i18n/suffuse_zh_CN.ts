@@ -5109,6 +5109,10 @@ Arrow keys work too.</source>
         <source>Nothing is erased: what lies under the circle is locked.</source>
         <translation>未擦除任何内容：圆下的笔画已锁定。</translation>
     </message>
+    <message>
+        <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
+        <translation>填充已被切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportDialog</name>

@@ -4,18 +4,23 @@
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/habits/at_next_change.h"
+#include "model/paint/fill_density.h"
+#include "model/paint/style_function.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
 
-constexpr double pressSlack = 3;        ///< logical pixels around a press in which hairlines are found
+constexpr double pressSlack = 3;           ///< logical pixels around a press in which hairlines are found
 constexpr double strengthStep = 0.1;       ///< of the commands for opacity
 constexpr std::size_t mostExplained = 200; ///< samples that are looked at for why nothing was erased
+constexpr std::size_t mostLookedAt = 16;   ///< samples at which it is looked whether a gap is seen
 
 /// A dot with a rim, for a soft tip.
 QCursor softCursor(double dpr)
@@ -30,6 +35,35 @@ QCursor softCursor(double dpr)
     painter.setBrush(Qt::white);
     painter.drawEllipse(QPointF(0.5 * size, 0.5 * size), 2.6, 2.6);
     return QCursor(picture);
+}
+
+/// The coverage of a stroke's dry fill.
+class FillCoverage {
+public:
+    explicit FillCoverage(const Stroke &stroke)
+        : m_origin(stroke.origin), m_style(stroke.style), m_density(stroke, stroke.fill->driesAt())
+    {}
+    double operator()(Point point) const { return densityFunction(m_style, m_density(point - m_origin).density); }
+
+private:
+    Point m_origin;
+    Style m_style;
+    DensityOfFill m_density;
+};
+
+/// Whether a fill was cut along the path, and still covers the middle of the gap by more than half of what it did.
+bool closesGap(const Stroke &before, const Stroke &now, const std::vector<PenSample> &path)
+{
+    if (!before.fill || !now.fill || before == now)
+        return false;
+    const FillCoverage was(before), is(now);
+    double covered = 0, left = 0;
+    const std::size_t step = std::max<std::size_t>(path.size() / mostLookedAt, 1);
+    for (std::size_t i = 0; i < path.size(); i += step) {
+        covered += was(path[i].position);
+        left += is(path[i].position);
+    }
+    return covered > 0 && left > 0.5 * covered;
 }
 
 EraserMode otherMode(EraserMode mode)
@@ -67,14 +101,15 @@ QString EraserTool::hint() const
                              "change the size, { and } the strength.")
                : group  ? tr("Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] "
                               "change the size, { and } the strength.")
-                        : tr("Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the "
-                             "size, { and } the strength.");
+                       : tr("Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the "
+                            "size, { and } the strength.");
     return selected ? tr("Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] "
                          "change the size.")
-           : group  ? tr("Cut: drag to cut out what of the group's curves lies under the circle. Shift: lift. [ and ] "
-                          "change the size.")
-                    : tr("Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the "
-                         "size.");
+           : group
+               ? tr("Cut: drag to cut out what of the group's curves lies under the circle. Shift: lift. [ and ] "
+                    "change the size.")
+               : tr("Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the "
+                    "size.");
 }
 
 QCursor EraserTool::cursor() const
@@ -144,6 +179,8 @@ void EraserTool::press(const PointerEvent &event)
                           pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
     m_samples.clear();
     m_took = false;
+    m_before = document.painting();
+    m_cut.clear();
     if (m_mode == EraserMode::Lift) {
         m_soft = std::make_unique<SoftEraser>(SoftTip{radius(), m_choice.softness, m_choice.strength},
                                               m_reach.strokesOf(*document.painting(), m_began), m_began);
@@ -180,6 +217,8 @@ void EraserTool::cutTo(Point point)
                                Leaves::Chains);
         !edit.isEmpty()) {
         m_took = true;
+        for (const auto &[id, stroke] : edit.strokes)
+            m_cut.insert(id);
         m_gesture.show(std::move(edit));
     }
     m_samples.push_back({point, m_samples.back().time});
@@ -224,7 +263,7 @@ void EraserTool::release(const PointerEvent &event)
     } else if (event.point != m_samples.back().position) {
         cutTo(event.point);
     }
-    const QString why = m_took ? QString() : whyNothing();
+    const QString why = !m_took ? whyNothing() : m_soft ? QString() : whyNoGap();
     finish();
     say(why);
 }
@@ -263,6 +302,18 @@ QString EraserTool::whyNothing() const
     if (reasons.contains(Spared::OtherGroup))
         return tr("Nothing is erased: what lies under the circle is in another group.");
     return tr("Nothing is erased: what lies under the circle is locked.");
+}
+
+QString EraserTool::whyNoGap() const
+{
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokeId id : m_cut) {
+        const StrokePtr now = painting.find(id), before = m_before->find(id);
+        if (now && before && closesGap(*before, *now, m_samples))
+            return tr("A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes "
+                      "its paint away.");
+    }
+    return {};
 }
 
 void EraserTool::say(const QString &text)

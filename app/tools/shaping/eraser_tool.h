@@ -46,6 +46,8 @@ private:
     void finish();
     /// Why the last drag took nothing.
     QString whyNothing() const;
+    /// Why no gap is seen where fills were cut; empty if one is.
+    QString whyNoGap() const;
     void say(const QString &text);
 
     QPointer<QWidget> m_options;
@@ -57,7 +59,9 @@ private:
     std::unique_ptr<SoftEraser> m_soft; ///< while paint is lifted
     std::vector<PenSample> m_samples;   ///< of this drag
     Microseconds m_began = 0;
-    bool m_took = false; ///< whether this drag has taken anything
+    bool m_took = false;      ///< whether this drag has taken anything
+    PaintingPtr m_before;     ///< when this drag began
+    std::set<StrokeId> m_cut; ///< what it has cut
     StrokeBoxes m_boxes;
     QString m_said;
 };

@@ -8,7 +8,10 @@
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/painting/influence.h"
+#include "model/shaping/shapes.h"
 #include "tests/app/nodes.h"
+#include "undo/edits.h"
+#include "undo/fill_edits.h"
 #include "undo/group_edits.h"
 #include "undo/transform_edits.h"
 
@@ -127,6 +130,27 @@ private slots:
         s.erase(beside, beside + Point{12, 4}, Qt::ShiftModifier); // cuts: there is no curve
         QCOMPARE(s.steps(), 3);                                    // that which is undone
         QVERIFY2(s.hint().startsWith("Nothing is cut"), qPrintable(s.hint()));
+    }
+
+    /// Fills whose edges are softer than the cut is wide close over it, which is said.
+    void aCutThatASoftFillClosesIsSaid()
+    {
+        for (const bool soft : {true, false}) {
+            EraserSession s;
+            const StrokeId id = s.editor().document().takeStrokeId();
+            Stroke square = strokeAlong(outlineOf({}, {300, 100}, {700, 300}), Brush(), id, 0);
+            for (Segment &segment : square.segments)
+                segment.density = 0;
+            Fill fill = usualFill(square);
+            fill.maxAge = 1;
+            fill.diffusion = soft ? 1'000 : 1; // a spread of 63, and of 2
+            square.fill = fill;
+            s.editor().push(addStrokes(s.editor().document(), {std::make_shared<const Stroke>(square)}, false), "wash");
+            s.advance(5'000'000);
+            s.erase({500, 60}, {500, 340}, Qt::ShiftModifier);
+            QVERIFY(s.stroke(id) != square);
+            QCOMPARE(s.hint().startsWith("A fill was cut, but hardly a gap is seen"), soft);
+        }
     }
 
     void escapeAndUndoGiveItUp()
