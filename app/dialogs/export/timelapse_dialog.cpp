@@ -194,9 +194,10 @@ bool TimelapseDialog::checkEnding()
 {
     if (filmKindOf(target()) != FilmKind::Frames || imageFormatForPath(target()) != ImageFormat::Unknown)
         return true;
-    m_hint->showHint(
-        tr("“%1” has no ending of a film or a picture. Choose one of: %2.")
-            .arg(QFileInfo(m_path->text()).fileName(), (filmEndings() + imageEndings()).join(QStringLiteral(", "))));
+    QStringList endings = filmEndings() + imageEndings();
+    endings.removeDuplicates(); // WebP is both
+    m_hint->showHint(tr("“%1” has no ending of a film or a picture. Choose one of: %2.")
+                         .arg(QFileInfo(m_path->text()).fileName(), endings.join(QStringLiteral(", "))));
     return false;
 }
 

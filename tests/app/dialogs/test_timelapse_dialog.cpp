@@ -123,6 +123,7 @@ private slots:
             QVERIFY2(dialog.hint()->text().startsWith(QString("“%1” has no ending").arg(name)),
                      qPrintable(dialog.hint()->text()));
             QVERIFY(dialog.hint()->text().contains("webm") && dialog.hint()->text().contains("png"));
+            QCOMPARE(dialog.hint()->text().count("webp"), 1);
         }
         for (const char *name : {"film.webm", "film.PNG", "film%04d.jpg", "film.webp"}) {
             typeName(name);
