@@ -41,14 +41,14 @@ void bringBack(std::vector<Stroke> &strokes, Microseconds by)
 {
     for (Stroke &stroke : strokes) {
         for (Segment &segment : stroke.segments) {
-            const Microseconds shift = std::min(by, segment.born);
+            const Microseconds shift = std::clamp<Microseconds>(segment.born, 0, by); // before 0 they stay
             segment.born -= shift;
             for (Rewet &rewet : segment.rewet)
                 rewet.time -= shift;
         }
         if (stroke.fill) {
             Fill fill = *stroke.fill;
-            fill.born -= std::min(by, fill.born);
+            fill.born -= std::clamp<Microseconds>(fill.born, 0, by);
             stroke.fill = fill;
         }
     }

@@ -217,6 +217,27 @@ private slots:
         QCOMPARE(session.editor().clock().time(), Microseconds(1'000'000));
     }
 
+    /// What is brought back in time never comes later by that.
+    void whatIsBornBeforeTheStartStays()
+    {
+        Session session;
+        session.editor().document().reset(withOneStroke());
+        session.editor().clock().setTime(1'000'000);
+        Stroke stroke = *makeStroke(2, 3, 10);
+        stroke.segments[0].born = -5'000'000;
+        stroke.segments[1].born = 2'000'000;
+        stroke.segments[2].born = 20'000'000;
+        Painting from;
+        from.strokes = {std::make_shared<const Stroke>(stroke)};
+        QVERIFY(problemOf(from).isEmpty());
+        const std::unique_ptr<QMimeData> data(clipboard::mimeOf(from, 20'000'000));
+        QVERIFY(!clipboard::paste(session.editor(), *data, {}).isEmpty());
+        const Stroke &pasted = *session.painting().strokes.back();
+        QCOMPARE(pasted.segments[0].born, Microseconds(-5'000'000));
+        QCOMPARE(pasted.segments[1].born, Microseconds(0));
+        QCOMPARE(pasted.segments[2].born, Microseconds(1'000'000));
+    }
+
     /// The fill of a stroke is wetted with its last segment, or later.
     void fillsOfWhatIsPastedAreSeen()
     {
