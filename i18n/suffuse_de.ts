@@ -6817,6 +6817,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
         <translation>Ziehen verschiebt die Radierung. Klick wählt sie in allen Strichen aus, noch einer ihren Teil in diesem, ein dritter ein Segment. „Löschen“ entfernt sie.</translation>
     </message>
+    <message>
+        <source>Move segments</source>
+        <translation>Segmente verschieben</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

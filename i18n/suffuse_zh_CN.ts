@@ -6774,6 +6774,10 @@ Arrow keys work too.</source>
         <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
         <translation>拖动可移动擦除。单击在所有笔画中选择它，再次单击选择它在此笔画中的部分，第三次选择其中一段。“删除”会移除它。</translation>
     </message>
+    <message>
+        <source>Move segments</source>
+        <translation>移动线段</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

@@ -16,6 +16,26 @@
 
 namespace suffuse {
 
+namespace {
+
+/// The nodes at both ends of segments.
+std::set<NodeRef> nodesAround(const Painting &painting, const std::set<SegmentRef> &segments)
+{
+    std::set<NodeRef> nodes;
+    StrokePtr stroke;
+    for (const SegmentRef &ref : segments) {
+        if (!stroke || stroke->id != ref.stroke)
+            stroke = painting.find(ref.stroke);
+        if (!stroke || ref.segment >= int(stroke->segments.size()))
+            continue;
+        nodes.insert({ref.stroke, ref.segment});
+        nodes.insert({ref.stroke, endNode(*stroke, ref.segment)});
+    }
+    return nodes;
+}
+
+} // namespace
+
 NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_drag(canvas, m_reach),
       m_width(canvas), m_gradient(canvas)
@@ -457,24 +477,27 @@ bool NodeTool::keyPress(QKeyEvent *event)
     return nudge(event) || SelectionTool::keyPress(event);
 }
 
+/// Moves the selected nodes or, without any, those at the ends of the selected segments. Erasures are moved as they
+/// are, without a reach.
 bool NodeTool::nudge(QKeyEvent *event)
 {
     const std::optional<Point> way = nudgeOf(*event);
+    const Painting &painting = *m_editor.document().painting();
     const std::set<SegmentRef> &chosen = selection().segments;
-    const std::set<NodeRef> nodes =
-        m_nodes.empty() ? nodesOfErasures(*m_editor.document().painting(), chosen) : m_nodes;
+    const std::set<NodeRef> ends = nodesAround(painting, chosen);
+    const bool isErasure = m_nodes.empty() && nodesOfErasures(painting, chosen) == ends;
+    const std::set<NodeRef> &nodes = m_nodes.empty() ? ends : m_nodes;
     if (nodes.empty() || !way)
         return false;
     if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nodeNudges.endSteps();
-    const Painting &painting = *m_editor.document().painting();
     const NodeRef &front = *nodes.begin();
     const StrokePtr first = painting.find(front.stroke);
-    const double reach = first && !m_nodes.empty()
-                             ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF())
-                             : 0;
+    const double reach =
+        first && !isErasure ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF()) : 0;
     m_editor.push(moveNodes(m_editor.document(), nodes, *way, reach, m_reach.ends()),
-                  m_nodes.empty()      ? tr("Move erasure")
+                  isErasure            ? tr("Move erasure")
+                  : m_nodes.empty()    ? tr("Move segments")
                   : m_nodes.size() > 1 ? tr("Move nodes")
                                        : tr("Move node"),
                   &m_nodeNudges);

@@ -399,6 +399,37 @@ private slots:
         QVERIFY(s.stroke() == before);
     }
 
+    void arrowsNudgeSelectedSegments()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        const auto movedBy = [&](int node) { return nodePosition(s.stroke(), node) - nodePosition(before, node); };
+        s.click({350, 320});
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}}));
+        s.key(Qt::Key_Down);
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(s.stroke().origin, before.origin);
+        for (const int node : {1, 2})
+            QVERIFY(length(movedBy(node) - Point{-10, 1}) < 1e-4);
+        for (const int node : {0, 3, 4})
+            QCOMPARE(movedBy(node), Point());
+        const Point arm = *handlePosition(before, 2, true) - nodePosition(before, 2);
+        QVERIFY(length(*handlePosition(s.stroke(), 2, true) - nodePosition(s.stroke(), 2) - arm) < 1e-4);
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}}));
+        QCOMPARE(s.steps(), 3);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+        // A run of them goes along as a whole.
+        s.click({350, 320});
+        s.click({450, 320}, Qt::ShiftModifier);
+        s.key(Qt::Key_Up);
+        for (const int node : {1, 2, 3})
+            QVERIFY(length(movedBy(node) - Point{0, -1}) < 1e-4);
+        QCOMPARE(movedBy(0), Point());
+        QCOMPARE(movedBy(4), Point());
+    }
+
     void nodesThatUndoTakesAwayAreDropped()
     {
         NodeSession s;
