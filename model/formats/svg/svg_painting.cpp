@@ -5,6 +5,7 @@
 #include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
+#include "model/shaping/curves/runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,8 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
         if (isPoint)
             continue;
         segment.start = begins && !stroke.segments.empty();
+        if (!stroke.segments.empty() && !begins && breaksBetween(stroke.segments.back(), segment))
+            segment.node = NodeKind::Corner;
         begins = false;
         stroke.segments.push_back(std::move(segment));
     }

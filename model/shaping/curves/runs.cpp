@@ -21,6 +21,25 @@ std::vector<Chain> runsOf(const Stroke &stroke, const std::vector<bool> &chosen)
     return runs;
 }
 
+bool breaksBetween(const Segment &before, const Segment &after)
+{
+    return dot(endDirection(offsetsOf(before)), startDirection(offsetsOf(after))) < smoothCosine;
+}
+
+std::vector<Chain> smoothRunsOf(const Stroke &stroke, const std::vector<bool> &chosen)
+{
+    std::vector<Chain> parts;
+    for (const Chain &run : runsOf(stroke, chosen)) {
+        parts.push_back({run.first, run.first});
+        for (int k = run.first + 1; k <= run.last; ++k)
+            if (breaksBetween(stroke.segments[std::size_t(k - 1)], stroke.segments[std::size_t(k)]))
+                parts.push_back({k, k});
+            else
+                parts.back().last = k;
+    }
+    return parts;
+}
+
 RunPath::RunPath(const Stroke &stroke, const Chain &r) : run(r)
 {
     lengths.push_back(0);

@@ -8,9 +8,15 @@ namespace suffuse {
 /// The least cosine between the two directions at a node that is no corner (as in `cornersOf`: about a degree).
 inline constexpr double smoothCosine = 0.9998;
 
+/// Whether the curve's direction breaks between a segment and the next one, so that the node between them is a corner.
+bool breaksBetween(const Segment &before, const Segment &after);
+
 /// The longest runs of chosen segments within chains, in order. `chosen` says for each segment whether it is chosen; if
 /// it is empty, all are.
 std::vector<Chain> runsOf(const Stroke &stroke, const std::vector<bool> &chosen);
+
+/// The runs, divided at their corners.
+std::vector<Chain> smoothRunsOf(const Stroke &stroke, const std::vector<bool> &chosen);
 
 /// A run with its curves as offsets from the stroke's origin and the arc length at each of its nodes.
 struct RunPath {

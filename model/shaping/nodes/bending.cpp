@@ -125,7 +125,7 @@ Stroke straightened(const Stroke &stroke, double share, const std::vector<bool> 
 {
     share = std::clamp(share, 0.0, 1.0);
     Stroke result = stroke;
-    for (const Chain &run : runsOf(stroke, chosen)) {
+    for (const Chain &run : smoothRunsOf(stroke, chosen)) {
         const RunPath path(stroke, run);
         const Point start = path.curves.front().p[0], chord = path.curves.back().p[3] - start;
         if (!(path.total() > 0) || chord == Point())

@@ -6,8 +6,8 @@
 namespace suffuse {
 
 /// Moves the chosen segments (see `runsOf`) towards the chord of their run. Each point moves to the place on the chord
-/// that its share of the arc length gives: `share` 0 leaves the curve as it is, 1 makes it straight. Ends of runs,
-/// values and times stay.
+/// that its share of the arc length gives: `share` 0 leaves the curve as it is, 1 makes it straight. A run has a chord
+/// from each of its corners to the next one. Corners, ends of runs, values and times stay.
 Stroke straightened(const Stroke &stroke, double share, const std::vector<bool> &chosen = {});
 
 /// Moves the chosen segments sideways by a distance in canvas units, to the right of the stroke's direction where it is

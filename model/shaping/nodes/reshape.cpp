@@ -2,6 +2,7 @@
 
 #include "model/painting/bernstein.h"
 #include "model/shaping/curves/merge.h"
+#include "model/shaping/curves/runs.h"
 #include "model/shaping/curves/split.h"
 
 #include <algorithm>
@@ -60,7 +61,10 @@ Point nodePosition(const Stroke &stroke, int node)
 
 NodeKind nodeKind(const Stroke &stroke, int node)
 {
-    return isInnerNode(stroke, node) ? stroke.segments[std::size_t(node)].node : NodeKind::Corner;
+    if (!isInnerNode(stroke, node))
+        return NodeKind::Corner;
+    const Segment &after = stroke.segments[std::size_t(node)];
+    return breaksBetween(stroke.segments[std::size_t(node - 1)], after) ? NodeKind::Corner : after.node;
 }
 
 std::optional<Point> handlePosition(const Stroke &stroke, int node, bool after)
@@ -76,11 +80,7 @@ std::vector<int> cornersOf(const Stroke &stroke)
 {
     std::vector<int> corners;
     for (std::size_t k = 1; k < stroke.segments.size(); ++k) {
-        if (stroke.beginsChain(k))
-            continue;
-        const Point in = endDirection(offsetsOf(stroke.segments[k - 1]));
-        const Point out = startDirection(offsetsOf(stroke.segments[k]));
-        if (dot(in, out) < 0.9998) // The direction breaks by more than about a degree.
+        if (!stroke.beginsChain(k) && breaksBetween(stroke.segments[k - 1], stroke.segments[k]))
             corners.push_back(int(k));
     }
     return corners;

@@ -14,7 +14,8 @@ namespace suffuse {
 
 /// The place of a node in canvas units. The node must exist.
 Point nodePosition(const Stroke &stroke, int node);
-/// The kind of an inner node. The ends of chains have no opposite handles, and count as corners.
+/// The kind of an inner node. Where the curve's direction breaks it is a corner, whatever is stored. The ends of chains
+/// have no opposite handles, and count as corners.
 NodeKind nodeKind(const Stroke &stroke, int node);
 /// The handle on the side of the segment after (or before) the node, canvas units; no value beyond an end. It may lie
 /// on the node itself (drawn in).
@@ -67,7 +68,8 @@ Stroke withSeamsBeside(const Stroke &stroke, std::vector<int> &nodes);
 
 /// Moves nodes together with their handles; a closed chain stays closed. If these are all nodes, only the origin moves.
 Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point by);
-/// Moves a handle to a place. The opposite handle of a smooth node turns with it, that of a symmetric node mirrors it.
+/// Moves a handle to a place. The opposite handle of a smooth node turns with it, that of a symmetric node mirrors it
+/// (see `nodeKind`).
 Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to);
 /// Sets the kind of nodes. For smooth and symmetric ones the two handles are turned into one line if they are not in
 /// one; handles that are drawn in come out by a third of the way to the next node; those of symmetric nodes become

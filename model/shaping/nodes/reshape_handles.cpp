@@ -59,17 +59,16 @@ void moveNode(Stroke &stroke, int node, Point by)
     }
 }
 
-/// Turns or mirrors the handle that is opposite to the moved one, as the kind of the node demands.
-void followHandle(Stroke &stroke, int node, bool after)
+/// Turns or mirrors the handle that is opposite to the moved one, as the kind demands that the node had before.
+void followHandle(Stroke &stroke, int node, bool after, const Stroke &before)
 {
-    if (!isInnerNode(stroke, node) || stroke.segments[std::size_t(node)].node == NodeKind::Corner)
+    const NodeKind kind = nodeKind(before, node);
+    if (kind == NodeKind::Corner)
         return;
     HandleNode n(stroke, node);
     const Point own = vectorBetween(n.leaving, after ? n.after : n.before);
     Offset &opposite = after ? n.before : n.after;
-    const double reach = stroke.segments[std::size_t(node)].node == NodeKind::Symmetric
-                             ? length(own)
-                             : length(vectorBetween(n.leaving, opposite));
+    const double reach = kind == NodeKind::Symmetric ? length(own) : length(vectorBetween(n.leaving, opposite));
     if (own != Point())
         opposite = toOffset(n.place() - reach * unit(own), {});
 }
@@ -140,7 +139,7 @@ Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to)
         result.segments[std::size_t(sides.after)].bezier[1] = toOffset(to, stroke.origin);
     else
         result.segments[std::size_t(sides.before)].bezier[2] = toOffset(to, stroke.origin);
-    followHandle(result, node, after);
+    followHandle(result, node, after, stroke);
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);
 }
 
@@ -175,8 +174,8 @@ Stroke withCurveDragged(const Stroke &stroke, int segment, double p, Point by)
         s.bezier[1] = moved(s.bezier[1], (first / squares) * rest);
         s.bezier[2] = moved(s.bezier[2], (second / squares) * rest);
     }
-    followHandle(result, segment, true);
-    followHandle(result, segment + 1, false);
+    followHandle(result, segment, true, stroke);
+    followHandle(result, segment + 1, false, stroke);
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);
 }
 

@@ -1,4 +1,5 @@
 #include "model/painting/validate.h"
+#include "model/shaping/curves/runs.h"
 #include "model/shaping/curves/split.h"
 #include "model/shaping/nodes/reshape.h"
 
@@ -19,8 +20,7 @@ double distance(Offset a, Offset b)
 
 NodeKind kindBetween(const Segment &before, const Segment &after)
 {
-    return dot(endDirection(offsetsOf(before)), startDirection(offsetsOf(after))) > 0.9998 ? NodeKind::Smooth
-                                                                                           : NodeKind::Corner;
+    return breaksBetween(before, after) ? NodeKind::Corner : NodeKind::Smooth;
 }
 
 /// A segment from the end of one segment to the start of another, with the values of a third.

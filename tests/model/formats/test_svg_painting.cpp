@@ -216,6 +216,25 @@ private slots:
     }
 
     /// What has an opacity as a whole shows nothing of what it covers.
+    void cornersComeInAsCorners()
+    {
+        const Result<Painting> painting = readPainting(
+            svg("viewBox=\"0 0 100 100\"", "<rect width=\"60\" height=\"40\"/><ellipse rx=\"30\" ry=\"20\"/>"
+                                           "<path d=\"M0 0h30q20 0 20 20v30l-50 50z\"/>"),
+            QStringLiteral("a.svg"));
+        QVERIFY(bool(painting));
+        const auto kindsOf = [&](std::size_t k) {
+            std::vector<NodeKind> kinds;
+            for (const Segment &segment : painting->strokes[k]->segments)
+                kinds.push_back(segment.node);
+            return std::vector<NodeKind>(kinds.begin() + 1, kinds.end()); // The first one is an end.
+        };
+        constexpr NodeKind corner = NodeKind::Corner, smooth = NodeKind::Smooth;
+        QCOMPARE(kindsOf(0), (std::vector{corner, corner, corner}));
+        QCOMPARE(kindsOf(1), (std::vector{smooth, smooth, smooth}));
+        QCOMPARE(kindsOf(2), (std::vector{smooth, smooth, corner, corner}));
+    }
+
     void opacityIsThatOfTheWhole_data()
     {
         QTest::addColumn<QByteArray>("content");

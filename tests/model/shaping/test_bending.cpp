@@ -135,6 +135,35 @@ private slots:
         QCOMPARE(part.segments[10].node, NodeKind::Corner);
     }
 
+    void cornersStayWhereTheyAreWhenSidesGetStraight()
+    {
+        // A hill with a flat foot, whose nodes are all stored as smooth ones, as files of others have them.
+        const auto hill = [](double t) {
+            if (t < 0.5)
+                return Point{400 * t, -50 * std::sin(2 * std::numbers::pi * t)};
+            const Point foot[] = {{200, 0}, {200, 80}, {0, 80}, {0, 0}};
+            const double along = 6 * (t - 0.5);
+            const int k = std::min(2, int(along));
+            return foot[k] + (along - k) * (foot[k + 1] - foot[k]);
+        };
+        Stroke before = along(hill, 12);
+        for (const int k : {5, 7, 9, 11}) { // the derivative there is that of neither side
+            const Cubic c = offsetsOf(before.segments[std::size_t(k)]);
+            before.segments[std::size_t(k)].bezier[2] = toOffset(c.p[3] - (1.0 / 3) * (c.p[3] - c.p[0]), {});
+        }
+        for (const int k : {6, 8, 10}) {
+            const Cubic c = offsetsOf(before.segments[std::size_t(k)]);
+            before.segments[std::size_t(k)].bezier[1] = toOffset(c.p[0] + (1.0 / 3) * (c.p[3] - c.p[0]), {});
+        }
+        QCOMPARE(cornersOf(before), (std::vector<int>{6, 8, 10}));
+        for (const Stroke &after : {straightened(before, 1), straightened(before, 0.5), smoothed(before, 30)})
+            for (const int k : {6, 8, 10})
+                QCOMPARE(nodePosition(after, k), nodePosition(before, k));
+        QVERIFY(std::abs(nodePosition(straightened(before, 1), 3).y) < 1e-3);
+        QCOMPARE(nodeKind(before, 8), NodeKind::Corner);
+        QCOMPARE(nodeKind(before, 7), NodeKind::Smooth);
+    }
+
     void offsetsKeepTheirDistance()
     {
         const Stroke before = along(circle, 6); // clockwise on the screen: its right is inwards

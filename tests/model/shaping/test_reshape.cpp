@@ -321,6 +321,19 @@ private slots:
         }
     }
 
+    void whatBreaksIsACornerWhateverIsStored()
+    {
+        Stroke corner = line({{0, 0}, {30, 0}, {30, 30}});
+        for (const NodeKind stored : {NodeKind::Smooth, NodeKind::Symmetric, NodeKind::Corner}) {
+            corner.segments[1].node = stored;
+            QCOMPARE(nodeKind(corner, 1), NodeKind::Corner);
+            const Stroke moved = withHandleMoved(corner, 1, true, {50, 20});
+            QCOMPARE(*handlePosition(moved, 1, false), *handlePosition(corner, 1, false));
+            const Stroke bent = withCurveDragged(corner, 1, 0.5, {10, 0});
+            QCOMPARE(bent.segments[0], corner.segments[0]);
+        }
+    }
+
     void kindsMakeHandlesCollinearWhereTheyAreNot()
     {
         const Stroke corner = line({{0, 0}, {30, 0}, {30, 30}});
