@@ -72,11 +72,12 @@ std::array<double, 4> pixelColour(const Painting &painting, const View &view, in
     Spot spot = bareSpot(painting.canvas.background, transparent);
     for (const StrokePtr &stroke : painting.strokes) {
         const int n = 1 << levelAt(*stroke, time, view, view.toCanvas({column + 0.5, row + 0.5}));
-        Paint sum;
+        reference::Paint sum;
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
                 const Point x = view.toCanvas({column + (i + 0.5) / n, row + (j + 0.5) / n});
-                const Paint paint = paintOf(localDensity(*stroke, time, x), paper.at(x, view.px() / n), view.px() / n);
+                const reference::Paint paint =
+                    paintOf(localDensity(*stroke, time, x), paper.at(x, view.px() / n), view.px() / n);
                 sum.opacity += paint.opacity;
                 for (std::size_t c = 0; c < 3; ++c)
                     sum.colour[c] += paint.opacity * paint.colour[c];

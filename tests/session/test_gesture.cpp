@@ -168,8 +168,6 @@ constexpr int steps = 4;
 
 } // namespace
 
-Q_DECLARE_METATYPE(Kind)
-
 class TestGesture : public QObject {
     Q_OBJECT
 

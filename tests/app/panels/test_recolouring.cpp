@@ -14,6 +14,7 @@
 #include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/colour/colour_shift.h"
+#include "tests/app/panel_bench.h"
 #include "tests/app/shapes.h"
 #include "undo/swatch_edits.h"
 
@@ -34,15 +35,6 @@ using namespace suffuse;
 namespace {
 
 constexpr Colour waveColour{0.9f, 0.1f, 0.7f, 1}, green{0, 1, 1, 1}, red{1, 0, 0, 1};
-
-void type(QLineEdit &field, const QString &text)
-{
-    field.setFocus();
-    QTest::qWait(1); // the field selects its text when it gets the focus
-    field.selectAll();
-    QTest::keyClicks(&field, text);
-    QTest::keyClick(&field, Qt::Key_Return);
-}
 
 double farthest(const Colour &a, const Colour &b)
 {

@@ -279,7 +279,7 @@ private slots:
     /// A fill is seen although its gradient begins transparent, and what bounds it has that colour.
     void gradientsThatBeginTransparent()
     {
-        Stroke stroke = line({{100, -50}, {200, -50}, {200, 50}, {100, 50}});
+        Stroke stroke = test::line({{100, -50}, {200, -50}, {200, 50}, {100, 50}});
         for (Segment &segment : stroke.segments) {
             segment.density = 0;
             segment.colour = {1, 0, 0, 0};
