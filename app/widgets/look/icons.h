@@ -1,4 +1,4 @@
-// Icons, drawn from our own outlines (app/icons/outlines) in the palette's text colour, sharp at every scale.
+// Icons, drawn from our own outlines (app/icons) in the palette's text colour, sharp at every scale.
 #pragma once
 
 #include <QIcon>
