@@ -6774,6 +6774,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
         <translation>Ein Knoten allein hat keine Farbe: die Knoten an beiden Enden eines Segments auswählen, oder mit „Auswahl“ den ganzen Strich.</translation>
     </message>
+    <message>
+        <source>The closed outline begins and ends at this node, so it has nothing more to break. Delete Segments (Ctrl+Del) opens it.</source>
+        <translation>Der geschlossene Umriss beginnt und endet an diesem Knoten, hier ist nichts mehr zu trennen. „Segmente löschen“ (Strg+Entf) öffnet ihn.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>

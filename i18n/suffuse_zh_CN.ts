@@ -6731,6 +6731,10 @@ Arrow keys work too.</source>
         <source>A node alone has no paint: select the nodes at both ends of a segment, or take the whole stroke with the Select tool.</source>
         <translation>单独的节点没有颜料：请选择线段两端的节点，或用选择工具选取整条笔画。</translation>
     </message>
+    <message>
+        <source>The closed outline begins and ends at this node, so it has nothing more to break. Delete Segments (Ctrl+Del) opens it.</source>
+        <translation>闭合轮廓在此节点开始并结束，此处已无可断开。“删除线段”（Ctrl+Del）可将其打开。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>

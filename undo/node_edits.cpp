@@ -245,21 +245,10 @@ Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point b
     });
 }
 
-Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind, std::set<NodeRef> *renumbered)
+Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind)
 {
-    if (renumbered)
-        *renumbered = nodes;
-    return reshape(document, nodesByStroke(nodes), [=](const Stroke &stroke, const std::vector<int> &which) {
-        if (kind == NodeKind::Corner) // The seam of a closed chain is one anyway.
-            return withNodeKind(stroke, which, kind);
-        std::vector<int> inner = which;
-        Stroke result = withNodeKind(withSeamsBeside(stroke, inner), inner, kind);
-        if (renumbered) {
-            std::erase_if(*renumbered, [&](const NodeRef &node) { return node.stroke == stroke.id; });
-            for (const int node : inner)
-                renumbered->insert({stroke.id, node});
-        }
-        return result;
+    return reshape(document, nodesByStroke(nodes), [kind](const Stroke &stroke, const std::vector<int> &which) {
+        return withNodeKind(stroke, which, kind);
     });
 }
 

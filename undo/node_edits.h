@@ -30,10 +30,7 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
 /// it; see `SoftMove`).
 Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach = 0,
                SoftMove::Ends ends = SoftMove::Ends::Follow);
-/// A closed chain whose seam is to be smooth begins elsewhere from then on; `renumbered` gets the nodes as they are
-/// called then.
-Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind,
-                 std::set<NodeRef> *renumbered = nullptr);
+Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
 /// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are
 /// selected if the stroke was. They stand together in the order.

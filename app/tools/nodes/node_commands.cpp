@@ -11,6 +11,8 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -172,10 +174,7 @@ std::set<SegmentRef> NodeCommands::chosenSegments() const
 void NodeCommands::setKind(NodeKind kind)
 {
     const QString names[] = {tr("Smooth nodes"), tr("Symmetric nodes"), tr("Corner nodes")};
-    std::set<NodeRef> nodes;
-    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind, &nodes), names[int(kind)]);
-    if (nodes != m_nodes)
-        emit chosen(nodes);
+    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind), names[int(kind)]);
 }
 
 void NodeCommands::insertBetween()
@@ -206,8 +205,15 @@ void NodeCommands::insertBetween()
 void NodeCommands::breakAtNodes()
 {
     const Edit edit = splitAtNodes(m_editor.document(), m_nodes, Leaves::Chains);
-    if (edit.isEmpty())
+    if (edit.isEmpty()) {
+        if (std::ranges::any_of(m_nodes, [this](const NodeRef &node) {
+                const StrokePtr stroke = m_editor.document().painting()->find(node.stroke);
+                return stroke && nodesTogether(*stroke, node.node).size() == 2;
+            }))
+            say(tr("The closed outline begins and ends at this node, so it has nothing more to break. "
+                   "Delete Segments (Ctrl+Del) opens it."));
         return;
+    }
     emit chosen({});
     m_editor.push(edit, tr("Break stroke"));
 }
@@ -238,6 +244,12 @@ void NodeCommands::reverse()
     m_editor.push(reverseSelection(m_editor.document()), tr("Reverse strokes"));
     if (!m_nodes.empty())
         emit chosen(nodes);
+}
+
+void NodeCommands::say(const QString &text)
+{
+    constexpr int shownMs = 8000;
+    emit m_table.said(text, shownMs);
 }
 
 bool NodeCommands::deleteNodes()

@@ -33,6 +33,8 @@ public:
     void addButtons(QHBoxLayout &row);
     /// Deletes the selected nodes and bridges the gaps between their neighbours. Returns false if no node is selected.
     bool deleteNodes();
+    /// Says something in the status bar.
+    void say(const QString &text);
     /// Selects all nodes of the selected strokes. Returns false if no stroke is selected.
     bool selectAll();
     /// Selects the next (1) or the previous (-1) node instead, of those of the selected strokes that the view shows.

@@ -4,6 +4,7 @@
 #include "model/shaping/curves/merge.h"
 #include "model/shaping/curves/runs.h"
 #include "model/shaping/curves/split.h"
+#include "model/shaping/nodes/reshape_handles.h"
 
 #include <algorithm>
 #include <numeric>
@@ -61,10 +62,11 @@ Point nodePosition(const Stroke &stroke, int node)
 
 NodeKind nodeKind(const Stroke &stroke, int node)
 {
-    if (!isInnerNode(stroke, node))
+    const std::optional<NodeSides> join = joinAt(stroke, node);
+    if (!join)
         return NodeKind::Corner;
-    const Segment &after = stroke.segments[std::size_t(node)];
-    return breaksBetween(stroke.segments[std::size_t(node - 1)], after) ? NodeKind::Corner : after.node;
+    const Segment &after = stroke.segments[std::size_t(join->after)];
+    return breaksBetween(stroke.segments[std::size_t(join->before)], after) ? NodeKind::Corner : after.node;
 }
 
 std::optional<Point> handlePosition(const Stroke &stroke, int node, bool after)
@@ -167,7 +169,6 @@ Stroke withSeamsBeside(const Stroke &stroke, std::vector<int> &nodes)
             if (chosen.contains(node))
                 renumbered.insert(numberOf(node));
         const bool starts = std::exchange(first->start, false);
-        first->node = NodeKind::Corner;
         std::rotate(first, result.segments.begin() + seam, behind);
         first->start = starts;
     }

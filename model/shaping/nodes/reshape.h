@@ -14,8 +14,8 @@ namespace suffuse {
 
 /// The place of a node in canvas units. The node must exist.
 Point nodePosition(const Stroke &stroke, int node);
-/// The kind of an inner node. Where the curve's direction breaks it is a corner, whatever is stored. The ends of chains
-/// have no opposite handles, and count as corners.
+/// The kind of an inner node, or of the seam of a closed chain. Where the curve's direction breaks it is a corner,
+/// whatever is stored. The ends of other chains have no opposite handles, and count as corners.
 NodeKind nodeKind(const Stroke &stroke, int node);
 /// The handle on the side of the segment after (or before) the node, canvas units; no value beyond an end. It may lie
 /// on the node itself (drawn in).

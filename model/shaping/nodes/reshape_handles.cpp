@@ -1,7 +1,8 @@
-#include "model/shaping/curves/split.h"
-#include "model/shaping/nodes/reshape.h"
+#include "model/shaping/nodes/reshape_handles.h"
 
 #include "model/painting/decimal.h"
+#include "model/shaping/curves/split.h"
+#include "model/shaping/nodes/reshape.h"
 
 #include <set>
 
@@ -29,17 +30,18 @@ bool makesPoints(const Stroke &after, const Stroke &before)
     return false;
 }
 
-/// An inner node with its two handles.
+/// A node where a chain goes on, with its two handles.
 struct HandleNode {
     Offset &before;
     Offset &arriving; ///< the end of the segment before, at the same place as `leaving`
     Offset &leaving;
     Offset &after;
 
-    HandleNode(Stroke &stroke, int node)
-        : before(stroke.segments[std::size_t(node - 1)].bezier[2]),
-          arriving(stroke.segments[std::size_t(node - 1)].bezier[3]),
-          leaving(stroke.segments[std::size_t(node)].bezier[0]), after(stroke.segments[std::size_t(node)].bezier[1])
+    HandleNode(Stroke &stroke, const NodeSides &join)
+        : before(stroke.segments[std::size_t(join.before)].bezier[2]),
+          arriving(stroke.segments[std::size_t(join.before)].bezier[3]),
+          leaving(stroke.segments[std::size_t(join.after)].bezier[0]),
+          after(stroke.segments[std::size_t(join.after)].bezier[1])
     {}
     Point place() const { return Point() + leaving; }
 };
@@ -62,10 +64,11 @@ void moveNode(Stroke &stroke, int node, Point by)
 /// Turns or mirrors the handle that is opposite to the moved one, as the kind demands that the node had before.
 void followHandle(Stroke &stroke, int node, bool after, const Stroke &before)
 {
+    const std::optional<NodeSides> join = joinAt(stroke, node);
     const NodeKind kind = nodeKind(before, node);
-    if (kind == NodeKind::Corner)
+    if (!join || kind == NodeKind::Corner)
         return;
-    HandleNode n(stroke, node);
+    HandleNode n(stroke, *join);
     const Point own = vectorBetween(n.leaving, after ? n.after : n.before);
     Offset &opposite = after ? n.before : n.after;
     const double reach = kind == NodeKind::Symmetric ? length(own) : length(vectorBetween(n.leaving, opposite));
@@ -74,16 +77,17 @@ void followHandle(Stroke &stroke, int node, bool after, const Stroke &before)
 }
 
 /// Turns the two handles into one line, along the mean of the directions in which they point.
-void makeSmooth(Stroke &stroke, int node, bool symmetric)
+void makeSmooth(Stroke &stroke, const NodeSides &join, bool symmetric)
 {
-    HandleNode n(stroke, node);
+    HandleNode n(stroke, join);
     const Point in = vectorBetween(n.before, n.leaving), out = vectorBetween(n.leaving, n.after);
     double before = length(in), after = length(out);
     const bool isStraight = before > 0 && after > 0 && dot(unit(in), unit(out)) > 1 - 1e-12;
     const bool isEven = std::abs(before - after) <= 1e-6 * (before + after);
     if (isStraight && (!symmetric || isEven))
         return;
-    const Segment &first = stroke.segments[std::size_t(node - 1)], &second = stroke.segments[std::size_t(node)];
+    const Segment &first = stroke.segments[std::size_t(join.before)];
+    const Segment &second = stroke.segments[std::size_t(join.after)];
     const Point arriving = vectorBetween(first.bezier[0], n.leaving);
     const Point leaving = vectorBetween(n.leaving, second.bezier[3]);
     Point direction = unit(unit(before > 0 ? in : arriving) + unit(after > 0 ? out : leaving));
@@ -103,6 +107,17 @@ void makeSmooth(Stroke &stroke, int node, bool symmetric)
 }
 
 } // namespace
+
+std::optional<NodeSides> joinAt(const Stroke &stroke, int node)
+{
+    const NodeSides sides = sidesOf(stroke, node);
+    if (sides.before < 0 && sides.after < 0)
+        return {};
+    if (sides.before >= 0 && sides.after >= 0)
+        return sides;
+    const Chain chain = chainAt(stroke, std::max(sides.before, sides.after));
+    return isClosed(stroke, chain) ? std::optional(NodeSides{chain.last, chain.first}) : std::nullopt;
+}
 
 Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point by)
 {
@@ -146,12 +161,14 @@ Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to)
 Stroke withNodeKind(const Stroke &stroke, const std::vector<int> &nodes, NodeKind kind)
 {
     Stroke result = stroke;
+    std::set<int> done; // A seam has two numbers.
     for (int node : nodes) {
-        if (!isInnerNode(stroke, node))
+        const std::optional<NodeSides> join = joinAt(stroke, node);
+        if (!join || !done.insert(join->after).second)
             continue;
         if (kind != NodeKind::Corner)
-            makeSmooth(result, node, kind == NodeKind::Symmetric);
-        result.segments[std::size_t(node)].node = kind;
+            makeSmooth(result, *join, kind == NodeKind::Symmetric);
+        result.segments[std::size_t(join->after)].node = kind;
     }
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);
 }
@@ -175,7 +192,7 @@ Stroke withCurveDragged(const Stroke &stroke, int segment, double p, Point by)
         s.bezier[2] = moved(s.bezier[2], (second / squares) * rest);
     }
     followHandle(result, segment, true, stroke);
-    followHandle(result, segment + 1, false, stroke);
+    followHandle(result, endNode(stroke, segment), false, stroke);
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);
 }
 

@@ -160,16 +160,46 @@ private slots:
         s.click({300, 400});
         s.use(Command::NodeSmooth);
         const Stroke &smooth = s.stroke(id);
-        QCOMPARE(s.tool().nodes().size(), std::size_t(1));
-        const int node = s.tool().nodes().begin()->node;
-        QCOMPARE(nodePosition(smooth, node), nodePosition(before, 0));
-        QCOMPARE(nodeKind(smooth, node), NodeKind::Smooth);
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{id, 0}, {id, 4}}));
+        for (int node = 0; node <= 4; ++node) {
+            QCOMPARE(nodePosition(smooth, node), nodePosition(before, node));
+            QCOMPARE(nodeKind(smooth, node), node % 4 == 0 ? NodeKind::Smooth : NodeKind::Corner);
+        }
         QVERIFY(isClosed(smooth, chainsOf(smooth).front()));
-        const Point in = *handlePosition(smooth, node, false) - nodePosition(smooth, node);
-        const Point out = *handlePosition(smooth, node, true) - nodePosition(smooth, node);
-        QVERIFY(std::abs(in.x * out.y - in.y * out.x) < 1e-3 && dot(in, out) < 0);
+        const auto turnOf = [&](int before, int after) {
+            const Stroke &now = s.stroke(id);
+            const Point in = *handlePosition(now, before, false) - nodePosition(now, before);
+            const Point out = *handlePosition(now, after, true) - nodePosition(now, after);
+            return std::pair(std::abs(in.x * out.y - in.y * out.x), dot(in, out));
+        };
+        QVERIFY(turnOf(4, 0).first < 1e-3 && turnOf(4, 0).second < 0);
         s.use(Command::Undo);
+        // All at once, none stays a corner.
+        s.use(Command::SelectAll);
+        for (const auto &[command, kind] : {std::pair(Command::NodeSmooth, NodeKind::Smooth),
+                                            std::pair(Command::NodeSymmetric, NodeKind::Symmetric)}) {
+            s.use(command);
+            for (int node = 0; node <= 4; ++node)
+                QCOMPARE(nodeKind(s.stroke(id), node), kind);
+            QVERIFY(turnOf(4, 0).first < 1e-3 && turnOf(4, 0).second < 0);
+            s.use(Command::Undo);
+        }
         QVERIFY(s.stroke(id) == before);
+    }
+
+    void breakingTheSeamSaysWhyItDoesNothing()
+    {
+        NodeSession s;
+        const StrokeId id = s.addSquare();
+        const Stroke before = s.stroke(id);
+        s.click({300, 400});
+        s.use(Command::BreakNodes);
+        QVERIFY(s.stroke(id) == before);
+        QVERIFY2(s.window.statusBar()->currentMessage().contains("begins and ends at this node"),
+                 qPrintable(s.window.statusBar()->currentMessage()));
+        s.click({500, 400});
+        s.use(Command::BreakNodes);
+        QVERIFY(s.stroke(id) != before);
     }
 
     void tabGoesOnFromASegment()
