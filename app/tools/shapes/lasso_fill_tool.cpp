@@ -50,6 +50,7 @@ void LassoFillTool::press(const PointerEvent &event)
         return;
     if (!isBusy())
         begin(event);
+    m_takenBack.clear();
     m_parts.push_back({m_parts.empty() ? snapped(event) : placeOf(event, m_parts.back().back())});
     m_isPressed = true;
     m_next.reset();
@@ -143,6 +144,7 @@ bool LassoFillTool::takeBack()
     if (!isBusy())
         return false;
     m_isPressed = false;
+    m_takenBack.push_back(std::move(m_parts.back()));
     m_parts.pop_back();
     if (m_parts.empty())
         cancel();
@@ -154,20 +156,28 @@ bool LassoFillTool::takeBack()
 void LassoFillTool::forget()
 {
     m_parts.clear();
+    m_takenBack.clear();
     m_isPressed = false;
     m_next.reset();
 }
 
 bool LassoFillTool::wantsKey(const QKeyEvent &event) const
 {
-    return isBusy() && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
+    return isBusy() && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter ||
+                        (meansRedo(event) && !m_takenBack.empty()));
 }
 
 bool LassoFillTool::keyPress(QKeyEvent *event)
 {
     if (!wantsKey(*event))
         return false;
-    finish();
+    if (!meansRedo(*event)) {
+        finish();
+        return true;
+    }
+    m_parts.push_back(std::move(m_takenBack.back()));
+    m_takenBack.pop_back();
+    show();
     return true;
 }
 

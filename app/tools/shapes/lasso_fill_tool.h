@@ -43,6 +43,7 @@ private:
     std::vector<Cubic> outline() const;
 
     std::vector<Part> m_parts;
+    std::vector<Part> m_takenBack; ///< since the last press; the last one comes back first
     bool m_isPressed = false;
     std::optional<Point> m_next; ///< where the next straight line would lead
 };

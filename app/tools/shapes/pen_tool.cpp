@@ -64,6 +64,7 @@ void PenTool::press(const PointerEvent &event)
     if (!isBusy() && event.doubleClick) // The click before it has closed the outline.
         return;
     m_isPressed = true;
+    m_takenBack.clear();
     m_pressPixel = event.pixel;
     m_isClosing = isBusy() && closesAt(event.pixel);
     if (!isBusy())
@@ -151,8 +152,16 @@ void PenTool::takeBackNode()
 {
     if (m_nodes.size() == 1)
         return cancel();
+    m_takenBack.push_back(m_nodes.back());
     m_nodes.pop_back();
     m_isPressed = m_isClosing = false;
+    show();
+}
+
+void PenTool::bringBackNode()
+{
+    m_nodes.push_back(m_takenBack.back());
+    m_takenBack.pop_back();
     show();
 }
 
@@ -212,6 +221,7 @@ void PenTool::finish(bool isClosed)
 void PenTool::forget()
 {
     m_nodes.clear();
+    m_takenBack.clear();
     m_extended.reset();
     m_next.reset();
     m_isPressed = m_isClosing = false;
@@ -220,7 +230,8 @@ void PenTool::forget()
 bool PenTool::wantsKey(const QKeyEvent &event) const
 {
     const int key = event.key();
-    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace);
+    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace ||
+                        (meansRedo(event) && !m_takenBack.empty()));
 }
 
 bool PenTool::keyPress(QKeyEvent *event)
@@ -229,6 +240,8 @@ bool PenTool::keyPress(QKeyEvent *event)
         return false;
     if (event->key() == Qt::Key_Backspace)
         takeBackNode();
+    else if (meansRedo(*event))
+        bringBackNode();
     else
         finish(false);
     return true;

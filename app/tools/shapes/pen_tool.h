@@ -27,7 +27,7 @@ public:
     void settle() override { finish(false); }
     /// The last node.
     bool takeBack() override;
-    /// Return ends the outline open, Backspace takes back the last node.
+    /// Return ends the outline open, Backspace takes back the last node, and a key that redoes brings it back.
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
@@ -43,10 +43,12 @@ private:
     bool closesAt(Point pixel) const;
     void dragHandle(const PointerEvent &event);
     void takeBackNode();
+    void bringBackNode();
     void finish(bool isClosed);
     StrokePtr strokeInHand(bool isClosed) const;
 
     std::vector<PathNode> m_nodes;
+    std::vector<PathNode> m_takenBack; ///< since the last node was set; the last one comes back first
     std::optional<NodeRef> m_extended; ///< the end of the stroke with which the outline goes on
     bool m_isPressed = false;
     bool m_isClosing = false; ///< the press is on the first node

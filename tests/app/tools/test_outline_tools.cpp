@@ -361,6 +361,31 @@ private slots:
         QCOMPARE(s.steps(), 1);
     }
 
+    void whatWasTakenBackComesBackUntilSomethingElseIsSet()
+    {
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
+            Drawing s(tool);
+            const auto drawn = [&s] { return s.editor().document().draft(); };
+            for (const Point at : {Point{200, 200}, Point{300, 220}, Point{260, 320}, Point{220, 300}})
+                s.click(at);
+            const Stroke whole = *drawn();
+            s.use(Command::Undo);
+            s.use(Command::Undo);
+            QVERIFY(drawn()->segments.size() < whole.segments.size());
+            QTest::keyClick(&s.canvas(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+            QTest::keyClick(&s.canvas(), Qt::Key_Y, Qt::ControlModifier);
+            QVERIFY(*drawn() == whole);
+            QTest::keyClick(&s.canvas(), Qt::Key_Y, Qt::ControlModifier); // there is nothing more
+            QVERIFY(*drawn() == whole);
+            s.use(Command::Undo);
+            s.click({180, 280});
+            const Stroke other = *drawn();
+            QTest::keyClick(&s.canvas(), Qt::Key_Y, Qt::ControlModifier);
+            QVERIFY(*drawn() == other);
+            QCOMPARE(s.steps(), 0);
+        }
+    }
+
     /// Saving ends nothing: the file has the painting, and what is drawn goes on.
     void whatIsInHandStaysThereWhenThePaintingIsSaved()
     {
