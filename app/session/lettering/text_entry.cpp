@@ -23,6 +23,20 @@ QString clean(QString characters)
     return characters;
 }
 
+/// Where what `after` has in place of a part of `before` ends in it. No value if they are the same.
+std::optional<qsizetype> endOfChange(const QString &before, const QString &after)
+{
+    if (before == after)
+        return {};
+    const qsizetype shorter = std::min(before.size(), after.size());
+    qsizetype first = 0, last = 0; // characters that both begin and end with
+    while (first < shorter && before[first] == after[first])
+        ++first;
+    while (last < shorter - first && before[before.size() - 1 - last] == after[after.size() - 1 - last])
+        ++last;
+    return after.size() - last;
+}
+
 double scaleOf(const Affine &map)
 {
     return std::sqrt(std::abs(map.determinant()));
@@ -383,10 +397,10 @@ void TextEntry::follow(const Change &change)
     m_plain = painting;
     m_isThere = true;
     m_preedit.clear();
+    if (const std::optional<qsizetype> end = endOfChange(m_text.string, text->string))
+        m_caret = m_anchor = *end;
     m_text = m_shown = *text;
     m_laid = m_layout.lay(m_shown);
-    m_caret = std::min(m_caret, m_text.string.size());
-    m_anchor = std::min(m_anchor, m_text.string.size());
     emit changed();
 }
 

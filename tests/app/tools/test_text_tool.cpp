@@ -270,6 +270,23 @@ private slots:
         QCOMPARE(s.painting(), before);
     }
 
+    void theCaretStandsWhereTheRedoneEnds()
+    {
+        Typing s;
+        s.write("ab");
+        recolour(s, 1);
+        s.click(s.placeOf(2));
+        s.key(Qt::Key_End);
+        s.type("cd");
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        s.key(Qt::Key_Z, Qt::ControlModifier); // the colour
+        while (s.editor().canRedo())
+            s.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(s.string(), QString("abcd"));
+        s.type("e");
+        QCOMPARE(s.string(), QString("abcde"));
+    }
+
     void redoneAfterItWasLeft()
     {
         Typing s;
