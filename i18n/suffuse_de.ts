@@ -9309,6 +9309,13 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>ColourPicker</name>
+    <message>
+        <source>Beside the canvas there is no paint to take a colour from, unless paint beyond the canvas is shown.</source>
+        <translation>Neben der Leinwand lässt sich keine Farbe aufnehmen, außer wenn Farbe neben der Leinwand gezeigt wird.</translation>
+    </message>
+</context>
+<context>
     <name>GradientHandles</name>
     <message>
         <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>

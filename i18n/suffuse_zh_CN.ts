@@ -9258,6 +9258,13 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>ColourPicker</name>
+    <message>
+        <source>Beside the canvas there is no paint to take a colour from, unless paint beyond the canvas is shown.</source>
+        <translation>画布之外没有可拾取的颜料，除非已显示画布外的颜料。</translation>
+    </message>
+</context>
+<context>
     <name>GradientHandles</name>
     <message>
         <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>

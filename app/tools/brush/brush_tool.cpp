@@ -100,8 +100,9 @@ QString BrushTool::hint() const
         return m_said;
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture's "
-              "colour, with Shift the stroke's own.");
+    return tr(
+        "Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture's "
+        "colour, with Shift the stroke's own.");
 }
 
 QWidget *BrushTool::options()
@@ -115,10 +116,13 @@ void BrushTool::press(const PointerEvent &event)
 {
     if (event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) {
         m_picker.begin(event);
+        say(m_picker.refusal());
         return;
     }
     Brush brush = m_editor.brush();
-    m_extended = event.modifiers & Qt::ShiftModifier ? selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel) : std::nullopt;
+    m_extended = event.modifiers & Qt::ShiftModifier
+                     ? selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel)
+                     : std::nullopt;
     if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
         m_sizing.begin(event.pixel);
         showOutlineAt(event.pixel);
@@ -162,6 +166,8 @@ void BrushTool::add(const PointerEvent &event)
 void BrushTool::move(const PointerEvent &event)
 {
     m_picker.move(event);
+    if (m_picker.isActive())
+        say(m_picker.refusal());
     if (m_sizing.isActive())
         return m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
     if (m_builder)
@@ -236,7 +242,8 @@ void BrushTool::cancel()
 void BrushTool::hover(const PointerEvent &event)
 {
     showOutlineAt(event.pixel);
-    if (const std::optional<NodeRef> end = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel); end != m_nearEnd) {
+    if (const std::optional<NodeRef> end = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
+        end != m_nearEnd) {
         m_nearEnd = end;
         m_canvas.updateOverlay();
         emit hintChanged();

@@ -11,6 +11,7 @@
 #include "render/probe.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -77,12 +78,14 @@ void ColourPicker::move(const PointerEvent &event)
     if (!m_picture)
         return;
     m_pixel = event.pixel;
+    m_isBeyond = !m_picture->canvas.area().contains(event.point) && !m_canvas.aids().showBeyond;
     ColourTarget &target = m_editor.colourTarget();
     const Microseconds time = m_editor.clock().time();
     const bool ofStroke = event.modifiers & Qt::ShiftModifier;
     const double tolerance = hairlineSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-    const std::optional<Colour> colour = ofStroke ? strokeColourAt(*m_picture, time, event.point, tolerance)
-                                                  : pictureColourAt(*m_picture, time, event.point);
+    const std::optional<Colour> colour = m_isBeyond ? std::nullopt
+                                         : ofStroke ? strokeColourAt(*m_picture, time, event.point, tolerance)
+                                                    : pictureColourAt(*m_picture, time, event.point);
     if (colour) {
         m_picked = *colour;
         target.setPaint(*colour, &m_entry);
@@ -90,6 +93,14 @@ void ColourPicker::move(const PointerEvent &event)
             target.setOpacity(colour->opacity, &m_entry);
     }
     m_canvas.updateOverlay();
+}
+
+QString ColourPicker::refusal() const
+{
+    return m_isBeyond
+               ? QCoreApplication::translate("ColourPicker", "Beside the canvas there is no paint to take a colour "
+                                                             "from, unless paint beyond the canvas is shown.")
+               : QString();
 }
 
 void ColourPicker::end()
@@ -152,6 +163,8 @@ QString EyedropperTool::hint() const
 {
     if (m_matches)
         return m_match.hint();
+    if (const QString refusal = m_picker.refusal(); !refusal.isEmpty())
+        return refusal;
     if (m_editor.colourTarget().kind() == ColourTarget::Kind::Selection)
         return tr("Click to give what is selected the picture's colour. Shift: the stroke's own colour. "
                   "Ctrl: its whole appearance.");
@@ -219,6 +232,7 @@ void EyedropperTool::press(const PointerEvent &event)
         m_match.begin(event);
     else
         m_picker.begin(event);
+    emit hintChanged();
 }
 
 void EyedropperTool::move(const PointerEvent &event)
@@ -227,6 +241,7 @@ void EyedropperTool::move(const PointerEvent &event)
         m_match.move(event);
     else
         m_picker.move(event);
+    emit hintChanged();
 }
 
 void EyedropperTool::release(const PointerEvent &)

@@ -36,6 +36,8 @@ public:
     /// Gives back the colours from before the press.
     void giveUp();
     bool isActive() const { return m_picture != nullptr; }
+    /// Why nothing was picked where the pointer was last: beside the canvas, where no paint is shown. Else empty.
+    QString refusal() const;
     /// Paints a ring around the pointer: the picked colour above, the one before it below.
     void paint(QPainter &painter, double dpr) const;
 
@@ -47,6 +49,7 @@ private:
     Colour m_picked;
     ValueEntry m_entry;
     Point m_pixel;
+    bool m_isBeyond = false;
 };
 
 /// Picks a colour from the canvas, for the brush or for what is selected, or matches the selection to a stroke.

@@ -340,6 +340,29 @@ private slots:
         QCOMPARE(s.editor().brush().colour.red, 0.0f);
     }
 
+    void besideTheCanvasThereIsNoColourToPick()
+    {
+        WaveSession s;
+        const Colour before{0.1f, 0.2f, 0.3f, 0.4f};
+        const Point beside{-20, 300};
+        s.editor().setColour(before);
+        const auto said = [&s] { return s.canvas().tool()->hint().contains("Beside the canvas"); };
+        s.use(Command::Eyedropper);
+        s.click(beside);
+        QCOMPARE(s.editor().brush().colour, before);
+        QVERIFY(said());
+        s.use(Command::Brush);
+        s.click(beside, Qt::ControlModifier);
+        QCOMPARE(s.editor().brush().colour, before);
+        QVERIFY(said());
+        s.use(Command::Eyedropper);
+        s.window.action(Command::ShowBeyond).setChecked(true);
+        s.click(beside);
+        QVERIFY(!said());
+        QCOMPARE(s.editor().brush().colour.red, 0.0f);
+        s.window.action(Command::ShowBeyond).setChecked(false);
+    }
+
     /// Within a fill it is the fill that paints: the eyedropper takes its colour, and the attribute brush paints it.
     void fillsArePickedAndPainted()
     {
