@@ -94,36 +94,43 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
 void addViewRows(Commands &table, CanvasWidget &canvas)
 {
     using enum Command;
+    // They would move the paint away under a pointer that drags it.
+    const auto unlessPressed = [&table, &canvas](auto moveView) {
+        return [&table, &canvas, moveView] {
+            if (!canvas.isPressed())
+                moveView();
+            else
+                table.update(Command::Mirror); // Its tick stays as it was.
+        };
+    };
     // On many keyboards "=" is the key of "+" without Shift.
     table
         .add(ZoomIn, "zoomIn", Commands::tr("Zoom &In"), "zoom-in",
              {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)})
-        .runs([&canvas] { canvas.zoomBy(zoomStep); });
+        .runs(unlessPressed([&canvas] { canvas.zoomBy(zoomStep); }));
     table
         .add(ZoomOut, "zoomOut", Commands::tr("Zoom &Out"), "zoom-out",
              {QKeySequence(Qt::Key_Minus), QKeySequence(QKeySequence::ZoomOut)})
-        .runs([&canvas] { canvas.zoomBy(1 / zoomStep); });
-    table.add(Zoom100, "zoom100", Commands::tr("&100 %"), "", {QKeySequence(Commands::tr("Ctrl+1"))}).runs([&canvas] {
-        canvas.setZoom(1);
-    });
-    table.add(Fit, "fit", Commands::tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)}).runs([&canvas] {
-        canvas.fit();
-    });
+        .runs(unlessPressed([&canvas] { canvas.zoomBy(1 / zoomStep); }));
+    table.add(Zoom100, "zoom100", Commands::tr("&100 %"), "", {QKeySequence(Commands::tr("Ctrl+1"))})
+        .runs(unlessPressed([&canvas] { canvas.setZoom(1); }));
+    table.add(Fit, "fit", Commands::tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)})
+        .runs(unlessPressed([&canvas] { canvas.fit(); }));
     table
         .add(ZoomToSelection, "zoomToSelection", Commands::tr("&Zoom to Selection"), "",
              {QKeySequence(Commands::tr("Ctrl+0"))},
              Commands::tr("Show what is selected as large as possible: strokes, segments or nodes"))
         .when(anySelected(canvas.editor()))
-        .runs([&canvas] { canvas.zoomToSelection(); });
+        .runs(unlessPressed([&canvas] { canvas.zoomToSelection(); }));
     table.add(RotateLeft, "rotateLeft", Commands::tr("Turn &Left"), "", {QKeySequence(Commands::tr("Ctrl+4"))})
-        .runs([&canvas] { canvas.rotateBy(-turnStep); });
+        .runs(unlessPressed([&canvas] { canvas.rotateBy(-turnStep); }));
     table.add(RotateRight, "rotateRight", Commands::tr("Turn &Right"), "", {QKeySequence(Commands::tr("Ctrl+6"))})
-        .runs([&canvas] { canvas.rotateBy(turnStep); });
+        .runs(unlessPressed([&canvas] { canvas.rotateBy(turnStep); }));
     table.add(ResetRotation, "resetRotation", Commands::tr("&Upright"), "", {QKeySequence(Commands::tr("Ctrl+5"))})
-        .runs([&canvas] { canvas.resetRotation(); });
+        .runs(unlessPressed([&canvas] { canvas.resetRotation(); }));
     table.add(Mirror, "mirror", Commands::tr("&Mirror"), "", {QKeySequence(Qt::Key_M)})
         .checkedWhen([&canvas] { return canvas.view().mirrored; })
-        .runs([&canvas] { canvas.mirror(); });
+        .runs(unlessPressed([&canvas] { canvas.mirror(); }));
 }
 
 void addToolRows(Commands &table, CanvasWidget &canvas)

@@ -300,8 +300,9 @@ bool CanvasInput::take(QEvent *event)
     }
     case QEvent::KeyPress: { // The canvas needs the key before Tab moves the focus.
         auto *key = static_cast<QKeyEvent *>(event);
-        if (!isToolKey(*key))
-            return false;
+        const bool isTab = key->key() == Qt::Key_Tab || key->key() == Qt::Key_Backtab;
+        if (!isToolKey(*key)) // While the tool is pressed, the keyboard stays.
+            return isTab && m_hand.isPressed();
         if (!keyPress(key))
             key->ignore();
         return true;
