@@ -6825,6 +6825,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Move segments</source>
         <translation>Segmente verschieben</translation>
     </message>
+    <message>
+        <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
+        <translation>Ein Ende eines Verlaufs wird nicht allein gelöscht. „Entfernen“ neben „Verlauf“ im Inspektor nimmt den Verlauf weg; nach Esc meint „Löschen“ den Strich.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

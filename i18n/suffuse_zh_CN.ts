@@ -6782,6 +6782,10 @@ Arrow keys work too.</source>
         <source>Move segments</source>
         <translation>移动线段</translation>
     </message>
+    <message>
+        <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
+        <translation>渐变的一端不能单独删除。检查器中“渐变”旁的“移除”可去掉渐变；先按 Esc，“删除”便指笔画。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

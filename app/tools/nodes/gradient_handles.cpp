@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -66,10 +67,26 @@ bool GradientHandles::press(const PointerEvent &event)
     if (!end)
         return false;
     m_end = *end;
+    m_chosen = end;
     m_grab = endOf(*m_canvas.editor().document().painting()->find(end->stroke), end->isSecond) - event.point;
     m_gesture = m_canvas.editor().begin(QCoreApplication::translate("GradientHandles", "Move gradient"));
     m_gesture.take({end->stroke});
     return true;
+}
+
+bool GradientHandles::isChosen() const
+{
+    return m_chosen && std::ranges::any_of(gradedStrokes(m_canvas),
+                                           [this](const StrokePtr &s) { return s->id == m_chosen->stroke; });
+}
+
+bool GradientHandles::deselect()
+{
+    const bool was = isChosen();
+    m_chosen.reset();
+    if (was)
+        m_canvas.updateSelection();
+    return was;
 }
 
 void GradientHandles::move(const PointerEvent &event)
@@ -136,10 +153,11 @@ void GradientHandles::paint(QPainter &painter, const View &view, double dpr) con
         painter.drawLine(pointOf(false), pointOf(true));
         for (const bool isSecond : {false, true}) {
             const Colour &colour = isSecond ? stroke->fill->gradient->colour : stroke->fill->colour;
-            painter.setPen(QPen(Qt::white, 4 * dpr));
+            const bool isChosen = m_chosen == End{stroke->id, isSecond};
+            painter.setPen(QPen(Qt::white, (isChosen ? 6 : 4) * dpr));
             painter.setBrush(toOpaqueScreen(colour));
             painter.drawEllipse(pointOf(isSecond), knobRadius * dpr, knobRadius * dpr);
-            painter.setPen(QPen(accent, 1.5 * dpr));
+            painter.setPen(QPen(accent, (isChosen ? 3.5 : 1.5) * dpr));
             painter.drawEllipse(pointOf(isSecond), knobRadius * dpr, knobRadius * dpr);
         }
     }

@@ -31,9 +31,14 @@ public:
     /// Gives the drag up.
     void cancel();
     bool isBusy() const { return m_gesture.isOpen(); }
+    /// Whether the knob that was pressed last is still there, and nothing else was chosen since.
+    bool isChosen() const;
+    /// Chooses no knob. Returns false if none was chosen.
+    bool deselect();
     /// Paints the handles in device pixels.
     void paint(QPainter &painter, const View &view, double dpr) const;
-    /// Device pixels from the curves of what is selected to what is painted, which may lie anywhere; 0 if there is none.
+    /// Device pixels from the curves of what is selected to what is painted, which may lie anywhere; 0 if there is
+    /// none.
     double reach() const;
     /// What dragging a knob does, for the status bar.
     static QString hint();
@@ -42,11 +47,13 @@ private:
     struct End {
         StrokeId stroke = 0;
         bool isSecond = false;
+        friend bool operator==(const End &, const End &) = default;
     };
     std::optional<End> endAt(Point pixel) const;
 
     CanvasWidget &m_canvas;
     End m_end;
+    std::optional<End> m_chosen;
     Point m_grab; ///< from the pointer to the end, canvas units
     Gesture m_gesture;
 };

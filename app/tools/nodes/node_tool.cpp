@@ -49,6 +49,7 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
         if (!isInUse())
             m_nodes.clear();
+        m_gradient.deselect();
         m_marks.reset();
         m_commands.update();
     });
@@ -121,6 +122,8 @@ QWidget *NodeTool::options()
 void NodeTool::followDocument(const Change &change)
 {
     const std::size_t nodes = m_nodes.size();
+    if (change.reset || change.selection)
+        m_gradient.deselect();
     if (change.reset || !selection().segments.empty())
         m_nodes.clear();
     if (!m_nodes.empty()) {
@@ -180,6 +183,7 @@ std::set<NodeRef> NodeTool::withSeams(const std::set<NodeRef> &nodes) const
 void NodeTool::selectNodes(std::set<NodeRef> nodes)
 {
     m_nodes = withSeams(nodes);
+    m_gradient.deselect();
     // Segments and nodes are never both selected; where no node is left, this deselects the segments.
     if (!selection().segments.empty())
         select(Selection{selection().strokes, {}});
@@ -279,6 +283,7 @@ void NodeTool::press(const PointerEvent &event)
     const bool isFree = markAt(event.pixel).isEmpty();
     if (isFree && m_gradient.press(event))
         return;
+    m_gradient.deselect();
     const bool atWidth = isFree && m_width.isAt(event.pixel);
     if (atWidth && event.doubleClick)
         emit valuesAsked(event, *m_width.segment()); // to type the number
@@ -459,22 +464,34 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
 bool NodeTool::wantsKey(const QKeyEvent &event) const
 {
     const bool tab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
-    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && !selection().isEmpty();
+    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
 }
 
 bool NodeTool::keyPress(QKeyEvent *event)
 {
-    if (isBusy())
-        return SelectionTool::keyPress(event);
-    if (wantsKey(*event)) {
-        m_commands.selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+    if (wantsKey(*event)) { // A drag keeps the keyboard.
+        if (!isBusy())
+            m_commands.selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
         return true;
     }
+    if (isBusy())
+        return SelectionTool::keyPress(event);
+    if (event->key() == Qt::Key_Escape && m_gradient.deselect())
+        return true;
     if (!m_nodes.empty() && event->key() == Qt::Key_Escape) {
         selectNodes({});
         return true;
     }
     return nudge(event) || SelectionTool::keyPress(event);
+}
+
+bool NodeTool::deleteSelected()
+{
+    if (!m_gradient.isChosen())
+        return m_commands.deleteNodes();
+    m_commands.say(tr("An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the "
+                      "gradient away; Esc first, and Delete means the stroke."));
+    return true;
 }
 
 /// Moves the selected nodes or, without any, those at the ends of the selected segments. Erasures are moved as they

@@ -38,8 +38,9 @@ public:
     void stepSize(int steps) override;
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
-    /// Deletes the selected nodes and bridges the gaps between their neighbours.
-    bool deleteSelected() override { return m_commands.deleteNodes(); }
+    /// Deletes the selected nodes and bridges the gaps between their neighbours. Where the knob of a gradient was
+    /// clicked last, it only says how a gradient goes.
+    bool deleteSelected() override;
     /// Selects all nodes of the selected strokes.
     bool selectAll() override { return m_commands.selectAll(); }
     Rect chosenBox() const override;

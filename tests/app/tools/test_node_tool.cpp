@@ -1,6 +1,7 @@
 // Nodes, handles and segments under the hand: what the pointer makes of a stroke.
 #include "tests/app/nodes.h"
 
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 #include <numbers>
@@ -170,6 +171,68 @@ private slots:
         QCOMPARE(s.steps(), steps + 1);
         s.use(Command::Undo);
         QVERIFY(length(end(true) - Point{350, 420}) < 1e-3);
+    }
+
+    void deleteWithAKnobChosenKeepsTheStroke()
+    {
+        NodeSession s;
+        const auto fill = [](Stroke &stroke) {
+            Fill graded;
+            graded.gradient = Gradient{toOffset({250, 420}, stroke.origin), toOffset({350, 420}, stroke.origin), {}};
+            stroke.fill = graded;
+        };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
+        const Stroke before = s.stroke();
+        const std::size_t count = s.painting().strokes.size();
+        s.click({350, 420});
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), count);
+        QVERIFY(s.stroke() == before);
+        QVERIFY2(s.window.statusBar()->currentMessage().contains("gradient"),
+                 qPrintable(s.window.statusBar()->currentMessage()));
+        s.key(Qt::Key_Escape); // From now on Delete means the stroke, which is selected still.
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), count - 1);
+    }
+
+    void tabAndTheViewWaitForTheEndOfADrag()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        for (const Command tool : {Command::Segments, Command::Select, Command::Brush}) {
+            s.use(tool);
+            s.canvas().setFocus();
+            const View before = s.canvas().view();
+            s.drag({250, 320}, {260, 330}, {}, false);
+            for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+                if (tool != Command::Brush || key == Qt::Key_Backtab) // Tab would hide the docks afterwards.
+                    s.key(key, key == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+                QCOMPARE(QApplication::focusWidget(), static_cast<QWidget *>(&s.canvas()));
+            }
+            for (const Command command : {Command::Mirror, Command::RotateLeft, Command::ZoomIn, Command::Zoom100,
+                                          Command::Fit, Command::ZoomToSelection})
+                s.use(command);
+            QVERIFY(s.canvas().view() == before);
+            QVERIFY(!s.window.action(Command::Mirror).isChecked());
+            QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({260, 330}));
+            s.use(Command::Mirror);
+            QVERIFY(s.canvas().view().mirrored);
+            s.use(Command::Mirror);
+        }
+    }
+
+    void tabWithNothingSelectedLeavesTheDocks()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        s.editor().document().setSelection({});
+        s.key(Qt::Key_Tab);
+        QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget *>(&s.canvas()));
     }
 
     /// A knob on a node is the ring around it.
