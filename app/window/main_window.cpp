@@ -99,6 +99,10 @@ std::unique_ptr<OpenPainting> newPainting()
 MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : MainWindow(newPainting(), std::move(make), parent) {}
 
 MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent)
+    : MainWindow(std::move(open), std::move(make), parent, Places::Stored)
+{}
+
+MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent, Places places)
     : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_makeRenderer(std::move(make))
 {
     installHouseRules();
@@ -118,7 +122,8 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     connect(&m_editor, &Editor::fileChanged, m_parts, [this] { updateTitle(); });
     updateTitle();
     m_commands->update();
-    window_layout::restore(*this);
+    if (places == Places::Stored)
+        window_layout::restore(*this);
     action(Command::FullScreen).setChecked(isFullScreen());
     m_canvas->setFocus();
 }
@@ -345,7 +350,7 @@ MainWindow *MainWindow::replace()
     const std::optional<WorkspaceState> view = workspaceOf(canvas(), m_editor);
     const bool fitted = m_canvas->isFitted();
     const std::map<QString, bool> switches = switchesOf(*m_commands);
-    auto *successor = new MainWindow(release(), m_makeRenderer);
+    auto *successor = new MainWindow(release(), m_makeRenderer, nullptr, Places::Given);
     setSwitches(*successor->m_commands, switches);
     successor->setAttribute(Qt::WA_DeleteOnClose, testAttribute(Qt::WA_DeleteOnClose));
     successor->restoreGeometry(geometry);

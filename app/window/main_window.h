@@ -65,6 +65,12 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
+    /// Where a window stands, and its docks and tool bars in it: as they were when the program ended, or as whoever
+    /// makes the window puts them. Qt keeps rows of a layout that did not fit a window yet and goes on with them after
+    /// another layout was put in their place, so that a window is given one before it is shown, never two.
+    enum class Places { Stored, Given };
+    MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent, Places places);
+
     /// Takes everything away that shows the painting.
     std::unique_ptr<OpenPainting> release();
     /// Those that add rows; called before the rows are shown.

@@ -2,6 +2,7 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
+#include "app/window/layout/window_layout.h"
 #include "app/window/rebuilt_windows.h"
 #include "tests/app/file_dialogs.h"
 #include "tests/app/shapes.h"
@@ -146,8 +147,8 @@ private slots:
             window->setAttribute(Qt::WA_DeleteOnClose);
             window->show();
             const StrokeId id = addWave(*window, 200)->id;
-            window->editor().push(
-                changeStrokes(window->editor().document(), {id}, [&](Stroke &s) { s.name = name; }), "name");
+            window->editor().push(changeStrokes(window->editor().document(), {id}, [&](Stroke &s) { s.name = name; }),
+                                  "name");
         }
         for (const char *name : {"b", "a", "c"}) {
             MainWindow *front = nullptr;
@@ -237,6 +238,48 @@ private slots:
         QVERIFY(onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
         onlyWindow()->action(Command::HideDocks).trigger();
         QVERIFY(!onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
+        delete onlyWindow();
+    }
+
+    /// A layout of a maximised window that does not fit the screen of now, as one saved at another scale. A window that
+    /// takes the place of another has its layout alone: where it was given the stored one before, Qt went on with rows
+    /// of that which were gone.
+    void aStoredLayoutThatDoesNotFitIsNoTrap()
+    {
+        const auto hideDocks = [](MainWindow &window, bool hidden) {
+            for (QDockWidget *dock : window.findChildren<QDockWidget *>())
+                dock->setHidden(hidden);
+        };
+        {
+            MainWindow wide;
+            wide.resize(2600, 800);
+            wide.show();
+            for (QDockWidget *dock : wide.findChildren<QDockWidget *>()) { // one beside the other
+                wide.removeDockWidget(dock);
+                wide.addDockWidget(Qt::RightDockWidgetArea, dock, Qt::Horizontal);
+            }
+            hideDocks(wide, false);
+            QApplication::processEvents();
+            wide.setWindowState(Qt::WindowMaximized);
+            window_layout::save(wide);
+            wide.journal().remove();
+        }
+        auto *window = new MainWindow;
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        QVERIFY(window->isMaximized());
+        hideDocks(*window, true);
+        QTRY_VERIFY(!settings::store().contains("layout/starting")); // the stored one was put back, and that went well
+        for (const char *language : {"de", "en"}) {
+            settings::setLanguage(language);
+            rebuildWindows();
+            QVERIFY(!settings::store().contains("layout/starting"));
+            QTRY_VERIFY(onlyWindow());
+            QApplication::processEvents();
+            QVERIFY(onlyWindow()->isMaximized());
+            QVERIFY(onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
+        }
+        onlyWindow()->journal().remove();
         delete onlyWindow();
     }
 
