@@ -29,7 +29,11 @@ public:
         if (m_segment < 0)
             m_segment = nearestBound(fromOrigin);
     }
-    SeenPaint seen() const { return {m_paint.density(), m_paint.opacity(1), m_segment}; }
+    SeenPaint seen() const
+    {
+        const std::array<double, 4> c = m_paint.colour();
+        return {m_paint.density(), m_paint.opacity(1), m_segment, {float(c[0]), float(c[1]), float(c[2]), float(c[3])}};
+    }
 
 private:
     /// The segment of the outline that comes nearest to a point, as far as a few of its points tell.

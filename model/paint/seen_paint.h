@@ -18,6 +18,8 @@ struct SeenPaint {
     /// the segment with the largest share of the density that is laid or, where only the fill reaches the point, the
     /// nearest one that bounds it; -1 if nothing reaches the point
     int segment = -1;
+    /// C̄ (20), what all that lays paint there has together, a gradient where the point is; 0 where nothing does
+    Colour colour;
 };
 
 /// Looks at a stroke at one time. Whoever asks for many points keeps it, since curves are divided when it is made. It

@@ -98,14 +98,15 @@ void AtPointer::openMenu(Point pixel)
 {
     Editor &editor = m_place.open.editor;
     const Commands &table = m_place.commands;
-    const std::vector<SegmentRef> found = strokesAt(m_place, m_place.canvas.view().toCanvas(pixel));
+    const Point point = m_place.canvas.view().toCanvas(pixel);
+    const std::vector<SegmentRef> found = strokesAt(m_place, point);
     const bool selects = table[Command::Select].isChecked() || table[Command::Segments].isChecked();
     const bool hitsSelected = std::ranges::any_of(
         found, [&](const SegmentRef &ref) { return editor.selection().strokes.contains(ref.stroke); });
     if (selects && !found.empty() && !hitsSelected) // as a click would
         editor.document().setSelection({withGroup(*editor.document().painting(), found.front().stroke), {}});
     editor.laterChanges().flush(); // the rows tell what can be used now
-    fillCanvasMenu(*m_menu, m_place, found);
+    fillCanvasMenu(*m_menu, m_place, found, point);
     m_menu->popup(onScreen(pixel));
 }
 

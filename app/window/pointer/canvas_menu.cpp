@@ -52,7 +52,14 @@ QString titleFor(const Stroke &stroke)
     return title.replace('&', QStringLiteral("&&"));
 }
 
-void addStrokes(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found)
+/// What is seen of a stroke at the point or, where it is found for being near, of the segment that is.
+Colour colourAt(const Stroke &stroke, int segment, Microseconds T, Point point)
+{
+    const SeenPaint seen = seenPaint(stroke, T, point);
+    return seen.density > 0 ? seen.colour : stroke.segments[std::size_t(segment)].colour;
+}
+
+void addStrokes(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found, Point point)
 {
     if (found.empty())
         return;
@@ -64,9 +71,8 @@ void addStrokes(QMenu &menu, const Workplace &place, const std::vector<SegmentRe
             into = menu.addMenu(menuWords(QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Further Below")));
         const StrokePtr stroke = document.painting()->find(found[i].stroke);
         const QString number = i < 9 ? QStringLiteral("&%1  ").arg(i + 1) : QString();
-        QAction *action =
-            into->addAction(chip(stroke->segments[std::size_t(found[i].segment)].colour, menu.devicePixelRatioF()),
-                            number + titleFor(*stroke));
+        const Colour colour = colourAt(*stroke, found[i].segment, place.open.editor.clock().time(), point);
+        QAction *action = into->addAction(chip(colour, menu.devicePixelRatioF()), number + titleFor(*stroke));
         if (document.selection().strokes.contains(stroke->id)) {
             QFont font = menu.font();
             font.setBold(true); // it is selected
@@ -166,12 +172,12 @@ std::vector<SegmentRef> strokesAt(const Workplace &place, Point point)
     return pickAll(*place.open.editor.document().painting(), place.open.editor.clock().time(), point, tolerance);
 }
 
-void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found)
+void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found, Point point)
 {
     const QList<QMenu *> submenus = menu.findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
     menu.clear();
     qDeleteAll(submenus);
-    addStrokes(menu, place, found);
+    addStrokes(menu, place, found, point);
     if (place.commands[Command::Brush].isChecked())
         addUsable(menu, place.commands, {Command::BrushPalette});
     if (place.open.editor.document().selection().isEmpty())

@@ -17,6 +17,6 @@ std::vector<SegmentRef> strokesAt(const Workplace &place, Point point);
 
 /// Fills a menu: the strokes that were found, of which each can be selected, and what can be done with the selection by
 /// the tool in use, or, where nothing is selected, with the canvas. Only what can be used now is in it.
-void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found);
+void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found, Point point);
 
 } // namespace suffuse

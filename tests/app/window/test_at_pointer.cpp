@@ -1,4 +1,5 @@
 // What opens where the pointer is: the menu, and what becomes of the hand's work meanwhile.
+#include "app/session/colour_convert.h"
 #include "app/tools/brush/brush_palette.h"
 #include "app/widgets/asking/messages.h"
 #include "tests/app/crossing.h"
@@ -36,6 +37,45 @@ private slots:
         QVERIFY(!s.menu().isVisible());
         QCOMPARE(s.selected(), std::set<StrokeId>{2});
         QCOMPARE(s.steps(), 0);
+    }
+
+    /// What only bounds a fill has a colour that nobody sees.
+    void menuShowsTheColourThatIsSeen()
+    {
+        const Colour red{1, 0, 0, 1}, blue{0, 0, 1, 1}, white{0, 0, 0, 1};
+        Stroke area;
+        area.id = 1;
+        area.origin = {200, 200};
+        area.style = {StyleKind::Uniform, {0.5f, 0.05f, 0}};
+        const std::array<Point, 4> corners{Point{0, 0}, Point{400, 0}, Point{400, 200}, Point{0, 200}};
+        for (std::size_t k = 0; k < 4; ++k) {
+            Segment bound;
+            bound.density = 0;
+            bound.colour = white;
+            for (std::size_t i = 0; i < 4; ++i)
+                bound.bezier[i] = toOffset(corners[k] + (double(i) / 3) * (corners[(k + 1) % 4] - corners[k]), {0, 0});
+            area.segments.push_back(bound);
+        }
+        Fill fill;
+        fill.diffusion = 0;
+        fill.colour = red;
+        fill.gradient = Gradient{{100, 0}, {300, 0}, blue};
+        area.fill = fill;
+        Selecting s({std::make_shared<const Stroke>(area)});
+        const auto shownAt = [&s](Point where) {
+            QTest::mouseClick(&s.canvas(), Qt::RightButton, {}, s.at(where));
+            QMenu &menu = *s.window.findChild<QMenu *>("canvasMenu");
+            QColor shown;
+            for (const QAction *action : menu.actions())
+                if (!action->isSeparator() && action->text().contains("Stroke 1"))
+                    shown = action->icon().pixmap(16, 16).toImage().pixelColor(8, 8);
+            QTest::keyClick(&menu, Qt::Key_Escape);
+            return shown.name();
+        };
+        QCOMPARE(shownAt({230, 300}), toOpaqueScreen(red).name());
+        QCOMPARE(shownAt({570, 300}), toOpaqueScreen(blue).name());
+        const QString between = shownAt({400, 300});
+        QVERIFY(between != toOpaqueScreen(red).name() && between != toOpaqueScreen(blue).name());
     }
 
     void menuDoesWhatCanBeDoneWithTheSelection()
@@ -108,13 +148,13 @@ private slots:
         s.select({1, 2});
         s.use(Command::CopyAppearance);
         s.askAt({250, 300});
-        for (const auto &[menu, title] : std::initializer_list<std::pair<const char *, const char *>>{
-                 {"Combine and Break", "Combine"},
-                 {"Reshape", "Simplify"},
-                 {"Reshape", "Smooth"},
-                 {"Brush and Colours", "Apply Brush"},
-                 {"Brush and Colours", "Appearance"},
-                 {"Brush and Colours", "Recolour Artwork"}})
+        for (const auto &[menu, title] :
+             std::initializer_list<std::pair<const char *, const char *>>{{"Combine and Break", "Combine"},
+                                                                          {"Reshape", "Simplify"},
+                                                                          {"Reshape", "Smooth"},
+                                                                          {"Brush and Colours", "Apply Brush"},
+                                                                          {"Brush and Colours", "Appearance"},
+                                                                          {"Brush and Colours", "Recolour Artwork"}})
             QVERIFY2(s.entry(menu, title), title);
         QVERIFY(!s.entry("Combine and Break", "Break Apart")); // each is of one piece
         QVERIFY2(s.texts().size() < 22, qPrintable(s.texts().join('|')));
