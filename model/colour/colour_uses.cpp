@@ -4,6 +4,8 @@
 #include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
 #include "model/colour/perceived.h"
+#include "model/paint/derived_figures.h"
+#include "model/paint/style_function.h"
 
 #include <algorithm>
 #include <functional>
@@ -35,11 +37,29 @@ struct ExactUse {
     double paint = 0;
 };
 
+/// What is covered by a fill of opaque colour, square units: its area, as densely as it is seen deep within it.
+double coveredByFill(const Stroke &stroke)
+{
+    const Fill &fill = *stroke.fill;
+    return densityFunction(stroke.style, double(fill.density)) * sizeOf(areaOf(closedOutline(stroke), fill.rule));
+}
+
+/// The same of a segment, by its length and the width at which it is seen. One without an edge is as wide as it has
+/// spread, and as faint as its middle. More density than covers everything counts no more.
+double coveredBySegment(const Stroke &stroke, const Segment &segment)
+{
+    const Style &style = stroke.styleOf(segment);
+    const DerivedFigures figures = derivedFigures(segment, style);
+    const bool hasEdge = figures.halfWidth > 0;
+    const double width = hasEdge ? 2 * figures.halfWidth : figures.spread;
+    const double area = width * polygonLength(stroke.cubicOf(segment));
+    return hasEdge ? area : area * densityFunction(style, figures.peak);
+}
+
 void addFill(std::map<Colour, ExactUse, ByChannels> &found, const ColourPart &part)
 {
     const Fill &fill = *part.stroke->fill;
-    const double paint =
-        (fill.gradient ? 0.5 : 1.0) * double(fill.density) * sizeOf(areaOf(closedOutline(*part.stroke), fill.rule));
+    const double paint = (fill.gradient ? 0.5 : 1.0) * coveredByFill(*part.stroke);
     const auto add = [&](const Colour &colour) {
         ExactUse &use = found[withOpacity(colour, 1)];
         use.strokes.insert(part.stroke->id);
@@ -65,8 +85,7 @@ std::vector<ExactUse> exactUses(const ColourParts &parts)
             ExactUse &use = found[withOpacity(segment.colour, 1)];
             ++use.segments;
             use.strokes.insert(stroke.id);
-            use.paint +=
-                double(segment.density) * polygonLength(stroke.cubicOf(segment)) * double(segment.colour.opacity);
+            use.paint += coveredBySegment(stroke, segment) * double(segment.colour.opacity);
         }
     }
     std::vector<ExactUse> uses;

@@ -40,12 +40,14 @@ struct ColourUse {
     std::vector<Colour> members; ///< all of them, `colour` among them, each once; opaque
     std::size_t segments = 0;
     std::size_t strokes = 0; ///< that have such segments or fills
-    double paint = 0;        ///< share of all paint: ∫φˢ along the curves and ρ by the area of fills, by opacity
+    /// share of all that the colours cover: lines by their length and the width at which they are seen, fills by their
+    /// area, both by opacity. What lies over other paint counts as if it lay alone
+    double paint = 0;
 };
 
 /// The colours of the parts, those with the most paint first. Where there are more than `most`, colours that look alike
 /// become one, and the less alike ones the more there are. Segments that take paint away show no colour, and are left
-/// out, and so are those that only bound a fill. The second colour of a fill has half of its paint.
+/// out, and so are those that only bound a fill. Each colour of a gradient has half of its fill.
 std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most);
 
 /// What a person is told of the colours of some parts.

@@ -3,6 +3,8 @@
 #include "model/colour/colour_uses.h"
 #include "model/colour/hue_shares.h"
 #include "model/colour/perceived.h"
+#include "model/paint/derived_figures.h"
+#include "model/paint/style_function.h"
 #include "model/painting/ryb.h"
 
 #include <QRandomGenerator>
@@ -232,22 +234,43 @@ private slots:
         painting.strokes = {strokeOf(1, {red}), filled(2, {blue}, false), filled(3, {yellow, black}, true)};
         const ColourParts parts = partsToColour(painting, {});
         const std::vector<ColourUse> uses = coloursOf(parts, 24);
-        // The line of density 9 and 30 units; squares of 30 × 30 units and density 1, one of them in two colours, with
-        // an outline of 4 × 30 units.
+        // The line of 30 units, as wide as it is seen; squares of 30 × 30 units, one of them in two colours, with an
+        // outline of 4 × 30 units.
         QCOMPARE(uses.size(), std::size_t(5));
         const auto paintOf = [&](const Colour &colour) {
             const auto use = std::ranges::find(uses, colour, &ColourUse::colour);
             return use == uses.end() ? -1 : use->paint;
         };
-        const double all = 270 + 900 + 900 + 4 * 270;
-        QVERIFY(std::abs(paintOf(red) - 270 / all) < 1e-6);
-        QVERIFY(std::abs(paintOf(blue) - 900 / all) < 1e-6);
-        QVERIFY(std::abs(paintOf(yellow) - 450 / all) < 1e-6);
-        QVERIFY(std::abs(paintOf(black) - 450 / all) < 1e-6);
-        QVERIFY(std::abs(paintOf(white) - 4 * 270 / all) < 1e-6);
-        QCOMPARE(uses[1].colour, blue);
-        QCOMPARE(uses[1].segments, std::size_t(0));
-        QCOMPARE(uses[1].strokes, std::size_t(1));
+        const Stroke &stroke = *painting.strokes[0];
+        const double half = derivedFigures(stroke.segments[0], stroke.style).halfWidth;
+        QVERIFY(half > 0);
+        const double line = 30 * 2 * half, square = 900 * densityFunction(stroke.style, 1);
+        const double all = line + 2 * square + 4 * line;
+        QVERIFY(std::abs(paintOf(red) - line / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(blue) - square / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(yellow) - 0.5 * square / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(black) - 0.5 * square / all) < 1e-6);
+        QVERIFY(std::abs(paintOf(white) - 4 * line / all) < 1e-6);
+        const ColourUse &filling = *std::ranges::find(uses, blue, &ColourUse::colour);
+        QCOMPARE(filling.segments, std::size_t(0));
+        QCOMPARE(filling.strokes, std::size_t(1));
+    }
+
+    /// A line that is crisp since it holds very much paint covers no more than another one of its width.
+    void crispLinesAreNoMoreThanTheyCover()
+    {
+        Stroke thin = *strokeOf(1, {red});
+        const double diffusion = 0.01, spread = spreadAt(diffusion, 1), density = densityOfPeak(1e6, spread);
+        thin.segments[0].maxAge = 1;
+        thin.segments[0].diffusion = float(diffusion);
+        thin.segments[0].density = float(density);
+        QVERIFY(density > 1e5);
+        const double covered = 30 * 2 * halfWidth(diffusion, density, 1, visibleCut(thin.style));
+        Painting painting;
+        painting.strokes = {std::make_shared<const Stroke>(thin), filled(2, {blue}, false)};
+        const std::vector<ColourUse> uses = coloursOf(partsToColour(painting, {}), 24);
+        QCOMPARE(uses[0].colour, blue);
+        QVERIFY(std::abs(uses[1].paint / uses[0].paint - covered / (900 * densityFunction(thin.style, 1))) < 1e-3);
     }
 
     void fillsAreMeantWithWhatOnlyBoundsThem()
