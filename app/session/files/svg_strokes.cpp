@@ -289,6 +289,18 @@ private:
     std::vector<GroupId> m_open; ///< from outside to inside
 };
 
+/// The canvas' colour, as a rectangle under everything. Ours and other programs know it by its id.
+void writeBackground(QXmlStreamWriter &xml, const Rect &page, const Colour &colour)
+{
+    xml.writeEmptyElement("rect");
+    xml.writeAttribute("id", "background");
+    xml.writeAttribute("x", number(page.left));
+    xml.writeAttribute("y", number(page.top));
+    xml.writeAttribute("width", number(page.width()));
+    xml.writeAttribute("height", number(page.height()));
+    xml.writeAttribute("fill", toOpaqueScreen(colour).name());
+}
+
 } // namespace
 
 int erasuresIn(const Painting &painting)
@@ -326,6 +338,8 @@ SvgStrokes svgOf(const Painting &painting, const Rect &area)
     xml.writeAttribute("fill", "none");
     xml.writeAttribute("stroke-linecap", "round");
     xml.writeAttribute("stroke-linejoin", "round");
+    if (!area.isEmpty() && painting.canvas.background.opacity == 1)
+        writeBackground(xml, area, painting.canvas.background);
     std::vector<SvgLine> lines;
     for (const StrokePtr &stroke : painting.strokes)
         for (std::size_t k = 0; k < stroke->segments.size(); ++k)

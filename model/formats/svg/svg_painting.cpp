@@ -162,6 +162,43 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const Str
     return groups;
 }
 
+bool isAlong(const Cubic &cubic, const Rect &rect, double tolerance)
+{
+    const auto onSide = [&](auto isOn) { return std::ranges::all_of(cubic.p, isOn); };
+    const auto near = [tolerance](double a, double b) { return std::abs(a - b) <= tolerance; };
+    return onSide([&](Point p) { return near(p.x, rect.left); }) ||
+           onSide([&](Point p) { return near(p.x, rect.right); }) ||
+           onSide([&](Point p) { return near(p.y, rect.top); }) ||
+           onSide([&](Point p) { return near(p.y, rect.bottom); });
+}
+
+/// Takes a drawing's first path away if it is the page behind the others: a rectangle that is named "background" and
+/// covers all of the page in one opaque colour. Returns that colour.
+std::optional<Colour> takeBackground(SvgDrawing &drawing)
+{
+    static const QString name = QStringLiteral("background");
+    if (drawing.paths.size() < 2 || drawing.area.isEmpty())
+        return {};
+    const SvgPath &first = drawing.paths.front();
+    const bool isPlain = first.fill && !first.shade && (*first.fill)[3] == 1 && first.group < 0;
+    if (!isPlain || first.name != name || drawing.paths[1].name == name || !first.chains.empty())
+        return {};
+    const Rect &page = drawing.area;
+    const double tolerance = 1e-6 * std::max(page.width(), page.height());
+    Rect box;
+    for (const Cubic &cubic : first.curves) {
+        if (!isAlong(cubic, page, tolerance))
+            return {};
+        box = box.united(cubic.controlBox());
+    }
+    if (box.width() < page.width() - 2 * tolerance || box.height() < page.height() - 2 * tolerance)
+        return {};
+    const auto &c = *first.fill;
+    const Colour colour = rybFromSrgb(c[0], c[1], c[2], c[3]);
+    drawing.paths.erase(drawing.paths.begin());
+    return colour;
+}
+
 } // namespace
 
 Brush svgPen()
@@ -225,14 +262,16 @@ Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const
 {
     if (bytes.size() > largestSvg)
         return fileError(fileName, FileMessages::tr("has more than 64 MB of XML; that is more than is read"));
-    const Result<SvgDrawing> drawing = readSvgDrawing(bytes);
+    Result<SvgDrawing> drawing = readSvgDrawing(bytes);
     if (!drawing)
         return fileError(fileName, drawing.error());
+    const std::optional<Colour> background = takeBackground(*drawing);
     Painting painting = paintingAlong(*drawing,
                                       brush                 ? *brush
                                       : isCrowded(*drawing) ? builtinBrushes().front()
                                                             : svgPen(),
                                       0);
+    painting.canvas.background = background.value_or(painting.canvas.background);
     const Canvas &canvas = painting.canvas;
     if (!(canvas.width <= largestCanvas && canvas.height <= largestCanvas))
         return fileError(fileName,

@@ -23,8 +23,9 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
 QString leftOutOf(const SvgDrawing &drawing);
 
 /// Reads a whole file and paints it like `paintingAlong`, at time 0. Without a brush it is painted with svgPen, or with
-/// the first brush where lines lie over each other so often that it would take long to draw so much paint. `leftOut`
-/// receives leftOutOf. Errors name the file and the line.
+/// the first brush where lines lie over each other so often that it would take long to draw so much paint. A
+/// rectangle behind everything with the id "background", which covers the page in one opaque colour, is the colour of
+/// the canvas. `leftOut` receives leftOutOf. Errors name the file and the line.
 Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush *brush,
                          QString *leftOut = nullptr);
 inline Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush,

@@ -1,4 +1,5 @@
 // Names that users give to files: what stands behind a dot may be part of one.
+#include "app/session/colour_convert.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
@@ -232,9 +233,34 @@ private slots:
         QVERIFY2(bool(drawing), qPrintable(drawing ? QString() : drawing.error()));
         QVERIFY(drawing->strokes.size() >= 2);
         QVERIFY(bytesOf("a.svg").contains("viewBox=\"0 0 "));
+        QCOMPARE(bytesOf("a.svg").count("id=\"background\""), 1);
+        QCOMPARE(toOpaqueScreen(drawing->canvas.background).name(),
+                 toOpaqueScreen(s.painting().canvas.background).name());
         QVERIFY(s.window.statusBar()->currentMessage().contains("a.svg"));
         QCOMPARE(s.editor().filePath(), path("a.suffuse"));
         QVERIFY(s.window.isWindowModified());
+    }
+
+    /// The sheet under the strokes is in it, too, unless there is none.
+    void aDrawingHasTheCanvasColour()
+    {
+        for (const float opacity : {1.0f, 0.5f}) {
+            const char *const name = opacity == 1 ? "cream.svg" : "clear.svg";
+            Session s;
+            s.paintLine({200, 300}, {700, 300});
+            Painting painting = s.painting();
+            painting.canvas.background = {0.2f, 0.6f, 0.1f, opacity};
+            s.editor().document().reset(std::make_shared<const Painting>(painting));
+            whenAskedForFile(this, m_answered, path(name));
+            s.use(Command::SaveCopy);
+            const Result<Painting> drawing = loadPainting(path(name));
+            QVERIFY2(bool(drawing), qPrintable(drawing ? QString() : drawing.error()));
+            const Colour wanted = opacity == 1 ? painting.canvas.background : Canvas().background;
+            QCOMPARE(toOpaqueScreen(drawing->canvas.background).name(), toOpaqueScreen(wanted).name());
+            QCOMPARE(bytesOf(name).contains("<rect"), opacity == 1);
+            for (const StrokePtr &stroke : drawing->strokes)
+                QVERIFY(!stroke->fill);
+        }
     }
 
     /// Saving waits for its turn; a copy that is ordered meanwhile does not take it.

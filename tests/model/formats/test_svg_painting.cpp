@@ -190,6 +190,36 @@ private slots:
                  QString("2 style rule(s) were left out."));
     }
 
+    /// What lies under everything is the canvas; what only looks a little like that is a fill.
+    void theBackgroundIsTheCanvas()
+    {
+        const auto read = [](const QByteArray &content) {
+            const Result<Painting> painting =
+                readPainting(svg("width=\"200\" height=\"100\" viewBox=\"0 0 100 50\"", content), "a.svg");
+            return painting ? *painting : Painting();
+        };
+        const Painting cream = read("<rect id='background' width='100' height='50' fill='#fdf6e3'/>" + line);
+        QCOMPARE(cream.strokes.size(), std::size_t(1));
+        QVERIFY(!cream.strokes[0]->fill);
+        const auto rgb = srgbFromRyb(cream.canvas.background);
+        const std::array<double, 3> wanted{0xfd / 255.0, 0xf6 / 255.0, 0xe3 / 255.0};
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(std::abs(double(rgb[i]) - wanted[i]) < 0.003);
+        QCOMPARE(cream.canvas.background.opacity, 1.0f);
+        for (const QByteArray &other :
+             {QByteArray("<rect id='ground' width='100' height='50' fill='#fdf6e3'/>"),
+              QByteArray("<rect id='background' width='90' height='50' fill='#fdf6e3'/>"),
+              QByteArray("<rect id='background' width='100' height='50' fill='#fdf6e3' fill-opacity='.5'/>"),
+              QByteArray("<path id='background' d='M0 0H100V50z' fill='#fdf6e3'/>")}) {
+            const Painting painting = read(other + line);
+            QVERIFY2(painting.strokes.size() == 2 && painting.strokes[0]->fill, other.constData());
+            QCOMPARE(painting.canvas.background, Canvas().background);
+        }
+        // It has to lie under something, and under everything.
+        QCOMPARE(read("<rect id='background' width='100' height='50'/>").strokes.size(), std::size_t(1));
+        QCOMPARE(read(line + "<rect id='background' width='100' height='50'/>").strokes.size(), std::size_t(2));
+    }
+
     void areasAreFills()
     {
         const auto read = [](const QByteArray &content) {
