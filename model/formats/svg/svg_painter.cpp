@@ -127,10 +127,19 @@ void SvgPainter::paintFill(const SvgShape &shape)
 {
     const SvgStyle &style = shape.style;
     const SvgPaint paint = svgPaint(style.inContext(style.fill), style.fillOpacity, style.current, m_tree);
-    if (!paint.colour)
+    if (!paint.colour) {
+        noteUnpainted(paint);
         return;
+    }
     if (const SvgLoops loops = svgLoops(shape.lines, style.matrix); std::ranges::any_of(loops, enclosesArea))
         addArea(shape, loops, style.isEvenOdd, paint, style.fillOpacity);
+}
+
+/// A pattern that no colour takes the place of is lost all the same.
+void SvgPainter::noteUnpainted(const SvgPaint &paint)
+{
+    if (paint.replaced && !paint.gradient)
+        m_lost.insert(paint.replaced);
 }
 
 /// A stroke that cannot be a stroke of a painting is the area that its pen covers.
@@ -138,8 +147,12 @@ void SvgPainter::paintStroke(const SvgShape &shape)
 {
     const SvgStyle &style = shape.style;
     const SvgPaint paint = svgPaint(style.inContext(style.stroke), style.strokeOpacity, style.current, m_tree);
-    if (!paint.colour || !(style.pen.width > 0))
+    if (!(style.pen.width > 0))
         return;
+    if (!paint.colour) {
+        noteUnpainted(paint);
+        return;
+    }
     if (paint.replaced || !isRoundStroke(shape.lines, style) || !isWholeSeen(shape)) {
         const std::optional<Area> area =
             withEffort([&](AreaEffort &effort) { return svgPenArea(shape.lines, style, tolerance(), effort); });

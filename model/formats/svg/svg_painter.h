@@ -37,6 +37,7 @@ public:
 private:
     void paintFill(const SvgShape &shape);
     void paintStroke(const SvgShape &shape);
+    void noteUnpainted(const SvgPaint &paint);
     bool isWholeSeen(const SvgShape &shape);
     void addArea(const SvgShape &shape, const SvgLoops &loops, bool isEvenOdd, const SvgPaint &paint, double opacity);
     void addShades(const SvgShape &shape, const SvgPath &area, const SvgLoops &loops, const SvgPaint &paint,

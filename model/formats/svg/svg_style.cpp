@@ -239,13 +239,13 @@ SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current
         const QString instead = paint.mid(paint.indexOf(u')') + 1).trimmed();
         const bool isPattern = server && server->name == QLatin1String("pattern");
         result.colour = cssColour(instead);
-        if (!result.colour && (isPattern || instead == QLatin1String("currentColor")))
+        if (instead.compare(QLatin1String("currentColor"), Qt::CaseInsensitive) == 0)
             result.colour = current;
         result.replaced = isPattern ? server : nullptr;
     } else if (paint != QLatin1String("none")) {
         result.colour = colourFrom(paint, current);
     }
-    if (result.colour && !(((*result.colour)[3] *= opacity) > 0))
+    if (!(opacity > 0) || (result.colour && !(((*result.colour)[3] *= opacity) > 0)))
         result = {};
     return result;
 }

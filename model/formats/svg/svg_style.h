@@ -60,11 +60,12 @@ struct SvgStop {
 /// no number are left out.
 std::vector<SvgStop> svgStops(const SvgElement *gradient, SvgTree &tree);
 
-/// A stroke or a fill as one colour. For a gradient it is the mean of its stops.
+/// A stroke or a fill as one colour. For a gradient it is the mean of its stops, and for a pattern the colour that the
+/// drawing names to take its place, or else nothing.
 struct SvgPaint {
     std::optional<SvgColour> colour;      ///< no value: nothing is painted
     const SvgElement *gradient = nullptr; ///< whose mean it is
-    const SvgElement *replaced = nullptr; ///< the gradient or pattern that the colour stands for
+    const SvgElement *replaced = nullptr; ///< the gradient or pattern that is lost with that colour, or without one
 };
 SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree);
 

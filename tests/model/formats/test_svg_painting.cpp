@@ -220,6 +220,28 @@ private slots:
         QCOMPARE(read(line + "<rect id='background' width='100' height='50'/>").strokes.size(), std::size_t(2));
     }
 
+    /// A pattern is not black: nothing takes its place but the colour that the drawing names for that.
+    void patternsAreLeftOut()
+    {
+        const QByteArray pattern = "<pattern id='p'/>";
+        const auto count = [&](const QByteArray &paint) {
+            const auto painting = readPainting(
+                svg("viewBox='0 0 100 100'", pattern + line + "<rect width='9' height='9' " + paint + "/>"), "a.svg");
+            return painting ? int(painting->strokes.size()) - 1 : -1;
+        };
+        QCOMPARE(count("fill='url(#p)'"), 0);
+        QCOMPARE(count("fill='url(#p) none'"), 0);
+        QCOMPARE(count("fill='none' stroke='url(#p)'"), 0);
+        QCOMPARE(count("fill='url(#p)' stroke='red' stroke-linecap='round' stroke-linejoin='round'"), 1);
+        QCOMPARE(count("fill='url(#p) #00ff00'"), 1);
+        QCOMPARE(count("color='blue' fill='url(#p) currentColor'"), 1);
+        QString said;
+        const Brush &brush = builtinBrushes().front();
+        QVERIFY(
+            readSvg(svg("", pattern + line + "<rect width='9' height='9' fill='url(#p)'/>"), "a.svg", brush, &said));
+        QCOMPARE(said, QString("1 pattern(s) were left out."));
+    }
+
     void areasAreFills()
     {
         const auto read = [](const QByteArray &content) {
