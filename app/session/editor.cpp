@@ -184,7 +184,11 @@ void Editor::undo()
 {
     if (GestureSteps *steps = stepsInHand(true))
         return steps->step(true);
+    // What was saved of a gesture and taken back again since is nothing that could be undone once more.
+    const int inVain = m_gestures.savedInVain(), before = m_undoStack.index();
     commit();
+    for (int left = inVain == 0 ? 0 : inVain + m_undoStack.index() - before; left > 0; --left)
+        m_undoStack.undo();
     m_undoStack.undo();
 }
 
@@ -370,7 +374,7 @@ SaveOrder Editor::orderFor(const QString &path)
 
 void Editor::startSaving(const QString &path, bool whatever)
 {
-    commit();
+    m_gestures.commitSaved();
     SaveOrder order = orderFor(path);
     if (!whatever && QFileInfo(path).absoluteFilePath() == m_filePath) {
         order.expected = m_fileHash;
@@ -383,7 +387,7 @@ void Editor::startSaving(const QString &path, bool whatever)
 
 void Editor::startSavingCopy(const QString &path)
 {
-    commit();
+    m_gestures.commitSaved();
     SaveOrder order = orderFor(path);
     order.isCopy = true;
     m_saver.save(std::move(order));

@@ -30,8 +30,9 @@ public:
 /// stay what they are until the gesture is decided; one that comes back to its start leaves no trace at all.
 ///
 /// There is one gesture at a time, and whatever else is begun, pushed, undone, redone or saved by the editor commits it
-/// first. Where a step of the undo stack is done without the editor knowing, the gesture is given up before. In both
-/// cases whoever holds the handle may go on: what it shows next begins a new part of the same name.
+/// first; one with steps of its own stays open where it is saved, so that they lead back and on from there, too. Where
+/// a step of the undo stack is done without the editor knowing, the gesture is given up before. In both cases whoever
+/// holds the handle may go on: what it shows next begins a new part of the same name.
 class Gesture {
 public:
     /// A handle of nothing.

@@ -15,6 +15,7 @@
 #include <QDockWidget>
 #include <QMouseEvent>
 #include <QScreen>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -437,6 +438,58 @@ private slots:
         dialog->accept();
         QCOMPARE(bench.steps(), 1);
         QVERIFY(*bench.editor.document().painting() == *first);
+    }
+
+    /// Saving takes nothing away of what can be undone and redone in the window, nor of what was done before it.
+    void savingCostsNoRedo()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const auto now = [&] { return bench.editor.document().painting(); };
+        const PaintingPtr earlier = now();
+        bench.editor.push(changeStrokes(bench.editor.document(), {1},
+                                        [](Stroke &s) {
+                                            for (Segment &segment : s.segments)
+                                                segment.density = 5;
+                                        }),
+                          "density");
+        const PaintingPtr before = now();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "7");
+        const PaintingPtr first = now();
+        type(*dialog->start(), "8");
+        const PaintingPtr second = now();
+        bench.editor.undo();
+        const QString path = m_folder.filePath("along.suffuse");
+        const auto save = [&] {
+            QSignalSpy saved(&bench.editor, &Editor::saved);
+            bench.editor.startSaving(path, true);
+            return saved.wait() && !bench.editor.isModified() && *loadPainting(path) == *now();
+        };
+        QVERIFY(save());
+        QVERIFY(*now() == *first && dialog && dialog->isVisible());
+        QVERIFY(bench.editor.canRedo());
+        bench.editor.redo();
+        QVERIFY(*now() == *second);
+        QVERIFY(bench.editor.isModified());
+        QVERIFY(save());
+        bench.editor.undo();
+        QVERIFY(*now() == *first);
+        bench.editor.undo();
+        QVERIFY(*now() == *before);
+        QVERIFY(bench.editor.isModified());
+        bench.editor.redo();
+        QVERIFY(*now() == *first);
+        bench.editor.undo();
+        bench.editor.undo(); // what was done before the window
+        QVERIFY(*now() == *earlier);
+        QCOMPARE(bench.editor.undoStack().index(), 0);
+        dialog->reject();
+        QVERIFY(*now() == *earlier);
     }
 
     /// What else changes the strokes leaves the window open, which goes on from there.
