@@ -341,8 +341,11 @@ bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, in
     if (rows.strokes.empty())
         return false;
     const DropPlace place = dropPlace(nodeAt(parent), row, rows.strokes);
-    if (std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place))
+    if (std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place)) {
         m_editor.push(std::move(*edit), tr("Reorder strokes"));
+        if (place.group != 0)
+            emit droppedInto(place.group);
+    }
     // The document has moved the rows already, so the view has nothing to remove.
     return false;
 }

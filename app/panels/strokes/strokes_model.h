@@ -77,6 +77,10 @@ public:
     /// switches in a row is one step.
     void toggle(const QModelIndex &index, ValueEntry *entry = nullptr);
 
+signals:
+    /// Rows were dragged into a group.
+    void droppedInto(GroupId group);
+
 private:
     using Node = StrokesTree::Node;
 

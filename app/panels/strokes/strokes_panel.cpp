@@ -67,6 +67,7 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
         });
         m_view->verticalScrollBar()->setValue(m_scrolledTo);
     });
+    connect(m_model, &StrokesModel::droppedInto, this, &StrokesPanel::openGroup);
     m_search->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -122,6 +123,16 @@ void StrokesPanel::forEachGroup(const QModelIndex &parent, const std::function<v
         visit(index);
         forEachGroup(index, visit);
     }
+}
+
+void StrokesPanel::openGroup(GroupId id)
+{
+    forEachGroup({}, [&](QModelIndex group) {
+        if (group.data(StrokesModel::GroupIdRole).toULongLong() != id)
+            return;
+        for (; group.isValid(); group = group.parent())
+            m_view->expand(group);
+    });
 }
 
 std::set<GroupId> StrokesPanel::openGroups() const

@@ -70,6 +70,8 @@ private:
     /// Visits the groups among the view's rows below a parent, including groups in groups.
     void forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const;
     std::set<GroupId> openGroups() const;
+    /// Opens a group and those around it.
+    void openGroup(GroupId id);
     /// The strokes that have a row of their own in the view below a row; all of them where the index is invalid.
     std::set<StrokeId> foundBelow(const QModelIndex &index) const;
     std::set<QModelIndex> groupsAroundSelected() const;

@@ -412,7 +412,7 @@ void StrokesView::startDrag(Qt::DropActions actions)
         return;
     }
     selectWholeGroups();
-    const UndoEndsDrag ends;
+    const KeysEndDrag ends;
     QTreeView::startDrag(actions);
 }
 

@@ -77,7 +77,7 @@ void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
     drag->setMimeData(dragDataOf(*m_colour));
     drag->setPixmap(grab());
     drag->setHotSpot(m_pressed);
-    const UndoEndsDrag ends;
+    const KeysEndDrag ends;
     drag->exec(Qt::CopyAction);
 }
 

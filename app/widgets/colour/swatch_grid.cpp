@@ -265,7 +265,7 @@ void SwatchGrid::startDrag(int index)
     drag->setMimeData(dragDataOf(m_swatches[std::size_t(index)].colour));
     drag->setPixmap(grab(cell(index)));
     drag->setHotSpot({cellSide / 2, cellSide / 2});
-    const UndoEndsDrag ends;
+    const KeysEndDrag ends;
     drag->exec(Qt::CopyAction);
 }
 

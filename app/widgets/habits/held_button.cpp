@@ -102,17 +102,17 @@ void endDragsIn(const QWidget &panel)
             held->letGo();
 }
 
-UndoEndsDrag::UndoEndsDrag() : UndoEndsDrag(&QDrag::cancel) {}
+KeysEndDrag::KeysEndDrag() : KeysEndDrag(&QDrag::cancel) {}
 
-UndoEndsDrag::UndoEndsDrag(std::function<void()> end) : m_end(std::move(end))
+KeysEndDrag::KeysEndDrag(std::function<void()> end) : m_end(std::move(end))
 {
     // The filter that comes last is asked first, and QDrag adds its own when it begins.
     QTimer::singleShot(0, this, [this] { qApp->installEventFilter(this); });
 }
 
-bool UndoEndsDrag::eventFilter(QObject *watched, QEvent *event)
+bool KeysEndDrag::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() != QEvent::KeyPress || !static_cast<QKeyEvent *>(event)->matches(QKeySequence::Undo))
+    if (event->type() != QEvent::KeyPress || !givesUpDrag(*static_cast<QKeyEvent *>(event)))
         return QObject::eventFilter(watched, event);
     m_end();
     return true;

@@ -21,14 +21,14 @@ void endDragsIn(const QWidget &panel);
 /// Whether a key gives a drag up: Esc, Delete or undo, as on the canvas.
 bool givesUpDrag(const QKeyEvent &key);
 
-/// While it lives, and a QDrag goes on, undo gives the drag up as Esc does: to be made before `QDrag::exec`, which
-/// takes all keys and has no use for any other.
-class UndoEndsDrag : public QObject {
+/// While it lives, and a QDrag goes on, the keys that give a drag up do so: to be made before `QDrag::exec`, which
+/// takes all keys and has no use for any but Esc.
+class KeysEndDrag : public QObject {
     Q_OBJECT
 
 public:
-    UndoEndsDrag(); ///< it ends QDrag's
-    explicit UndoEndsDrag(std::function<void()> end);
+    KeysEndDrag(); ///< it ends QDrag's
+    explicit KeysEndDrag(std::function<void()> end);
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 

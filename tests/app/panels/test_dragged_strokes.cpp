@@ -77,8 +77,9 @@ private slots:
         QCOMPARE(bench.steps(), 0);
     }
 
-    /// Undo gives up what is dragged from one place to another, as it does with every drag. QDrag takes all keys.
-    void undoEndsADragOfRows()
+    /// Undo and Delete give up what is dragged from one place to another, as they do with every drag. QDrag takes all
+    /// keys.
+    void keysEndADragOfRows()
     {
         int ended = 0, undone = 0;
         QWidget window;
@@ -87,7 +88,7 @@ private slots:
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         {
-            const UndoEndsDrag ends([&] { ++ended; });
+            const KeysEndDrag ends([&] { ++ended; });
             QCoreApplication::processEvents();
             struct TakesAll : QObject { // as QDrag's own filter does
                 bool eventFilter(QObject *, QEvent *event) override
@@ -98,12 +99,14 @@ private slots:
             window.installEventFilter(&takesAll);
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
             QCOMPARE(ended, 1);
+            QTest::keyClick(&window, Qt::Key_Delete);
+            QCOMPARE(ended, 2);
             QTest::keyClick(&window, Qt::Key_A);
-            QCOMPARE(ended, 1);
+            QCOMPARE(ended, 2);
             QCOMPARE(undone, 0);
         }
         QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(ended, 1);
+        QCOMPARE(ended, 2);
         QCOMPARE(undone, 1);
     }
 
@@ -208,6 +211,33 @@ private slots:
         QVERIFY(panel.view()->visualRect(panel.viewIndexOf(5)).isValid());
         bench.editor.undoStack().undo();
         QVERIFY(isOpen(1) && !isOpen(2));
+    }
+
+    /// What is dropped on a closed group is selected, and is seen in it: the group opens, and those around it.
+    void aDropOpensItsGroup()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}, {3, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 3}, {2, 2}, {3, 2}, {4, 1}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        StrokesModel &model = *panel.model();
+        bench.select({5});
+        const auto drop = [&](const QModelIndex &on) {
+            const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(5)}));
+            model.dropMimeData(data.get(), Qt::MoveAction, -1, -1, on);
+        };
+        drop(model.index(0, 0, model.index(1, 0)).siblingAtRow(1)); // Leaves, within Trees
+        QCOMPARE(bench.stroke(5).group, GroupId(2));
+        QVERIFY(panel.view()->visualRect(panel.viewIndexOf(5)).isValid());
+        QVERIFY(panel.view()->visualRect(panel.viewIndexOf(4)).isValid());
+        QVERIFY(!panel.view()->visualRect(panel.viewIndexOf(1)).isValid()); // Sky stays closed
     }
 
     /// A press selects a group's strokes before it is known that a drag begins. Whatever was selected before, the group
