@@ -6403,6 +6403,13 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Other fonts stand in for those that are not installed: %1.</source>
         <translation>Andere Schriften vertreten die, die nicht installiert sind: %1.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n text(s) came in as letters: they cannot be typed in again.</source>
+        <translation>
+            <numerusform>%n Text kam als Buchstaben an: Er lässt sich nicht neu eintippen.</numerusform>
+            <numerusform>%n Texte kamen als Buchstaben an: Sie lassen sich nicht neu eintippen.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>

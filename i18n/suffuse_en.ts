@@ -259,6 +259,13 @@
             <numerusform>%n fills</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n text(s) came in as letters: they cannot be typed in again.</source>
+        <translation>
+            <numerusform>%n text came in as letters: it cannot be typed in again.</numerusform>
+            <numerusform>%n texts came in as letters: they cannot be typed in again.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>

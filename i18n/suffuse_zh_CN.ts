@@ -6369,6 +6369,12 @@ Arrow keys work too.</source>
         <source>Other fonts stand in for those that are not installed: %1.</source>
         <translation>未安装的字体由其他字体代替：%1。</translation>
     </message>
+    <message numerus="yes">
+        <source>%n text(s) came in as letters: they cannot be typed in again.</source>
+        <translation>
+            <numerusform>%n 段文字作为字母导入：无法再次键入。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>

@@ -146,6 +146,31 @@ private slots:
         QVERIFY(layout.lay(*sans.groups.front().text).hasFamily);
     }
 
+    /// What a text of Suffuse's cannot be comes in as letters, and that is said. Its group has its words for a name.
+    void otherTextsAreLettersAndSaySo()
+    {
+        const QString said = QStringLiteral("1 text(s) came in as letters: they cannot be typed in again.");
+        for (const char *content :
+             {"<text id='text12' y='50' font-size='20' text-decoration='underline'>Old  title</text>",
+              "<text y='50' font-size='20'>Old <tspan fill='red'>title</tspan></text>",
+              "<text y='50' font-size='20' fill='none' stroke='red' stroke-linejoin='round'>Old title</text>",
+              "<path id='p' d='M20 100C100 20 200 180 300 90' fill='none'/>"
+              "<text font-size='20'><textPath href='#p' startOffset='30'>Old title</textPath></text>"}) {
+            QString leftOut;
+            const Painting painting = read(content, &leftOut);
+            QCOMPARE(leftOut, said);
+            QCOMPARE(painting.groups.size(), std::size_t(1));
+            QCOMPARE(painting.groups[0].name, QString("Old title"));
+        }
+        QString leftOut;
+        const Painting named =
+            read("<text id='head' y='50' font-size='20' text-decoration='underline'>Old title</text>", &leftOut);
+        QCOMPARE(named.groups.at(0).name, QString("head"));
+        QCOMPARE(leftOut, said);
+        QVERIFY(read("<text y='50' font-size='20'>Old title</text>", &leftOut).groups.at(0).text);
+        QCOMPARE(leftOut, QString());
+    }
+
 private:
     LineShaper m_shaper;
 };

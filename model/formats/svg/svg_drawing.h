@@ -38,12 +38,14 @@ struct SvgGroup {
     int parent = -1;         ///< the index of a group before this one; −1: none
     SharedText text{};       ///< of a <text> that can be typed in again; its place is in units of the document
     std::size_t letters = 0; ///< how many paths such a text has
+    QString words{};         ///< of any <text>, for people
 };
 
 /// How much of a drawing strokes cannot show.
 struct SvgLosses {
     int outlines = 0; ///< areas and outlines of pens that take too much work to find
     int texts = 0, images = 0;
+    int fixedTexts = 0; ///< that came in as letters alone, and cannot be typed in again
     /// definitions that are used by what is drawn
     int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;
     QStringList fonts;  ///< families that are not installed, so that others stand in

@@ -16,6 +16,8 @@ std::optional<double> sizeOf(const QXmlStreamAttributes &root, const char *name)
     return size && *size > 0 ? size : std::nullopt;
 }
 
+constexpr qsizetype longestWords = 80; ///< by which a text is called
+
 } // namespace
 
 void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
@@ -55,6 +57,14 @@ void dissolveGroups(SvgDrawing &drawing)
     for (std::size_t i = groups.size(); i-- > 0;) // Groups come before those within them.
         if (held[i] > 0 && groups[i].parent >= 0)
             ++held[std::size_t(groups[i].parent)];
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        SvgGroup &group = groups[i];
+        if (group.words.isEmpty() || group.text || held[i] == 0)
+            continue;
+        ++drawing.losses.fixedTexts;
+        if (group.name.isEmpty()) // A text that can be typed is called by its words anyway.
+            group.name = group.words.left(longestWords);
+    }
     const auto isKept = [&](std::size_t i) { return held[i] > 1 || (held[i] > 0 && groups[i].text); };
     std::vector<SvgGroup> kept;
     for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -11,7 +11,7 @@ namespace suffuse {
 void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root);
 
 /// Removes groups that have nothing in them, and those with only one thing, which gets the group's name if it has
-/// none.
+/// none. Counts the texts that came in as letters alone, and calls them by their words where they have no name.
 void dissolveGroups(SvgDrawing &drawing);
 
 } // namespace suffuse

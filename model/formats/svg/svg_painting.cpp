@@ -249,6 +249,9 @@ QString leftOutOf(const SvgDrawing &drawing)
         {l.rules, FileMessages::tr("%n style rule(s)", nullptr, l.rules)},
         {l.cycles, FileMessages::tr("%n <use> of itself", nullptr, l.cycles)},
     })};
+    if (l.fixedTexts > 0)
+        sentences << FileMessages::tr("%n text(s) came in as letters: they cannot be typed in again.", nullptr,
+                                      l.fixedTexts);
     if (!l.fonts.isEmpty())
         sentences << FileMessages::tr("Other fonts stand in for those that are not installed: %1.")
                          .arg(l.fonts.join(QStringLiteral(", ")));

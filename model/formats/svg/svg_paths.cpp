@@ -334,6 +334,7 @@ private:
                                     : counted.match(own).hasMatch() ? QString()
                                                                     : own,
                                     place.group});
+            m_out.groups.back().words = set->words;
             place.group = int(m_out.groups.size()) - 1;
             keepText(*set, style, place);
         }

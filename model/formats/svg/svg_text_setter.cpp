@@ -71,6 +71,7 @@ public:
         SvgSetText out;
         place(out);
         out.text = asText();
+        out.words = m_in.string.simplified();
         out.styles = std::move(m_in.styles); // A deque's elements stay where they are.
         return out;
     }

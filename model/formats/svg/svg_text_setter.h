@@ -23,6 +23,7 @@ struct SvgSetText {
     /// All of it as one that can be typed in again, its place in user units. There is none if its letters differ in
     /// look or stand in a way of their own.
     std::optional<Text> text;
+    QString words; ///< all characters, with single spaces
     std::deque<SvgStyle> styles;
 };
 

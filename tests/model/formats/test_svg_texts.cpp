@@ -167,7 +167,7 @@ private slots:
             line = line.united(curve.controlBox());
         QVERIFY(std::abs(line.left - 20) < 1e-9 && std::abs(line.right - 35) < 1e-9 &&
                 std::abs(line.top - 30.8) < 1e-9 && std::abs(line.bottom - 31.2) < 1e-9);
-        QVERIFY(under.groups.front().name.isEmpty() && !under.groups.front().text);
+        QVERIFY(under.groups.front().name == "a b" && !under.groups.front().text);
     }
 
     void lettersFollowLines()
