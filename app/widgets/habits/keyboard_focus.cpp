@@ -479,6 +479,11 @@ bool KeyboardFocus::enter(QWidget &stop)
                 m_front = other;
         dock->raise();
     }
+    // In a row of fields one types: its buttons come by Tab.
+    if (qobject_cast<QToolBar *>(&stop) && !qobject_cast<QLineEdit *>(last))
+        for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
+            if (qobject_cast<QLineEdit *>(w) && stop.isAncestorOf(w) && takesFocus(*w) && w->isVisibleTo(&stop))
+                goal = w;
     if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
         goal = last;
     for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())

@@ -259,6 +259,36 @@ private slots:
         QCOMPARE(back, there);
     }
 
+    /// In the row of a tool the keyboard goes to the first field, also where only a button could have it before.
+    void f6GoesToTheFirstField()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        auto *bar = s.window.findChild<QToolBar *>("toolOptions");
+        const auto goalFor = [&](const Selection &selection) -> QWidget * {
+            s.editor().document().setSelection(selection);
+            s.editor().laterChanges().flush();
+            QCoreApplication::processEvents(); // the row follows a little later
+            s.canvas().setFocus();
+            for (int i = 0; i < 20; ++i) {
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+                if (bar->isAncestorOf(QApplication::focusWidget()))
+                    return QApplication::focusWidget();
+            }
+            return nullptr;
+        };
+        QVERIFY(!qobject_cast<QLineEdit *>(goalFor({}))); // no field can be used
+        for (int times = 0; times < 2; ++times) {
+            auto *field = qobject_cast<QLineEdit *>(goalFor({{s.id}, {}}));
+            QVERIFY(field);
+            for (QLineEdit *other : bar->findChildren<QLineEdit *>())
+                QVERIFY(!other->isVisible() || !other->isEnabled() ||
+                        other->mapTo(bar, QPoint()).x() >= field->mapTo(bar, QPoint()).x());
+            QVERIFY(!qobject_cast<QLineEdit *>(goalFor({})));
+        }
+    }
+
     /// Who only walks through the docks finds them as they stood; what is used there stays in front.
     void f6LeavesTabsAsTheyStood()
     {
