@@ -4897,6 +4897,30 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Show what is selected as large as possible: strokes, segments or nodes</source>
         <translation>Zeigt so groß wie möglich, was ausgewählt ist: Striche, Segmente oder Knoten</translation>
     </message>
+    <message>
+        <source>Add Gradient</source>
+        <translation>Verlauf hinzufügen</translation>
+    </message>
+    <message>
+        <source>The colour of the selected fills fades from left to right; needs a fill of one colour</source>
+        <translation>Die Farbe der ausgewählten Füllungen verläuft von links nach rechts; nötig ist eine einfarbige Füllung</translation>
+    </message>
+    <message>
+        <source>Add gradient</source>
+        <translation>Verlauf hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove Gradient</source>
+        <translation>Verlauf entfernen</translation>
+    </message>
+    <message>
+        <source>The selected fills have their first colour everywhere; needs a fill with a gradient</source>
+        <translation>Die ausgewählten Füllungen haben überall ihre erste Farbe; nötig ist eine Füllung mit Verlauf</translation>
+    </message>
+    <message>
+        <source>Remove gradient</source>
+        <translation>Verlauf entfernen</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

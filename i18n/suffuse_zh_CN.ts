@@ -4880,6 +4880,30 @@ Arrow keys work too.</source>
         <source>Show what is selected as large as possible: strokes, segments or nodes</source>
         <translation>尽可能大地显示所选内容：笔画、线段或节点</translation>
     </message>
+    <message>
+        <source>Add Gradient</source>
+        <translation>添加渐变</translation>
+    </message>
+    <message>
+        <source>The colour of the selected fills fades from left to right; needs a fill of one colour</source>
+        <translation>所选填充的颜色从左到右渐变；需要单色填充</translation>
+    </message>
+    <message>
+        <source>Add gradient</source>
+        <translation>添加渐变</translation>
+    </message>
+    <message>
+        <source>Remove Gradient</source>
+        <translation>移除渐变</translation>
+    </message>
+    <message>
+        <source>The selected fills have their first colour everywhere; needs a fill with a gradient</source>
+        <translation>所选填充处处为其第一种颜色；需要带渐变的填充</translation>
+    </message>
+    <message>
+        <source>Remove gradient</source>
+        <translation>移除渐变</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

@@ -93,7 +93,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
                             {{Raise, Lower, Top, Bottom},
-                             {FillStrokes, RemoveFills},
+                             {FillStrokes, RemoveFills, AddGradients, RemoveGradients},
                              {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});

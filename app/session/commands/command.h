@@ -81,6 +81,8 @@ enum class Command {
     TextToStrokes,
     FillStrokes,
     RemoveFills,
+    AddGradients,
+    RemoveGradients,
     UniteAreas,
     SubtractAreas,
     IntersectAreas,

@@ -145,6 +145,28 @@ void addFillRows(Commands &table, Editor &editor)
             editor.push(removeFills(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Remove fill"));
         });
+    table
+        .add(AddGradients, "addGradient", Commands::tr("Add Gradient"), "", {},
+             Commands::tr("The colour of the selected fills fades from left to right; needs a fill of one colour"))
+        .when([&editor] {
+            return anySelectedStroke(editor.unsettled(),
+                                     [](const Stroke &stroke) { return stroke.fill && !stroke.fill->gradient; });
+        })
+        .runs([&editor] {
+            editor.push(addGradients(editor.document(), editor.document().selection().strokes),
+                        Commands::tr("Add gradient"));
+        });
+    table
+        .add(RemoveGradients, "removeGradient", Commands::tr("Remove Gradient"), "", {},
+             Commands::tr("The selected fills have their first colour everywhere; needs a fill with a gradient"))
+        .when([&editor] {
+            return anySelectedStroke(editor.unsettled(),
+                                     [](const Stroke &stroke) { return stroke.fill && stroke.fill->gradient; });
+        })
+        .runs([&editor] {
+            editor.push(removeGradients(editor.document(), editor.document().selection().strokes),
+                        Commands::tr("Remove gradient"));
+        });
 }
 
 void addChainRows(Commands &table, Editor &editor)

@@ -204,9 +204,18 @@ private slots:
         s.use(Command::FillStrokes);
         QVERIFY(s.painting().find(id)->fill);
         QVERIFY(!s.window.action(Command::FillStrokes).isEnabled());
+        QVERIFY(s.window.action(Command::AddGradients).isEnabled());
+        QVERIFY(!s.window.action(Command::RemoveGradients).isEnabled());
+        s.use(Command::AddGradients); // as the inspector's button does
+        QVERIFY(s.painting().find(id)->fill->gradient);
+        QCOMPARE(s.editor().undoText(), QString("Add gradient"));
+        QVERIFY(!s.window.action(Command::AddGradients).isEnabled());
+        s.use(Command::RemoveGradients);
+        QVERIFY(s.painting().find(id)->fill && !s.painting().find(id)->fill->gradient);
         s.use(Command::RemoveFills);
         QVERIFY(!s.painting().find(id)->fill);
-        QCOMPARE(s.editor().undoStack().count(), 3);
+        QVERIFY(!s.window.action(Command::AddGradients).isEnabled());
+        QCOMPARE(s.editor().undoStack().count(), 5);
     }
 
 private:
