@@ -5289,6 +5289,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>What is written. The ending of the file&apos;s name says the same.</source>
         <translation>Was geschrieben wird. Die Endung des Dateinamens sagt dasselbe.</translation>
     </message>
+    <message>
+        <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
+        <translation>Hier entstehen Bilder. SVG schreibt Datei ▸ Kopie speichern.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportJob</name>

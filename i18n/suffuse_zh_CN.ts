@@ -5272,6 +5272,10 @@ Arrow keys work too.</source>
         <source>What is written. The ending of the file&apos;s name says the same.</source>
         <translation>要写入的格式，与文件名的扩展名一致。</translation>
     </message>
+    <message>
+        <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
+        <translation>此处导出图片。SVG 由“文件 ▸ 保存副本”写入。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportJob</name>

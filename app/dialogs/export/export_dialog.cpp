@@ -62,8 +62,7 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
     connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::finish);
     const std::optional<ExportSettings> last = exports::last();
-    m_path->setText(suggestedExportPath(editor, m_place,
-                                        last ? endingOf(last->path) : QStringLiteral("png")));
+    m_path->setText(suggestedExportPath(editor, m_place, last ? endingOf(last->path) : QStringLiteral("png")));
     if (last)
         takeFormat(*last);
     if (const auto own = exports::lastOf(editor.filePath()))
@@ -228,6 +227,10 @@ void ExportDialog::startExport()
     const ImageFormat format = imageFormatForPath(m_path->text());
     const int width = widthBox()->value();
     if (format == ImageFormat::Unknown) {
+        if (target.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
+            m_hint->showHint(tr("Pictures are written here. File ▸ Save a Copy writes SVG."));
+            return;
+        }
         m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")
                              .arg(target.fileName(), imageEndings().join(QStringLiteral(", "))));
         return;

@@ -197,6 +197,20 @@ private slots:
         QCOMPARE(dialog.path()->text(), QString("edited 1.0.png"));
     }
 
+    /// Who wants a drawing is told where it is written.
+    void aDrawingIsSavedAsACopy()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.path()->setText(m_folder->filePath("a.svg"));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        const QList<QLabel *> labels = dialog.findChildren<QLabel *>();
+        QVERIFY(std::ranges::any_of(
+            labels, [](const QLabel *label) { return label->isVisible() && label->text().contains("Save a Copy"); }));
+        QVERIFY(dialog.isVisible() && !QFileInfo::exists(m_folder->filePath("a.svg")));
+    }
+
     void exportOfAnyAreaAndMoment_data()
     {
         using Area = AreaRow::Choice;
