@@ -21,7 +21,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr int roomBeside = 80; ///< margins and scroll bar beside the list's columns
+constexpr int NameRole = Qt::UserRole + 1; ///< of the command, in English, as Find a Command knows it
+constexpr int roomBeside = 80;             ///< margins and scroll bar beside the list's columns
 
 } // namespace
 
@@ -126,6 +127,7 @@ void ShortcutsDialog::fill(const QList<QAction *> &actions)
         m_actions << action;
         m_chosen[action] = action->shortcuts();
         auto *item = new QTreeWidgetItem(m_list, {titleWithMenus(*action), QString()});
+        item->setData(0, NameRole, action->objectName());
         item->setIcon(0, action->icon().isNull() ? blank : action->icon());
         item->setData(0, Qt::UserRole, QVariant::fromValue<quintptr>(reinterpret_cast<quintptr>(action)));
     }
@@ -245,8 +247,10 @@ void ShortcutsDialog::filter()
     QTreeWidgetItem *first = nullptr;
     for (int row = m_list->topLevelItemCount(); row-- > 0;) {
         QTreeWidgetItem *item = m_list->topLevelItem(row);
-        const bool found =
-            item->text(0).contains(wanted, Qt::CaseInsensitive) || item->text(1).contains(wanted, Qt::CaseInsensitive);
+        const auto holds = [&](const QString &text) { return text.contains(wanted, Qt::CaseInsensitive); };
+        const QString name = item->data(0, NameRole).toString(); // in English, without spaces
+        const bool found = holds(item->text(0)) || holds(item->text(1)) ||
+                           name.contains(QString(wanted).remove(u' '), Qt::CaseInsensitive);
         item->setHidden(!found);
         first = found ? item : first;
     }

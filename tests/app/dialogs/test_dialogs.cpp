@@ -248,6 +248,27 @@ private slots:
         settings::store().clear();
     }
 
+    /// Commands are found by their English names, too, as Find a Command finds them.
+    void shortcutsAreFoundInEnglish()
+    {
+        QObject owner;
+        QList<QAction *> actions;
+        for (const auto &[title, name] : {std::pair{"Messer", "knife"}, {"Verlauf hinzufügen", "addGradient"}}) {
+            auto *action = new QAction(QString::fromUtf8(title), &owner);
+            action->setObjectName(QString::fromLatin1(name));
+            actions << action;
+        }
+        ShortcutsDialog dialog(actions);
+        dialog.show();
+        auto *search = dialog.findChild<QLineEdit *>();
+        search->setText("knife");
+        QVERIFY(dialog.list()->currentItem());
+        QCOMPARE(dialog.list()->currentItem()->text(0), QString("Messer"));
+        search->setText("add gradient");
+        QVERIFY(dialog.list()->currentItem());
+        QCOMPARE(dialog.list()->currentItem()->text(0), QString("Verlauf hinzufügen"));
+    }
+
     void iconsAreDrawnInThePalettesColour()
     {
         for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
