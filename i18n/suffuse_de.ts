@@ -2787,7 +2787,7 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen: Punkt. Rechtsklick: Palette. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
+        <translation>Ziehen malt. Rechtsklick: Palette. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
 </context>
 <context>
@@ -6834,7 +6834,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
-        <translation>Klick auf ein Segment wählt es aus, Umschalt+Klick eine Folge oder das eines anderen Strichs, Strg+Klick nimmt eines dazu oder heraus. Knoten durch Ziehen umrahmen.</translation>
+        <translation>Klick wählt ein Segment, Umschalt+Klick eine Folge oder in anderen Strichen, Strg+Klick eines dazu oder weg. Ziehen umrahmt Knoten.</translation>
     </message>
     <message>
         <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>

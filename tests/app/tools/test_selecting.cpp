@@ -2,6 +2,7 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/selecting/pick.h"
 #include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "app/tools/nodes/node_tool.h"
 #include "app/tools/select/select_hints.h"
 #include "model/paint/seen_paint.h"
@@ -352,8 +353,21 @@ private slots:
         QVERIFY(shown->text().startsWith("Drag: move"));
     }
 
+    void hintsFitTheStatusBar_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const char *language : {"en", "de", "zh_CN"})
+            QTest::newRow(language) << QString(language);
+    }
     void hintsFitTheStatusBar()
     {
+        QFETCH(QString, language);
+        settings::setLanguage(language);
+        installTranslators();
+        const auto back = qScopeGuard([] {
+            settings::setLanguage("en");
+            installTranslators();
+        });
         Selecting s({line(1, {200, 300}, {600, 300})});
         s.window.resize(1280, 800);
         s.dry();
@@ -377,6 +391,8 @@ private slots:
                 s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
                 check();
             }
+        if (language != "en")
+            return;
         s.use(Command::Select);
         s.select({});
         QVERIFY(s.tool().hint().contains("Shift"));
