@@ -184,11 +184,7 @@ void Editor::undo()
 {
     if (GestureSteps *steps = stepsInHand(true))
         return steps->step(true);
-    // What was saved of a gesture and taken back again since is nothing that could be undone once more.
-    const int inVain = m_gestures.savedInVain(), before = m_undoStack.index();
-    commit();
-    for (int left = inVain == 0 ? 0 : inVain + m_undoStack.index() - before; left > 0; --left)
-        m_undoStack.undo();
+    commitChanges();
     m_undoStack.undo();
 }
 
@@ -196,8 +192,23 @@ void Editor::redo()
 {
     if (GestureSteps *steps = stepsInHand(false))
         return steps->step(false);
-    commit();
+    commitChanges();
     m_undoStack.redo();
+}
+
+/// Commits what is in hand, and the changes within it one by one. Where it shows nothing any more, steps that could be
+/// redone before it began still can be, instead of the changes.
+void Editor::commitChanges()
+{
+    GestureSteps *steps = m_gestures.open() ? m_gestures.open()->steps() : nullptr;
+    if (!steps || (!undecided() && m_undoStack.canRedo()))
+        return commit();
+    const auto commitOne = [this] {
+        const int before = m_undoStack.index();
+        commit();
+        return m_undoStack.index() > before;
+    };
+    steps->handOver(commitOne, [this] { m_undoStack.undo(); });
 }
 
 void Editor::setBrush(const Brush &brush)
@@ -374,7 +385,7 @@ SaveOrder Editor::orderFor(const QString &path)
 
 void Editor::startSaving(const QString &path, bool whatever)
 {
-    m_gestures.commitSaved();
+    commitChanges();
     SaveOrder order = orderFor(path);
     if (!whatever && QFileInfo(path).absoluteFilePath() == m_filePath) {
         order.expected = m_fileHash;
@@ -387,7 +398,7 @@ void Editor::startSaving(const QString &path, bool whatever)
 
 void Editor::startSavingCopy(const QString &path)
 {
-    m_gestures.commitSaved();
+    commitChanges();
     SaveOrder order = orderFor(path);
     order.isCopy = true;
     m_saver.save(std::move(order));

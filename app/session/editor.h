@@ -165,6 +165,7 @@ signals:
 private:
     /// The open gesture's own changes, where they can be gone through; null: there are none.
     GestureSteps *stepsInHand(bool back) const;
+    void commitChanges();
     Edit placed(Edit edit);
     void pushDone(Edit back, const QString &text);
     bool goesOn(const ValueEntry &entry) const;

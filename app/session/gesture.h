@@ -23,6 +23,10 @@ public:
     virtual bool canStep(bool back) const = 0;
     /// Shows in the gesture what was shown one change before, or after.
     virtual void step(bool back) = 0;
+    /// Hands the changes over to the undo stack, also those that were taken back and can be redone, and goes on from
+    /// what is shown, without changes of its own. `commit` makes a step of what the gesture shows, and returns false if
+    /// that changes nothing; `undo` takes back the last step.
+    virtual void handOver(const std::function<bool()> &commit, const std::function<void()> &undo) = 0;
 };
 
 /// What is shown in a gesture is in the document, but in no step: `commit` makes one step of all of it, `giveUp` puts
@@ -30,9 +34,9 @@ public:
 /// stay what they are until the gesture is decided; one that comes back to its start leaves no trace at all.
 ///
 /// There is one gesture at a time, and whatever else is begun, pushed, undone, redone or saved by the editor commits it
-/// first; one with steps of its own stays open where it is saved, so that they lead back and on from there, too. Where
-/// a step of the undo stack is done without the editor knowing, the gesture is given up before. In both cases whoever
-/// holds the handle may go on: what it shows next begins a new part of the same name.
+/// first; changes within it become a step each where it is saved, or where undo goes back beyond them. Where a step of
+/// the undo stack is done without the editor knowing, the gesture is given up before. In both cases whoever holds the
+/// handle may go on: what it shows next begins a new part of the same name.
 class Gesture {
 public:
     /// A handle of nothing.

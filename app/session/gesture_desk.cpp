@@ -37,7 +37,6 @@ void GestureDesk::take(GestureState &gesture)
     commit();
     m_open = &gesture;
     m_rests = false;
-    gesture.begin(m_document.painting());
     emit openChanged(true);
 }
 
@@ -87,26 +86,6 @@ void GestureDesk::commit()
 {
     if (m_open)
         commit(*m_open);
-}
-
-void GestureDesk::commitSaved()
-{
-    GestureState *gesture = m_open;
-    if (!gesture || !gesture->steps())
-        return commit();
-    rest(*gesture);
-    std::optional<Edit> back = gesture->takeBack();
-    m_told = false;
-    if (back && !changesNothing(*back, *m_document.painting())) {
-        gesture->countSaved();
-        m_host.commit(std::move(*back), gesture->name());
-    }
-    emit undecidedChanged();
-}
-
-int GestureDesk::savedInVain() const
-{
-    return m_open ? m_open->savedInVain(*m_document.painting()) : 0;
 }
 
 void GestureDesk::commit(GestureState &gesture)

@@ -37,10 +37,6 @@ public:
     void settle();
     void rest();
     void commit();
-    /// Commits it since all that is shown is saved. One with steps of its own stays open, and they lead on from there.
-    void commitSaved();
-    /// How many steps of what is open come to nothing together with what it shows: see GestureState.
-    int savedInVain() const;
 
     void setFloatingView(FloatingView *view) { m_view = view; }
     FloatingView *floatingView() const { return m_view; }

@@ -24,12 +24,6 @@ GestureState::GestureState(GestureDesk &desk, const QString &name, GestureSteps 
     : m_desk(&desk), m_name(name), m_steps(steps)
 {}
 
-void GestureState::begin(const PaintingPtr &painting)
-{
-    m_start = m_steps ? painting : nullptr;
-    m_saved = 0;
-}
-
 void GestureState::show(Edit edit)
 {
     if (!m_desk || edit.isEmpty())

@@ -39,12 +39,6 @@ public:
     // For the desk.
     const QString &name() const { return m_name; }
     GestureSteps *steps() const { return m_steps; } ///< null: it has none
-    /// It opens; one with steps remembers from what.
-    void begin(const PaintingPtr &painting);
-    /// A part of it became a step since it was saved, and it goes on.
-    void countSaved() { ++m_saved; }
-    /// How many steps it became since it began, if what is shown now, at its end, is what was there then; else 0.
-    int savedInVain(const Painting &now) const { return m_saved > 0 && m_start && *m_start == now ? m_saved : 0; }
     /// The way back so far; null: nothing has been changed.
     const Edit *back() const { return m_back ? &*m_back : nullptr; }
     /// Puts what floats into the document.
@@ -71,8 +65,6 @@ private:
     QPointer<GestureDesk> m_desk;
     QString m_name;
     GestureSteps *m_steps = nullptr;
-    PaintingPtr m_start; ///< when it began; only where it has steps
-    int m_saved = 0;
     std::optional<Edit> m_back;
     std::map<StrokeId, Taken> m_taken;
     std::map<GroupId, Text> m_texts; ///< of which all strokes are taken, as they were

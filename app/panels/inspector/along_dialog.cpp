@@ -345,6 +345,26 @@ void AlongDialog::step(bool back)
     choose(quantity);
 }
 
+void AlongDialog::handOver(const std::function<bool()> &commit, const std::function<void()> &undo)
+{
+    const std::size_t done = m_past.size();
+    while (canStep(true))
+        step(true);
+    int undone = 0; // steps after what is shown now
+    for (std::size_t k = 0; canStep(false); ++k) {
+        step(false);
+        const bool isStep = commit();
+        undone += isStep && k >= done;
+    }
+    {
+        const QScopedValueRollback applying(m_applying, true);
+        for (; undone > 0; --undone)
+            undo();
+    }
+    m_gesture.commit();
+    follow();
+}
+
 /// Shows what was set so far.
 void AlongDialog::showValues()
 {

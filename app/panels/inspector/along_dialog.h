@@ -22,9 +22,10 @@ class NumberField;
 
 /// The dialog "Along the Stroke". It sets quantities over the arc length of the runs of segments that are selected, and
 /// names their stroke in its title. All that is done in it shows at once and is one undo step; Cancel takes it back.
-/// Undo and redo go through the changes of one curve first. Where something else is selected it goes on with that, and
-/// OK and Cancel decide what was done before, too. Where something else changes the strokes that it is about, it goes
-/// on from there; where one of them goes, it closes by itself and keeps what was done.
+/// Undo and redo go through the changes of one curve first; where the painting is saved, or undo goes on to what was
+/// done before, each of them becomes a step. Where something else is selected it goes on with that, and OK and Cancel
+/// decide what was done before, too. Where something else changes the strokes that it is about, it goes on from there;
+/// where one of them goes, it closes by itself and keeps what was done.
 class AlongDialog : public QDialog, private GestureSteps {
     Q_OBJECT
 
@@ -52,6 +53,7 @@ private:
 
     bool canStep(bool back) const override { return !(back ? m_past : m_future).empty(); }
     void step(bool back) override;
+    void handOver(const std::function<bool()> &commit, const std::function<void()> &undo) override;
     void addChoice();
     void addFields();
     void showQuantity();

@@ -488,8 +488,57 @@ private slots:
         bench.editor.undo(); // what was done before the window
         QVERIFY(*now() == *earlier);
         QCOMPARE(bench.editor.undoStack().index(), 0);
+        for (const PaintingPtr &later : {before, first, second}) {
+            QVERIFY(bench.editor.canRedo());
+            bench.editor.redo();
+            QVERIFY(*now() == *later);
+        }
+        QVERIFY(!bench.editor.canRedo());
         dialog->reject();
-        QVERIFY(*now() == *earlier);
+        QVERIFY(*now() == *second);
+    }
+
+    /// Undo goes on to what was done before the window, and redo comes back through all that was done in it.
+    void undoBeyondTheWindowCanBeRedone()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const auto now = [&] { return bench.editor.document().painting(); };
+        std::vector<PaintingPtr> states{now()};
+        bench.editor.push(changeStrokes(bench.editor.document(), {1},
+                                        [](Stroke &s) {
+                                            for (Segment &segment : s.segments)
+                                                segment.density = 5;
+                                        }),
+                          "density");
+        states.push_back(now());
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        for (const char *value : {"7", "8", "8", "9"}) { // One of them changes nothing.
+            type(*dialog->start(), value);
+            if (*now() != *states.back())
+                states.push_back(now());
+        }
+        QCOMPARE(states.size(), std::size_t(5));
+        bench.editor.redo(); // There is nothing to redo, and nothing comes of it.
+        QVERIFY(*now() == *states.back());
+        for (int tries = 0; tries < 10 && bench.editor.canUndo(); ++tries)
+            bench.editor.undo();
+        QVERIFY(*now() == *states.front());
+        QVERIFY(dialog && dialog->isVisible());
+        for (std::size_t k = 1; k < states.size(); ++k) {
+            QVERIFY(bench.editor.canRedo());
+            bench.editor.redo();
+            QVERIFY(*now() == *states[k]);
+        }
+        QVERIFY(!bench.editor.canRedo());
+        for (std::size_t k = states.size() - 1; k-- > 0;) {
+            bench.editor.undo();
+            QVERIFY(*now() == *states[k]);
+        }
     }
 
     /// What else changes the strokes leaves the window open, which goes on from there.
