@@ -52,7 +52,7 @@ void TileFill::begin(const SceneFill &fill, const PixelRect &tile)
     m_all.isMade = false;
     m_lefts.clear();
     m_leftAt.clear();
-    m_levelCount = 0;
+    m_levelCount = m_rowCount = 0;
     const double more = std::max({0.0, fill.nearby}) + 1;
     const Rect pixels = Rect::of(tile.x, tile.y, tile.width + blockSide, tile.height + blockSide);
     const Rect counted = grownBy(pixels, {std::max(fill.reach.x, more), std::max(fill.reach.y, more)});
@@ -224,6 +224,25 @@ int TileFill::entered(Point at)
     return std::clamp(entered, 0, 1);
 }
 
+const std::vector<const BoundaryArc *> &TileFill::arcsBetween(double top, double bottom)
+{
+    for (std::size_t k = 0; k < m_rowCount; ++k)
+        if (m_rows[k].top == top && m_rows[k].bottom == bottom)
+            return m_rows[k].arcs;
+    constexpr std::size_t most = 64;
+    if (m_rowCount == most)
+        m_rowCount = 0;
+    if (m_rows.size() == m_rowCount)
+        m_rows.emplace_back();
+    Row &row = m_rows[m_rowCount++];
+    row.top = top, row.bottom = bottom;
+    row.arcs.clear();
+    for (const BoundaryArc &part : m_arcs)
+        if (part.arc.top() < bottom && part.arc.bottom() > top)
+            row.arcs.push_back(&part);
+    return row.arcs;
+}
+
 const TileFill::Near &TileFill::near(const Rect &counted)
 {
     m_near.panels.clear();
@@ -368,29 +387,35 @@ void TileFill::cover(const Block &block, float *covered)
                       blockSide);
 }
 
-/// The area of each sample that lies right of what enters and left of what leaves, in samples.
+/// The area of each sample that lies right of what enters and left of what leaves, in samples. What lies left of the
+/// cell counts by the heights that it takes there, and what lies in the cell by its areas. So an outline through a
+/// corner of the cell, whose side is a matter of rounding, moves next to nothing from one sum to the other.
 void TileFill::coverCell(Point corner, double step, float *covered, int stride)
 {
     const double side = cellSide * step;
     const Rect area = Rect::of(corner.x, corner.y, side, side);
     const Near &near = this->near(area);
-    const double begin = entered(corner);
     if (near.isEmpty()) {
+        const auto inside = float(entered(area.centre()));
         for (int row = 0; row < cellSide; ++row)
-            std::fill_n(covered + row * stride, cellSide, float(begin));
+            std::fill_n(covered + row * stride, cellSide, inside);
         return;
     }
     std::array<std::array<double, cellSide>, cellSide> cover{}; // by row and column
-    std::array<double, cellSide> base;                          // of each row
-    base.fill(begin);
+    std::array<double, cellSide> base{};                        // of each row
     const auto inRow = [&](double y, int row) { return std::clamp((y - corner.y) / step - row, 0.0, 1.0); };
-    const auto changeBelow = [&](double y, int jump) {
+    for (const BoundaryArc *part : arcsBetween(area.top, area.bottom)) {
+        const RisingArc &arc = part->arc;
+        if (arc.left() >= area.left)
+            continue;
+        double from = std::max(arc.top(), area.top), to = std::min(arc.bottom(), area.bottom);
+        if (arc.right() > area.left) {
+            const double crossing = std::clamp(arc.curve.at(arc.parameterAtX(area.left)).y, from, to);
+            (arc.curve.p[0].x < arc.curve.p[3].x ? to : from) = crossing;
+        }
         for (int row = 0; row < cellSide; ++row)
-            base[std::size_t(row)] += jump * (1 - inRow(y, row));
-    };
-    for (const BoundaryFlat *flat : near.flats)
-        if (flat->y > area.top && flat->left < area.left && area.left <= flat->right)
-            changeBelow(flat->y, flat->jump);
+            base[std::size_t(row)] += part->enters * (inRow(to, row) - inRow(from, row));
+    }
     for (const FillPanel *panel : near.panels) {
         const RisingArc &arc = panel->part.arc;
         const double from = std::max(arc.top(), area.top), to = std::min(arc.bottom(), area.bottom);
@@ -406,10 +431,6 @@ void TileFill::coverCell(Point corner, double step, float *covered, int stride)
                 if (const double t = arc.parameterAtX(x); t > cuts[0] && t < cuts[1])
                     cuts.push_back(t);
         }
-        const bool leftBefore = arc.xAt(from) < area.left, leftAfter = arc.xAt(to) < area.left;
-        if (leftBefore != leftAfter)
-            changeBelow(std::clamp(arc.curve.at(arc.parameterAtX(area.left)).y, from, to),
-                        leftBefore ? -panel->part.enters : panel->part.enters);
         std::sort(cuts.begin(), cuts.end());
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const Point middle = arc.curve.at(0.5 * (cuts[k] + cuts[k + 1]));
@@ -426,8 +447,9 @@ void TileFill::coverCell(Point corner, double step, float *covered, int stride)
     }
     for (int row = 0; row < cellSide; ++row)
         for (int column = 0; column < cellSide; ++column) {
+            constexpr double rounding = 1e-9; // Beside the outline nothing is covered, or everything.
             const double sum = base[std::size_t(row)] + cover[std::size_t(row)][std::size_t(column)];
-            covered[row * stride + column] = float(std::clamp(sum, 0.0, 1.0));
+            covered[row * stride + column] = sum < rounding ? 0.0f : sum > 1 - rounding ? 1.0f : float(sum);
         }
 }
 

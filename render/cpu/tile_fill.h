@@ -103,6 +103,8 @@ private:
     /// Whether an arc runs through the inside of a square.
     static bool meets(const RisingArc &arc, const Rect &square);
     int entered(Point at);
+    /// The arcs that have a part between two heights, and may lie left of something there.
+    const std::vector<const BoundaryArc *> &arcsBetween(double top, double bottom);
     const Near &near(const Rect &counted);
     void coverCell(Point corner, double step, float *covered, int stride);
     void addConstant(const Block &block, int i0, int j0, int channels, Sums &sums) const;
@@ -126,6 +128,13 @@ private:
     };
     std::vector<Level> m_levels;
     std::size_t m_levelCount = 0;
+    /// What arcsBetween has found for some rows of cells.
+    struct Row {
+        double top, bottom;
+        std::vector<const BoundaryArc *> arcs;
+    };
+    std::vector<Row> m_rows;
+    std::size_t m_rowCount = 0;
     std::size_t m_nodeCount = 0; ///< of m_x, m_y and m_weight
     std::vector<float> m_x, m_y, m_weight, m_eventY, m_eventJump;
     std::vector<double> m_cuts; ///< of an arc, by the borders of samples

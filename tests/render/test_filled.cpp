@@ -7,6 +7,8 @@
 
 #include "tests/trials.h"
 
+#include <random>
+
 using namespace suffuse;
 using namespace suffuse::test;
 
@@ -95,6 +97,25 @@ private slots:
         QCOMPARE(fillDensityAt(disc, 1'000'000, {35.3001, 20}), 0.0);
         for (const double x : {35.2999, 35.3001})
             QCOMPARE(probe(*p, 1'000'000, x, 20)->strokes.size(), std::size_t(x < 35.3));
+    }
+
+    /// Which side of a corner of a cell an outline through it takes is a matter of rounding, and shows nowhere.
+    void crispEdgesThroughCornersOfCells()
+    {
+        std::mt19937 random(31);
+        const auto whole = [&](int least, int most) {
+            return double(least + int(random() % unsigned(most - least + 1)));
+        };
+        for (int n = 0; n < 400; ++n) {
+            Stroke shape = emptyFill(1, 0, styleOf(StyleKind::Uniform));
+            const Point corner{8 * whole(1, 7), 8 * whole(1, 5)};
+            Point along{whole(-9, 9), whole(1, 9)};
+            const Point third{whole(0, 64), whole(0, 48)};
+            addPolygon(shape, {corner - whole(0, 4) * along, corner + whole(1, 4) * along, third});
+            const Worst w = compared(painting({shape}, 64, 48), sheetView());
+            QVERIFY2(w.difference <= 1,
+                     qPrintable(QStringLiteral("%1: %2/512 at %3, %4").arg(n).arg(w.difference).arg(w.x).arg(w.y)));
+        }
     }
 
     void thinSpreads()
@@ -221,7 +242,8 @@ private slots:
                 QVERIFY(std::abs(PaintSight(s, 1'000'000).at(x).opacity - seen.opacity) < 1e-9);
             }
             // A picture of it from very near shows the same colour.
-            const FloatPicture near = test::render(*m_reference, p, View{x, std::min(1e7 / spread, 1e9), 0, false, 1, 1}, 1'000'000);
+            const FloatPicture near =
+                test::render(*m_reference, p, View{x, std::min(1e7 / spread, 1e9), 0, false, 1, 1}, 1'000'000);
             if (there.lifted == 0)
                 for (int c = 0; c < 3; ++c)
                     QVERIFY(std::abs(double(near.at(0, 0)[c]) - there.rgbAfter[std::size_t(c)]) < 2e-3);
