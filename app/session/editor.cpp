@@ -269,8 +269,12 @@ PaintingPtr Editor::snapshotInTime() const
 
 void Editor::noteDrawn(const Edit &edit)
 {
-    if (!m_clock.isDrawing())
+    if (!m_clock.isDrawing()) { // Letters are there at once, and are seen when they have spread.
+        for (const auto &[id, stroke] : edit.strokes)
+            if (stroke && !m_document.painting()->find(id) && stroke->born() >= m_clock.time())
+                m_clock.runUntil(stroke->driesAt());
         return;
+    }
     for (const auto &[id, stroke] : edit.strokes)
         if (stroke)
             for (const Segment &segment : stroke->segments)

@@ -86,6 +86,12 @@ void PaintingClock::noteDrawn(const Segment &segment)
         m_dryAt = std::max(m_dryAt, segment.driesAt());
 }
 
+void PaintingClock::runUntil(Microseconds dryAt)
+{
+    m_dryAt = std::max(m_dryAt, dryAt);
+    start();
+}
+
 void PaintingClock::setInPast(bool past)
 {
     if (past == m_inPast)

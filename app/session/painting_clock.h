@@ -61,6 +61,9 @@ public:
     void runFrom(Microseconds earliest);
     /// Call it for a segment that was painted into the past: the clock runs until it has dried.
     void noteDrawn(const Segment &segment);
+    /// Call it for paint that came all at once, at the moment of the past that is looked at: the clock runs until it
+    /// has dried, as after a stroke.
+    void runUntil(Microseconds dryAt);
 
 signals:
     void timeChanged();

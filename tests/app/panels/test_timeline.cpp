@@ -195,6 +195,37 @@ private slots:
         }
     }
 
+    /// Letters that are typed while the timeline shows the past are seen when they have spread, as a stroke is.
+    void lettersInThePastAreSeen()
+    {
+        Timed s;
+        s.playback().seek(2'500'000);
+        const QImage before = s.pictureNow();
+        s.use(Command::Text);
+        s.click({300, 420});
+        QTest::keyClicks(&s.canvas(), "Hill");
+        QVERIFY(s.editor().clock().isInPast());
+        QVERIFY(s.editor().clock().isRunning());
+        s.editor().clock().setManual(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().clock().isRunning(), waitMs);
+        QVERIFY(s.editor().clock().isInPast());
+        Microseconds dry = 0;
+        for (const StrokePtr &stroke : s.painting().strokes)
+            if (stroke->id > 4)
+                dry = std::max(dry, stroke->driesAt());
+        QCOMPARE(s.editor().clock().time(), dry);
+        const QImage now = s.pictureNow();
+        const Point pixel = s.canvas().view().toPixels({300, 420});
+        int changed = 0;
+        for (int y = int(pixel.y) - 60; y < int(pixel.y) + 10; ++y)
+            for (int x = int(pixel.x); x < int(pixel.x) + 100; ++x)
+                changed += before.pixelColor(x, y) != now.pixelColor(x, y);
+        QVERIFY2(changed > 50, qPrintable(QString::number(changed)));
+        s.use(Command::Select);
+        s.editor().undo();
+        QVERIFY(!s.editor().undoStack().canUndo() || s.painting().strokes.size() <= 4);
+    }
+
     void paintsInThePast()
     {
         Timed s;
