@@ -4,6 +4,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "model/area/outline.h"
+#include "undo/edits.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -39,6 +40,18 @@ Point endOf(const Stroke &stroke, bool isSecond)
 {
     const Gradient &gradient = *stroke.fill->gradient;
     return stroke.origin + (isSecond ? gradient.to : gradient.from);
+}
+
+/// The stroke with an end of its gradient at another place; as it was where the gradient would have no direction.
+Stroke withEnd(const Stroke &before, bool isSecond, Point place)
+{
+    Fill fill = *before.fill;
+    (isSecond ? fill.gradient->to : fill.gradient->from) = toOffset(place, before.origin);
+    if (fill.gradient->from == fill.gradient->to)
+        return before;
+    Stroke stroke = before;
+    stroke.fill = fill;
+    return stroke;
 }
 
 } // namespace
@@ -89,6 +102,19 @@ bool GradientHandles::deselect()
     return was;
 }
 
+bool GradientHandles::nudge(Point by, ValueEntry &entry)
+{
+    if (!isChosen())
+        return false;
+    Editor &editor = m_canvas.editor();
+    const Edit edit = changeStrokes(editor.document(), {m_chosen->stroke}, [&](Stroke &stroke) {
+        stroke = withEnd(stroke, m_chosen->isSecond, endOf(stroke, m_chosen->isSecond) + by);
+    });
+    editor.push(edit, QCoreApplication::translate("GradientHandles", "Move gradient"), &entry);
+    m_canvas.updateOverlay();
+    return true;
+}
+
 void GradientHandles::move(const PointerEvent &event)
 {
     if (!isBusy())
@@ -104,13 +130,7 @@ void GradientHandles::move(const PointerEvent &event)
             const double angle = gradientStep * std::round(std::atan2(arm.y, arm.x) / gradientStep);
             to = other + length(arm) * Point{std::cos(angle), std::sin(angle)};
         }
-        Stroke stroke = before;
-        Fill fill = *before.fill;
-        (m_end.isSecond ? fill.gradient->to : fill.gradient->from) = toOffset(to, before.origin);
-        if (fill.gradient->from == fill.gradient->to)
-            return before; // It has no direction there.
-        stroke.fill = fill;
-        return stroke;
+        return withEnd(before, m_end.isSecond, to);
     });
     m_canvas.updateOverlay();
 }

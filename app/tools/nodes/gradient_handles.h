@@ -13,6 +13,7 @@ class QPainter;
 namespace suffuse {
 
 class CanvasWidget;
+class ValueEntry;
 
 /// A line from one end to the other, with a knob in the colour of each, for every selected stroke whose fill has a
 /// gradient. A knob that is dragged takes its end along; with Ctrl the line keeps to steps of 15°. Tools that select
@@ -33,6 +34,9 @@ public:
     bool isBusy() const { return m_gesture.isOpen(); }
     /// Whether the knob that was pressed last is still there, and nothing else was chosen since.
     bool isChosen() const;
+    /// Moves the end whose knob was pressed last; what is entered without a pause is one step. Returns false if no
+    /// knob is chosen.
+    bool nudge(Point by, ValueEntry &entry);
     /// Chooses no knob. Returns false if none was chosen.
     bool deselect();
     /// Paints the handles in device pixels.

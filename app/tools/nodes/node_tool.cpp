@@ -504,10 +504,14 @@ bool NodeTool::nudge(QKeyEvent *event)
     const std::set<NodeRef> ends = nodesAround(painting, chosen);
     const bool isErasure = m_nodes.empty() && nodesOfErasures(painting, chosen) == ends;
     const std::set<NodeRef> &nodes = m_nodes.empty() ? ends : m_nodes;
-    if (nodes.empty() || !way)
+    if (!way)
         return false;
     if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nodeNudges.endSteps();
+    if (m_gradient.nudge(*way, m_nodeNudges))
+        return true;
+    if (nodes.empty())
+        return false;
     const NodeRef &front = *nodes.begin();
     const StrokePtr first = painting.find(front.stroke);
     const double reach =

@@ -190,6 +190,13 @@ private slots:
         QVERIFY(s.stroke() == before);
         QVERIFY2(s.window.statusBar()->currentMessage().contains("gradient"),
                  qPrintable(s.window.statusBar()->currentMessage()));
+        const Offset to = before.fill->gradient->to;
+        s.key(Qt::Key_Right);
+        QCOMPARE(s.stroke().fill->gradient->to, (Offset{to.x + 1, to.y}));
+        s.key(Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(s.stroke().fill->gradient->to, (Offset{to.x + 1, to.y + 10}));
+        QVERIFY(s.stroke().origin == before.origin && s.stroke().segments == before.segments);
+        QCOMPARE(s.stroke().fill->gradient->from, before.fill->gradient->from);
         s.key(Qt::Key_Escape); // From now on Delete means the stroke, which is selected still.
         QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
         s.use(Command::Delete);
