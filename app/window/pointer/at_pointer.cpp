@@ -43,11 +43,17 @@ void AtPointer::addRows()
         .add(Command::CanvasMenu, "canvasMenu", Commands::tr("Menu at t&he Pointer"), "",
              {QKeySequence(Qt::Key_Menu), QKeySequence(Qt::SHIFT | Qt::Key_F10)},
              Commands::tr("What lies under the pointer, and what can be done with it"))
-        .runs([this] { menuByKey(); });
+        .runs([this] {
+            if (!m_place.canvas.isPressed()) // A release is meant for what is dragged, and not for a row.
+                menuByKey();
+        });
     table
         .add(Command::BrushPalette, "brushPalette", Commands::tr("Br&ush Palette at the Pointer"), "",
              {QKeySequence(Qt::Key_Q)}, Commands::tr("Brushes, colours, size and zoom where the pointer is"))
-        .runs([this] { openPalette(here()); });
+        .runs([this] {
+            if (!m_place.canvas.isPressed())
+                openPalette(here());
+        });
     table
         .add(Command::EditHere, "editHere", Commands::tr("Edit Value&s Here…"), "",
              {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
