@@ -1,5 +1,7 @@
 #include "app/session/commands/keys.h"
 
+#include <QKeyEvent>
+
 #include "app/session/commands/commands.h"
 #include "app/session/settings/settings.h"
 
@@ -93,6 +95,11 @@ QList<FixedKeys> fixedKeys()
             {Commands::tr("Move the Selection by Ten Units"), arrows(Qt::AltModifier | Qt::ShiftModifier)},
             {Commands::tr("Previous Stroke or Node"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)}},
             {Commands::tr("Give Up, or Deselect"), {QKeySequence(Qt::Key_Escape)}}};
+}
+
+bool meansRedo(const QKeyEvent &event)
+{
+    return event.matches(QKeySequence::Redo) || (event.key() == Qt::Key_Y && event.modifiers() == Qt::ControlModifier);
 }
 
 } // namespace suffuse

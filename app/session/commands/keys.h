@@ -5,6 +5,8 @@
 
 #include <QAction>
 
+class QKeyEvent;
+
 namespace suffuse {
 
 /// Remembers each action's own shortcuts and puts those in the settings in their place. Call it once all actions exist;
@@ -28,5 +30,8 @@ struct FixedKeys {
 };
 /// All of them: no command may have one, or it would not be heard of.
 QList<FixedKeys> fixedKeys();
+
+/// Whether a key redoes something, by the platform's keys or Ctrl+Y.
+bool meansRedo(const QKeyEvent &event);
 
 } // namespace suffuse

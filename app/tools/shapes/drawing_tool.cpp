@@ -8,7 +8,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 
 namespace suffuse {
 
@@ -104,13 +103,6 @@ Point DrawingTool::snapped(const PointerEvent &event) const
 Point DrawingTool::placeOf(const PointerEvent &event, Point from) const
 {
     return event.modifiers & Qt::ShiftModifier ? inSteps(from, event.point) : snapped(event);
-}
-
-bool DrawingTool::meansRedo(const QKeyEvent &event)
-{
-    const Qt::KeyboardModifiers modifiers = event.modifiers();
-    return event.matches(QKeySequence::Redo) || (event.key() == Qt::Key_Y && modifiers == Qt::ControlModifier) ||
-           (event.key() == Qt::Key_Z && modifiers == (Qt::ControlModifier | Qt::ShiftModifier));
 }
 
 StrokePtr DrawingTool::painted(const std::vector<Cubic> &curves) const

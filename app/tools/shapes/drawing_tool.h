@@ -45,8 +45,6 @@ protected:
     Point snapped(const PointerEvent &event) const;
     /// As `snapped`, and with Shift in a direction of steps of 15° from a point.
     Point placeOf(const PointerEvent &event, Point from) const;
-    /// Whether a key brings back what was taken back, as it redoes a step.
-    static bool meansRedo(const QKeyEvent &event);
     /// The stroke in hand along curves; null where nothing can be painted.
     StrokePtr painted(const std::vector<Cubic> &curves) const;
 

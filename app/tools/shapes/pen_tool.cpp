@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/overlay/overlay.h"
+#include "app/session/commands/keys.h"
 #include "app/session/editor.h"
 #include "app/tools/stroke_ends.h"
 #include "model/painting/validate.h"

@@ -18,7 +18,7 @@ bool TextKeys::areMeant(const QKeyEvent &event) const
     auto &key = const_cast<QKeyEvent &>(event); // `matches` asks, and changes nothing
     if (key.matches(QKeySequence::Undo))
         return m_entry.hasTyped();
-    if (key.matches(QKeySequence::Redo) || (event.key() == Qt::Key_Y && event.modifiers() == Qt::ControlModifier))
+    if (meansRedo(event))
         return m_entry.canTypeAgain();
     for (const auto standard :
          {QKeySequence::SelectAll, QKeySequence::Copy, QKeySequence::Cut, QKeySequence::Paste,
@@ -117,7 +117,7 @@ bool TextKeys::doEditing(QKeyEvent &event)
     const bool ctrl = event.modifiers() & Qt::ControlModifier;
     if (event.matches(QKeySequence::Undo))
         return m_entry.takeBack();
-    if (event.matches(QKeySequence::Redo) || (event.key() == Qt::Key_Y && event.modifiers() == Qt::ControlModifier))
+    if (meansRedo(event))
         return m_entry.typeAgain();
     if (event.matches(QKeySequence::SelectAll)) {
         m_entry.select(0, string.size());
