@@ -6813,6 +6813,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>The closed outline begins and ends at this node, so it has nothing more to break. Delete Segments (Ctrl+Del) opens it.</source>
         <translation>Der geschlossene Umriss beginnt und endet an diesem Knoten, hier ist nichts mehr zu trennen. „Segmente löschen“ (Strg+Entf) öffnet ihn.</translation>
     </message>
+    <message>
+        <source>Join needs two ends of strokes: select one, and Shift+click the other or drag around both.</source>
+        <translation>Verbinden braucht zwei Enden von Strichen: eines auswählen und das andere mit Umschalt anklicken, oder um beide ziehen.</translation>
+    </message>
+    <message>
+        <source>These two ends cannot be joined.</source>
+        <translation>Diese beiden Enden lassen sich nicht verbinden.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>

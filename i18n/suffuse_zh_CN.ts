@@ -6769,6 +6769,14 @@ Arrow keys work too.</source>
         <source>The closed outline begins and ends at this node, so it has nothing more to break. Delete Segments (Ctrl+Del) opens it.</source>
         <translation>闭合轮廓在此节点开始并结束，此处已无可断开。“删除线段”（Ctrl+Del）可将其打开。</translation>
     </message>
+    <message>
+        <source>Join needs two ends of strokes: select one, and Shift+click the other or drag around both.</source>
+        <translation>连接需要笔画的两个端点：先选择一个，再按住 Shift 单击另一个，或拖动框住两者。</translation>
+    </message>
+    <message>
+        <source>These two ends cannot be joined.</source>
+        <translation>这两个端点无法连接。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NodeTool</name>

@@ -78,10 +78,7 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
     };
     const auto anyNodes = [this] { return !m_nodes.empty(); };
     const auto anySegments = [this] { return !chosenSegments().empty(); };
-    const auto twoEnds = [this] {
-        const Painting &painting = *m_editor.document().painting();
-        return m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) && isEnd(painting, *m_nodes.rbegin());
-    };
+    const auto strokesInHand = [this] { return m_canvas.tool() == &m_tool && !m_editor.selection().isEmpty(); };
     const auto anyStrokes = [this] { return !m_editor.selection().isEmpty(); };
     add(InsertNodes, "insertNodes", Commands::tr("&Insert Nodes"), "node-insert", Qt::Key_Insert,
         Commands::tr("Insert a node into each selected segment"), anySegments, [this] { insertBetween(); });
@@ -94,7 +91,7 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
     add(BreakNodes, "breakNodes", Commands::tr("&Break Strokes"), "node-break", Commands::tr("Shift+B"),
         Commands::tr("Break strokes at the selected nodes"), anyNodes, [this] { breakAtNodes(); });
     add(JoinNodes, "joinNodes", Commands::tr("&Join Nodes"), "node-join", Commands::tr("Shift+J"),
-        Commands::tr("Join two selected end nodes"), twoEnds, [this] { join(); });
+        Commands::tr("Join two selected end nodes"), strokesInHand, [this] { join(); });
     add(DeleteSegments, "deleteSegments", Commands::tr("&Delete Segments"), "segment-delete", Commands::tr("Ctrl+Del"),
         Commands::tr("Delete the selected segments, which leaves gaps in strokes"), anySegments,
         [this] { deleteSegments(); });
@@ -214,16 +211,62 @@ void NodeCommands::breakAtNodes()
                    "Delete Segments (Ctrl+Del) opens it."));
         return;
     }
-    emit chosen({});
+    // Of the two ends that a node becomes, the upper one keeps its number: what follows pulls it off the other one.
+    std::set<NodeRef> ends;
+    for (const NodeRef &node : m_nodes)
+        if (const StrokePtr stroke = m_editor.document().painting()->find(node.stroke);
+            stroke && isInnerNode(*stroke, node.node))
+            ends.insert(node);
     m_editor.push(edit, tr("Break stroke"));
+    emit chosen(ends);
+}
+
+/// The two selected ends to be joined: of many, those that lie nearest to each other, of different chains where there
+/// are such. Empty where fewer than two ends are selected.
+std::optional<std::pair<NodeRef, NodeRef>> NodeCommands::endsToJoin() const
+{
+    struct End {
+        NodeRef node;
+        Point place;
+        int chain;
+    };
+    const Painting &painting = *m_editor.document().painting();
+    std::vector<End> ends;
+    for (const NodeRef &node : m_nodes)
+        if (isEnd(painting, node)) {
+            const StrokePtr stroke = painting.find(node.stroke);
+            const NodeSides sides = sidesOf(*stroke, node.node);
+            const Chain chain = chainAt(*stroke, std::max(sides.before, sides.after));
+            if (!isClosed(*stroke, chain))
+                ends.push_back({node, nodePosition(*stroke, node.node), chain.first});
+        }
+    std::optional<std::pair<NodeRef, NodeRef>> nearest;
+    std::pair<bool, double> least;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        for (std::size_t j = i + 1; j < ends.size(); ++j) {
+            const End &a = ends[i], &b = ends[j];
+            const std::pair apart(a.node.stroke == b.node.stroke && a.chain == b.chain, length(a.place - b.place));
+            if (!nearest || apart < least) {
+                nearest = {a.node, b.node};
+                least = apart;
+            }
+        }
+    return nearest;
 }
 
 void NodeCommands::join()
 {
-    const NodeRef a = *m_nodes.begin(), b = *m_nodes.rbegin();
-    const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
-    if (edit.isEmpty())
+    const auto ends = endsToJoin();
+    if (!ends) {
+        say(tr("Join needs two ends of strokes: select one, and Shift+click the other or drag around both."));
         return;
+    }
+    const auto [a, b] = *ends;
+    const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
+    if (edit.isEmpty()) {
+        say(tr("These two ends cannot be joined."));
+        return;
+    }
     const QString lost = lostFillOf(*m_editor.document().painting(), a.stroke, b.stroke);
     emit chosen({});
     m_editor.push(edit, tr("Join nodes"));

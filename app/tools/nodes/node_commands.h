@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <set>
 
 class QHBoxLayout;
@@ -49,6 +50,7 @@ private:
     void setKind(NodeKind kind);
     void insertBetween();
     void breakAtNodes();
+    std::optional<std::pair<NodeRef, NodeRef>> endsToJoin() const;
     void join();
     void reverse();
     void deleteSegments();

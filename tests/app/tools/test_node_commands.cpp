@@ -278,13 +278,14 @@ private slots:
         QCOMPARE(s.selection().segments.size(), std::size_t(5));
         s.click(nodeAt[4]);
         QCOMPARE(s.tool().nodes(), s.nodes({4}));
-        QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
+        s.use(Command::JoinNodes); // one end is not enough
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
         s.click({700, 300}, Qt::ShiftModifier); // the other's first node
         QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{s.id, 4}, {other, 0}}));
         s.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
         s.canvas().setFocus();
-        s.key(Qt::Key_J, Qt::ShiftModifier);
+        s.use(Command::JoinNodes);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         const Stroke &whole = *s.painting().strokes.front();
         const auto isThere = [&](Point place) {
@@ -370,7 +371,6 @@ private slots:
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
         QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
-        QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
         s.drag({380, 280}, {420, 320}); // both ends that lie there
         QCOMPARE(s.tool().nodes().size(), std::size_t(2));
         s.use(Command::JoinNodes);
@@ -385,6 +385,60 @@ private slots:
         s.use(Command::ReverseStrokes);
         QVERIFY(s.stroke() == reversed(before));
         QCOMPARE(s.tool().nodes(), s.nodes({3})); // the same node
+    }
+
+    void anEndStaysSelectedWhereAStrokeWasBroken()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.use(Command::BreakNodes);
+        QCOMPARE(s.tool().nodes(), s.nodes({2}));
+        s.key(Qt::Key_Down, Qt::ShiftModifier); // moves this end, and neither the stroke nor the other end
+        QCOMPARE(s.stroke().origin, before.origin);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodeAt[2] - Point{0, 10}) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), 1)) - nodeAt[2]) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), 0) - nodeAt[0]) < 1e-3);
+        // An end breaks no further, and stays.
+        s.click(nodeAt[0]);
+        s.use(Command::BreakNodes);
+        QCOMPARE(s.tool().nodes(), s.nodes({0}));
+    }
+
+    void joinSaysWhyItDoesNothing()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        const auto said = [&s] { return s.window.statusBar()->currentMessage(); };
+        s.use(Command::JoinNodes);
+        QVERIFY2(said().contains("two ends"), qPrintable(said()));
+        s.window.statusBar()->clearMessage();
+        s.click(nodeAt[0]);
+        s.use(Command::JoinNodes);
+        QVERIFY2(said().contains("two ends"), qPrintable(said()));
+        s.window.statusBar()->clearMessage();
+        s.drag({280, 260}, {420, 380}); // two nodes, which are no ends
+        s.use(Command::JoinNodes);
+        QVERIFY2(said().contains("two ends"), qPrintable(said()));
+        QVERIFY(s.stroke() == before);
+    }
+
+    /// Of many ends, the two nearest ones of two chains are joined, and the outer ones stay ends.
+    void gapsAreJoinedWhenAllIsSelected()
+    {
+        NodeSession s;
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}}});
+        s.use(Command::DeleteSegments);
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
+        s.use(Command::SelectAll);
+        QCOMPARE(int(s.tool().nodes().size()), nodeCount(s.stroke()));
+        QVERIFY(s.window.action(Command::JoinNodes).isEnabled());
+        s.use(Command::JoinNodes);
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(1));
+        QVERIFY(!isClosed(s.stroke(), chainsOf(s.stroke()).front()));
+        QVERIFY(length(nodePosition(s.stroke(), 0) - nodeAt[0]) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), int(s.stroke().segments.size()) - 1)) - nodeAt[4]) <
+                1e-3);
     }
 
     void nodesAreInsertedBetweenSelectedOnes()
