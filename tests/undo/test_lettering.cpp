@@ -363,9 +363,19 @@ private slots:
     void words()
     {
         const QString string = QStringLiteral("one, two  three");
-        QCOMPARE(nextWord(string, 0), qsizetype(5));
+        QCOMPARE(nextWord(string, 0), qsizetype(3)); // a comma is a word of its own
+        QCOMPARE(nextWord(string, 3), qsizetype(5));
         QCOMPARE(nextWord(string, 4), qsizetype(5));
+        QCOMPARE(wordBefore(string, 5), qsizetype(3));
         QCOMPARE(wordBefore(string, 15), qsizetype(10));
+        const QString hill = QStringLiteral("Hill & Dale...");
+        std::vector<qsizetype> forth, back;
+        for (qsizetype at = 0; at < hill.size(); forth.push_back(at))
+            at = nextWord(hill, at);
+        for (qsizetype at = hill.size(); at > 0; back.push_back(at))
+            at = wordBefore(hill, at);
+        QCOMPARE(forth, (std::vector<qsizetype>{5, 7, 11, 14}));
+        QCOMPARE(back, (std::vector<qsizetype>{11, 7, 5, 0}));
         QCOMPARE(wordAt(string, 6), (std::pair<qsizetype, qsizetype>(5, 8)));
         QCOMPARE(wordAt(string, 15), (std::pair<qsizetype, qsizetype>(10, 15)));
         QCOMPARE(nextPlace(QStringLiteral("a\u0301b"), 0), qsizetype(2));

@@ -21,6 +21,15 @@ double fromCaret(Point p, const CaretLine &line)
     return length(p - (line[0] + t * way));
 }
 
+/// Whether what follows a boundary between words is a word: marks that follow each other are one, and blanks are none.
+bool beginsWord(const QString &string, qsizetype boundary)
+{
+    const auto isMark = [](QChar c) { return c.isPunct() || c.isSymbol(); };
+    if (boundary >= string.size() || string[boundary].isSpace())
+        return false;
+    return boundary == 0 || !isMark(string[boundary]) || !isMark(string[boundary - 1]);
+}
+
 } // namespace
 
 std::array<Point, 4> LaidCluster::corners() const
@@ -148,7 +157,7 @@ qsizetype nextWord(const QString &string, qsizetype position)
     Boundary finder(Boundary::Word, string);
     finder.setPosition(position);
     while (finder.toNextBoundary() >= 0)
-        if (finder.boundaryReasons() & Boundary::StartOfItem)
+        if (beginsWord(string, finder.position()))
             return finder.position();
     return string.size();
 }
@@ -158,7 +167,7 @@ qsizetype wordBefore(const QString &string, qsizetype position)
     Boundary finder(Boundary::Word, string);
     finder.setPosition(position);
     while (finder.toPreviousBoundary() >= 0)
-        if (finder.boundaryReasons() & Boundary::StartOfItem)
+        if (beginsWord(string, finder.position()))
             return finder.position();
     return 0;
 }
