@@ -133,6 +133,7 @@ void TextEntry::close()
     m_gesture.commit();
     m_group = 0;
     m_plain.reset();
+    m_emptied.reset();
     m_preedit.clear();
     m_past.clear();
     m_future.clear();
@@ -352,11 +353,23 @@ void TextEntry::put(Edit edit, Text shown)
     const QScopedValueRollback shows(m_shows, true);
     if (!m_gesture.isOpen())
         m_gesture = m_editor.begin(tr("Text"));
+    const PaintingPtr before = m_editor.document().painting();
     m_gesture.show(std::move(edit));
+    const bool wasThere = std::exchange(m_isThere, bool(textOf(*m_editor.document().painting(), m_group)));
+    if (wasThere && !m_isThere)
+        m_emptied = {before, m_shown};
     m_shown = std::move(shown);
-    m_isThere = bool(textOf(*m_editor.document().painting(), m_group));
     if (m_preedit.isEmpty())
         m_plain = m_editor.document().painting();
+}
+
+/// Puts a text back that has no letter any more, so that what is typed now takes the place and the values of its
+/// letters.
+void TextEntry::bringBack()
+{
+    const Emptied was = *m_emptied;
+    m_laid = m_layout.lay(was.text);
+    put(restorePainting(m_editor.document(), *was.painting), was.text);
 }
 
 void TextEntry::show(std::optional<qsizetype> at)
@@ -365,6 +378,8 @@ void TextEntry::show(std::optional<qsizetype> at)
     shown.string.insert(m_caret, m_preedit);
     if (shown != m_shown) {
         LaidText laid = m_layout.lay(shown);
+        if (!m_isThere && m_emptied && std::ranges::any_of(laid.clusters, &LaidCluster::hasInk))
+            bringBack();
         TextChange change;
         change.at = at;
         change.letter = letterWith(m_editor.brush(), shown.size * scaleOf(shown.place), m_editor.clock().time());
@@ -382,6 +397,7 @@ void TextEntry::follow(const Change &change)
         return;
     if (change.strokes.empty() && !change.order && !change.canvas && !change.reset)
         return;
+    m_emptied.reset();
     m_past.clear(); // They would take back what somebody else has changed, too.
     m_future.clear();
     const PaintingPtr painting = m_editor.unsettled().painting();

@@ -89,6 +89,11 @@ private:
         qsizetype caret = 0, anchor = 0;
         PaintingPtr painting; ///< that shows it, so that the very strokes come back; null: not known
     };
+    /// What was there before the text had no letter left, which is no group then.
+    struct Emptied {
+        PaintingPtr painting;
+        Text text;
+    };
     enum class Kind { None, Typed, Erased, Changed };
 
     /// Notes where it was, so that the next change can be taken back; changes of one kind follow each other as one
@@ -98,6 +103,7 @@ private:
     State state() const { return {m_text, m_caret, m_anchor, m_plain}; }
     void show(std::optional<qsizetype> at);
     void put(Edit edit, Text shown);
+    void bringBack();
     void restore(const State &state);
     void keepForRedo();
     void follow(const Change &change);
@@ -118,6 +124,7 @@ private:
     qsizetype m_preeditCaret = 0;
     qsizetype m_caret = 0, m_anchor = 0; ///< in m_text
     std::vector<State> m_past, m_future;
+    std::optional<Emptied> m_emptied;
     Kind m_last = Kind::None;
     bool m_usesBrush = false;
     bool m_wasWarned = false; ///< that the font is missing

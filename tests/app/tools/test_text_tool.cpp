@@ -197,6 +197,47 @@ private slots:
         QCOMPARE(s.names(), QString("ab"));
     }
 
+    /// It is the same text while the caret stands in it, with its own values in its own place.
+    void emptiedTextsComeBack()
+    {
+        Typing s;
+        s.write("ab");
+        recolour(s, 0);
+        recolour(s, 1);
+        const GroupId group = s.group();
+        const StrokeId above = s.editor().document().takeStrokeId();
+        s.editor().push(addStrokes(s.editor().document(), {line(above, {200, 450}, {600, 450})}, false), "line");
+        s.editor().clock().setTime(s.painting().end());
+        const int steps = s.editor().undoStack().index();
+        s.click(s.placeOf(2));
+        QVERIFY(s.tool().entry().isOpen());
+        s.key(Qt::Key_Backspace);
+        s.key(Qt::Key_Backspace);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        s.type("xy");
+        QCOMPARE(s.names(), QString("xy"));
+        QCOMPARE(s.painting().strokes.back()->id, above);
+        QCOMPARE(s.group(), group);
+        for (const int k : {0, 1})
+            QCOMPARE(s.letter(k)->fill->colour, red);
+        // All at once, saved while nothing is there, and taken back.
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        s.key(Qt::Key_Delete);
+        s.tool().settle();
+        s.type(" z");
+        QCOMPARE(s.names(), QString("z"));
+        QCOMPARE(s.painting().strokes.back()->id, above);
+        QCOMPARE(s.letter(0)->fill->colour, red);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        s.key(Qt::Key_Escape);
+        QCOMPARE(s.editor().undoStack().index(), steps + 1);
+        // Once it is left, another text begins with the brush's values.
+        s.write("n");
+        QCOMPARE(s.painting().strokes.front()->id, above);
+        QVERIFY(s.letter(1)->fill->colour != red);
+    }
+
     void undoInTheMiddle()
     {
         Typing s;
