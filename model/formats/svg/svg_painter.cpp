@@ -113,6 +113,24 @@ void SvgPainter::paint(const SvgShape &shape)
         curves += 1 + line.curves.size();
     if (!countCurves(curves))
         return;
+    if (shape.isLetter)
+        return paintParts(shape);
+    // One shape is taken and moved as one thing: where it is several paths, they are a group. It comes before the
+    // groups within it.
+    const std::size_t before = m_out.paths.size(), group = m_out.groups.size();
+    m_out.groups.push_back({shape.name, shape.group});
+    SvgShape own = shape;
+    own.group = int(group);
+    paintParts(own);
+    if (m_out.paths.size() - before > 1 || m_out.groups.size() - group > 1)
+        return;
+    m_out.groups.pop_back();
+    for (std::size_t i = before; i < m_out.paths.size(); ++i)
+        m_out.paths[i].group = shape.group;
+}
+
+void SvgPainter::paintParts(const SvgShape &shape)
+{
     const QString &order = shape.style.order;
     const qsizetype fill = order.indexOf(QLatin1String("fill")), stroke = order.indexOf(QLatin1String("stroke"));
     const bool isStrokeFirst = stroke >= 0 && (fill < 0 || stroke < fill);

@@ -18,6 +18,7 @@ struct SvgShape {
     QString name;
     int group = -1;
     std::optional<Rect> box{}; ///< by which gradients count, user units; no value: that of the lines
+    bool isLetter = false;     ///< of a text, which is taken as one thing
 };
 
 class SvgPainter {
@@ -35,6 +36,7 @@ public:
     void fade(std::size_t first, double opacity);
 
 private:
+    void paintParts(const SvgShape &shape);
     void paintFill(const SvgShape &shape);
     void paintStroke(const SvgShape &shape);
     void noteUnpainted(const SvgPaint &paint);

@@ -339,7 +339,7 @@ private:
             keepText(*set, style, place);
         }
         for (const SvgLetter &letter : set->letters)
-            m_painter.paint({letter.lines, *letter.style, place.clip, letter.characters, place.group, set->box});
+            m_painter.paint({letter.lines, *letter.style, place.clip, letter.characters, place.group, set->box, true});
     }
 
     /// Notes of a text's group what it was made from, where its letters are as Suffuse's texts have them: areas of one

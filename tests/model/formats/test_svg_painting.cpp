@@ -682,11 +682,45 @@ private slots:
                           (group.parent ? " in " + painting->groups[std::size_t(group.parent - 1)].name : QString());
         const QStringList four{"oak", "left one", "right one", "right one"};
         QCOMPARE(names, four + QStringList{"alone"} + four);
-        QCOMPARE(groups, QStringList({"Trees", "Two birches in Trees", "copy", "Two birches in copy"}));
+        QCOMPARE(groups, QStringList({"Trees", "Two birches in Trees", "right one in Two birches", "copy",
+                                      "Two birches in copy", "right one in Two birches"}));
         QCOMPARE(painting->strokes[0]->group, GroupId(1));
         QCOMPARE(painting->strokes[1]->group, GroupId(2));
+        QCOMPARE(painting->strokes[2]->group, GroupId(3));
         QCOMPARE(painting->strokes[4]->group, GroupId(0));
-        QCOMPARE(painting->strokes[8]->group, GroupId(4));
+        QCOMPARE(painting->strokes[8]->group, GroupId(6));
+    }
+
+    /// What a shape fills and its outline are taken as one thing.
+    void fillAndStrokeOfAShapeAreAGroup()
+    {
+        const auto read = [](const QByteArray &shapes) {
+            const Result<Painting> painting = readPainting(svg("viewBox='0 0 99 99'", shapes), "a.svg");
+            return painting ? *painting : Painting();
+        };
+        const Painting both = read("<g id='sea'><circle id='buoy' r='9' fill='#fc0' stroke='red'/>"
+                                   "<circle id='moon' r='9' fill='#ccc'/></g>");
+        QCOMPARE(both.strokes.size(), std::size_t(3));
+        QCOMPARE(both.groups.size(), std::size_t(2));
+        QCOMPARE(both.groups[1].name, QString("buoy"));
+        QCOMPARE(both.groups[1].parent, both.groups[0].id);
+        QVERIFY(both.strokes[0]->fill && !both.strokes[1]->fill);
+        QVERIFY(both.strokes[0]->group == both.groups[1].id && both.strokes[1]->group == both.groups[1].id);
+        QCOMPARE(both.strokes[2]->group, both.groups[0].id);
+        const Painting one = read("<circle id='moon' r='9' fill='#ccc'/>");
+        QVERIFY(one.strokes.size() == 1 && one.groups.empty());
+        // The stack of a gradient is a group within that of the shape.
+        const Painting ball = read("<radialGradient id='g'><stop/><stop offset='1' stop-color='#fff'/></radialGradient>"
+                                   "<circle id='ball' r='9' fill='url(#g)' stroke='red'/>");
+        QCOMPARE(ball.groups.size(), std::size_t(2));
+        QCOMPARE(ball.groups[1].parent, ball.groups[0].id);
+        QCOMPARE(ball.strokes.front()->group, ball.groups[1].id);
+        QCOMPARE(ball.strokes.back()->group, ball.groups[0].id);
+        // A group's opacity divides the fill below the outline, which stays in the group.
+        const Painting faded = read("<circle id='buoy' r='9' fill='#fc0' stroke='red' opacity='0.5'/>");
+        QCOMPARE(faded.groups.size(), std::size_t(1));
+        for (const StrokePtr &stroke : faded.strokes)
+            QCOMPARE(stroke->group, faded.groups[0].id);
     }
 
     void whatUsesItselfIsLeftOut()
