@@ -2,6 +2,7 @@
 
 #include "model/area/offset_curve.h"
 #include "model/formats/svg/svg_outlines.h"
+#include "model/formats/svg/svg_shingles.h"
 #include "model/painting/ryb.h"
 
 #include <algorithm>
@@ -256,6 +257,62 @@ private:
         }
         if (!repeatStops(0, farthest))
             return false;
+        const auto circle = [&](double offset) {
+            const Point middle = focus + offset * (centre - focus);
+            const double size = inner + offset * (radius - inner);
+            std::vector<Cubic> loop = arcAround(middle, middle + Point{size, 0}, 2 * std::numbers::pi);
+            for (Cubic &curve : loop)
+                for (Point &p : curve.p)
+                    p = m_whole.map(p);
+            loop.back().p[3] = loop.front().p[0];
+            return loop;
+        };
+        const auto isCircle = [&](double offset) { return inner + offset * (radius - inner) > 0; };
+        return m_isOpaque || m_use.isApart ? addRings(circle, isCircle) : addShingles(circle, isCircle);
+    }
+
+    /// A rectangle around all that is seen.
+    std::vector<Cubic> everywhere() const
+    {
+        const Rect around = m_use.seen.grown(1 + m_use.seen.width() + m_use.seen.height());
+        const Point corners[] = {{around.left, around.top},
+                                 {around.right, around.top},
+                                 {around.right, around.bottom},
+                                 {around.left, around.bottom}};
+        std::vector<Cubic> loop;
+        for (std::size_t k = 0; k < 4; ++k)
+            loop.push_back(straightCubic(corners[k], corners[(k + 1) % 4]));
+        return loop;
+    }
+
+    /// Rings that let through, over each other.
+    template <class Circle, class IsCircle>
+    bool addShingles(const Circle &circle, const IsCircle &isCircle)
+    {
+        std::vector<SvgShingle> rings;
+        for (const int finest : {128, 64, 24}) {
+            rings = svgShingles(m_stops, finest);
+            if (rings.size() <= mostApart)
+                break;
+        }
+        if (rings.size() > mostApart)
+            return false;
+        for (const SvgShingle &ring : rings) {
+            if (!isCircle(ring.to) || !(ring.to > ring.from))
+                continue;
+            SvgShade shade = evenly(ring.colour);
+            shade.within.push_back(std::isfinite(ring.to) ? circle(ring.to) : everywhere());
+            if (std::isfinite(ring.from) && isCircle(ring.from))
+                shade.within.push_back(circle(ring.from));
+            m_shades.push_back(std::move(shade));
+        }
+        return true;
+    }
+
+    /// Discs of opaque colours over each other, or rings beside each other.
+    template <class Circle, class IsCircle>
+    bool addRings(const Circle &circle, const IsCircle &isCircle)
+    {
         struct Ring {
             double end;
             SvgColour colour;
@@ -273,34 +330,17 @@ private:
         }
         if (rings.size() > mostApart)
             return false;
-        const auto circle = [&](double offset) {
-            const Point middle = focus + offset * (centre - focus);
-            const double size = inner + offset * (radius - inner);
-            std::vector<Cubic> loop = arcAround(middle, middle + Point{size, 0}, 2 * std::numbers::pi);
-            for (Cubic &curve : loop)
-                for (Point &p : curve.p)
-                    p = m_whole.map(p);
-            loop.back().p[3] = loop.front().p[0];
-            return loop;
-        };
         const bool isStack = m_isOpaque && !m_use.isApart;
         m_shades.push_back(evenly(m_stops.back().colour));
         if (!isStack) { // What lies beyond the last circle.
-            const Rect around = m_use.seen.grown(1 + m_use.seen.width() + m_use.seen.height());
-            const Point corners[] = {{around.left, around.top},
-                                     {around.right, around.top},
-                                     {around.right, around.bottom},
-                                     {around.left, around.bottom}};
-            m_shades.back().within = {{}, circle(rings.back().end)};
-            for (std::size_t k = 0; k < 4; ++k)
-                m_shades.back().within[0].push_back(straightCubic(corners[k], corners[(k + 1) % 4]));
+            m_shades.back().within = {everywhere(), circle(rings.back().end)};
         }
         for (std::size_t i = rings.size(); i-- > 0;) {
-            if (!(inner + rings[i].end * (radius - inner) > 0))
+            if (!isCircle(rings[i].end))
                 continue;
             SvgShade ring = evenly(rings[i].colour);
             ring.within.push_back(circle(rings[i].end));
-            if (!isStack && i > 0 && inner + rings[i - 1].end * (radius - inner) > 0)
+            if (!isStack && i > 0 && isCircle(rings[i - 1].end))
                 ring.within.push_back(circle(rings[i - 1].end));
             m_shades.push_back(std::move(ring));
         }

@@ -30,9 +30,8 @@ struct SvgGradientUse {
 };
 
 /// The shades that show a gradient, from bottom to top: colours along a line within 1/100, those around a point within
-/// 1/64. They lie over each other where all colours are opaque, and else beside each other. Empty where a gradient
-/// paints nothing; no value if it takes too many, or one cannot
-/// reckon with them.
+/// 1/64. They lie over each other where all colours are opaque, or in rings around a point, and else beside each other.
+/// Empty where a gradient paints nothing; no value if it takes too many, or one cannot reckon with them.
 std::optional<std::vector<SvgShade>> svgShades(const SvgGradientUse &use, SvgTree &tree);
 
 } // namespace suffuse

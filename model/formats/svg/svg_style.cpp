@@ -7,6 +7,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -128,6 +129,14 @@ SvgColour colourFrom(const QString &text, const SvgColour &current)
     return cssColour(text).value_or(current); // It is currentColor.
 }
 
+/// Whether an element paints an area and nothing over it, so that its opacity can be that of its paint.
+bool paintsOnce(const SvgElement &element, const SvgStyle &style)
+{
+    static const QSet<QString> shapes{"path", "rect", "circle", "ellipse", "polyline", "polygon"};
+    return shapes.contains(element.name) && style.stroke == QLatin1String("none") &&
+           std::ranges::all_of(style.markers, [](const QString &marker) { return marker == QLatin1String("none"); });
+}
+
 } // namespace
 
 SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
@@ -170,6 +179,10 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
         text("marker", marker);
     text("marker-start", style.markers[0]), text("marker-mid", style.markers[1]), text("marker-end", style.markers[2]);
     text("clip-path", style.clipPath), text("mask", style.mask), text("filter", style.filter);
+    if (paintsOnce(element, style)) {
+        style.fillOpacity *= std::exchange(style.opacity, 1.0);
+        style.isFaded = parent.isFaded;
+    }
     return style;
 }
 
