@@ -71,7 +71,7 @@ public:
         SvgSetText out;
         place(out);
         out.text = asText();
-        out.words = m_in.string.simplified();
+        out.words = words();
         out.styles = std::move(m_in.styles); // A deque's elements stay where they are.
         return out;
     }
@@ -80,6 +80,23 @@ private:
     const SvgStyle &styleOf(const Run &run) const { return m_in.styles[run.style]; }
     const SvgCharacter &said(const Placed &cluster) const { return m_in.characters[std::size_t(cluster.from)]; }
     static bool isOfChunk(const SvgCharacter &c) { return c.x || c.y || c.begins; }
+
+    /// What the text says, for people. Words at places of their own are apart, though no space may be between them;
+    /// letters of a word that have their places one by one are not.
+    QString words() const
+    {
+        QString all;
+        std::optional<double> line;
+        for (qsizetype i = 0; i < m_in.string.size(); ++i) {
+            const SvgCharacter &c = m_in.characters[std::size_t(i)];
+            const bool isOtherLine = (c.y && line && *c.y != *line) || (c.x && c.dy.value_or(0) != 0);
+            if (i > 0 && isOfChunk(c) && (isOtherLine || c.begins || !isOfChunk(m_in.characters[std::size_t(i - 1)])))
+                all += u' ';
+            line = c.y ? c.y : line;
+            all += m_in.string[i];
+        }
+        return all.simplified();
+    }
 
     /// Runs end where the style, the line or the chunk does: at a place of its own a text begins anew.
     void divide()

@@ -170,6 +170,22 @@ private slots:
         QVERIFY(under.groups.front().name == "a b" && !under.groups.front().text);
     }
 
+    /// A group is called by its words, which are apart where they have places of their own.
+    void namesHaveSpacesBetweenWords()
+    {
+        BoxLetters font;
+        const auto name = [](const QByteArray &spans) { // underlined, so that it cannot be typed in again
+            const SvgDrawing drawing = drawn("<text y='30' text-decoration='underline'>" + spans + "</text>");
+            return drawing.groups.empty() ? QString() : drawing.groups.front().name;
+        };
+        QCOMPARE(name("<tspan x='0' y='20'>Hello</tspan><tspan x='0' y='40'>World</tspan>"), QString("Hello World"));
+        QCOMPARE(name("<tspan x='0'>Hello</tspan><tspan x='0' dy='12'>World</tspan>"), QString("Hello World"));
+        QCOMPARE(name("<tspan x='0'>Hello</tspan><tspan x='50'>World</tspan>"), QString("Hello World"));
+        QCOMPARE(name("<tspan x='0' y='20'>A</tspan><tspan x='0' y='40'>B</tspan>"), QString("A B"));
+        QCOMPARE(name("Hel<tspan fill='red'>lo</tspan>"), QString("Hello"));
+        QCOMPARE(name("<tspan x='0 5 10 15 20' y='30 30 30 30 30'>Hello</tspan>"), QString("Hello"));
+    }
+
     void lettersFollowLines()
     {
         BoxLetters font;
