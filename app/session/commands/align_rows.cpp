@@ -34,7 +34,8 @@ void addDistributeRows(Commands &table, OpenPainting &open)
 {
     using enum Command;
     Editor &editor = open.editor;
-    const auto canDistribute = [&open] { return countSelected(open) > 2; };
+    // Of two it says what it lacks, as aligning does of a single group.
+    const auto canDistribute = [&open] { return countSelected(open) > 1; };
     table.add(DistributeGapsAcross, "distributeGapsAcross", Commands::tr("Even Gaps, &Horizontally"), "gaps-across", {})
         .when(canDistribute)
         .runs([&table, &editor] {

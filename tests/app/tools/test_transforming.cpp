@@ -4,6 +4,7 @@
 #include "tests/app/selecting.h"
 
 #include <QSettings>
+#include <QSignalSpy>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -272,8 +273,15 @@ private slots:
             {line(1, {100, 100}, {200, 100}), line(2, {150, 200}, {350, 200}), line(3, {600, 300}, {650, 300})});
         s.select({1});
         QVERIFY(!s.window.action(Command::AlignLeft).isEnabled());
+        // Two of them are too few to be distributed, which it says.
+        s.select({1, 2});
+        QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
+        s.use(Command::DistributeGapsAcross);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.back()[0].toString().contains("three strokes or groups"));
         s.select({1, 2, 3});
         s.use(Command::DistributeGapsAcross);
+        QCOMPARE(said.size(), 1);
         QVERIFY(near(s.seen(2).left - s.seen(1).right, s.seen(3).left - s.seen(2).right));
         QVERIFY(near(s.box(1).left, 100) && near(s.box(3).right, 650));
         const double right = s.seen(3).right;
