@@ -67,6 +67,7 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
         takeFormat(*last);
     if (const auto own = exports::lastOf(editor.filePath()))
         restore(*own);
+    m_presets->showPresetOf(settings());
     showLimits();
     begin();
 }

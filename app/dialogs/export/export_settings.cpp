@@ -61,6 +61,17 @@ ImageOptions ExportSettings::image() const
     return options;
 }
 
+bool ExportSettings::writesAs(const ExportSettings &other) const
+{
+    ExportSettings same = other;
+    same.path = path, same.scale = scale; // the scale is what the width and the area make it
+    if (area != AreaRow::Choice::Numbers)
+        same.numbers = numbers;
+    if (moment != MomentRow::Choice::Time)
+        same.time = time;
+    return same == *this && format() == other.format();
+}
+
 QJsonObject ExportSettings::toJson() const
 {
     return {{"path", path},

@@ -25,6 +25,8 @@ struct ExportSettings {
     MomentRow::Choice moment = MomentRow::Choice::Dried;
     Microseconds time = 0; ///< the time, if `moment` is one
 
+    /// Whether another export writes the same of a painting, wherever it writes it.
+    bool writesAs(const ExportSettings &other) const;
     ImageFormat format() const { return imageFormatForPath(path); }
     ImageOptions image() const;
     QJsonObject toJson() const;

@@ -8,6 +8,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace suffuse {
 
 PresetRow::PresetRow(QGridLayout &grid, int row, std::function<ExportSettings()> present, QWidget *parent)
@@ -56,6 +58,16 @@ void PresetRow::saveAs(const QString &name)
 {
     exports::setPreset(name, m_present());
     fill(name);
+}
+
+void PresetRow::showPresetOf(const ExportSettings &settings)
+{
+    const QStringList names = exports::presets();
+    const auto name = std::ranges::find_if(names, [&settings](const QString &name) {
+        const std::optional<ExportSettings> preset = exports::preset(name);
+        return preset && preset->writesAs(settings);
+    });
+    fill(name != names.end() ? *name : QString());
 }
 
 void PresetRow::askForName()

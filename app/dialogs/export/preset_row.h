@@ -25,6 +25,9 @@ public:
     /// Saves the present settings. They replace those of that name.
     void saveAs(const QString &name);
 
+    /// Shows the first preset that exports as these settings do, or none.
+    void showPresetOf(const ExportSettings &settings);
+
 signals:
     void chosen(const suffuse::ExportSettings &settings);
 

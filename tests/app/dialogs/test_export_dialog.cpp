@@ -452,6 +452,35 @@ private slots:
         QCOMPARE(box.count(), 1);
     }
 
+    /// A dialog that comes up with what a preset made shows that preset.
+    void presetOfTheLastExport()
+    {
+        Bench bench;
+        QVERIFY(savePainting(*bench.editor.document().painting(), m_folder->filePath("again.suffuse")));
+        QVERIFY(bench.editor.open(m_folder->filePath("again.suffuse")));
+        ExportDialog dialog(bench.editor, shown);
+        dialog.path()->setText(m_folder->filePath("a.jpg"));
+        dialog.quality()->setValue(71);
+        dialog.widthBox()->setValue(500);
+        dialog.presets()->saveAs("Web");
+        dialog.path()->setText(m_folder->filePath("a.png"));
+        dialog.widthBox()->setValue(800);
+        dialog.presets()->saveAs("Large");
+        const QString file = bench.editor.filePath();
+        exports::remember(file, *exports::preset("Web"));
+
+        ExportDialog next(bench.editor, shown);
+        QCOMPARE(next.widthBox()->value(), 500);
+        QCOMPARE(next.presets()->box()->currentText(), QString("Web"));
+        QVERIFY(next.presets()->removeButton()->isEnabled());
+        ExportSettings other = *exports::preset("Web");
+        other.quality = 70;
+        exports::remember(file, other);
+        ExportDialog last(bench.editor, shown);
+        QCOMPARE(last.quality()->value(), 70);
+        QCOMPARE(last.presets()->box()->currentIndex(), -1);
+    }
+
     void exportAgain()
     {
         MainWindow window;
