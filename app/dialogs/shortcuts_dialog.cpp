@@ -62,6 +62,8 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<Fi
         m_list->resizeColumnToContents(column);
         wanted += m_list->columnWidth(column);
     }
+    // Wide enough for all commands; fewer of them, as while one searches, do not move the columns.
+    m_list->header()->setSectionResizeMode(QHeaderView::Interactive);
     resize(std::clamp(wanted, 520, 1200), 560);
 }
 
