@@ -45,18 +45,22 @@ void sayWhyRefused(Box &box, const std::optional<double> &read)
         Qt::QueuedConnection);
 }
 
-bool isReturn(const QKeyEvent &event)
+/// Whether a key would confirm what a box does not take; it says why not.
+template <class Box>
+bool refusesReturn(Box &box, const QKeyEvent &event, const std::optional<double> &read)
 {
-    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    const bool isReturn = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (!isReturn || box.hasAcceptableInput())
+        return false;
+    sayWhyRefused(box, read);
+    return true;
 }
 
 } // namespace
 
 void DecimalBox::keyPressEvent(QKeyEvent *event)
 {
-    if (isReturn(*event) && !hasAcceptableInput())
-        sayWhyRefused(*this, read(cleanText()));
-    else
+    if (!refusesReturn(*this, *event, read(cleanText())))
         QDoubleSpinBox::keyPressEvent(event);
 }
 
@@ -68,9 +72,7 @@ void DecimalBox::focusOutEvent(QFocusEvent *event)
 
 void WholeBox::keyPressEvent(QKeyEvent *event)
 {
-    if (isReturn(*event) && !hasAcceptableInput())
-        sayWhyRefused(*this, read(cleanText()));
-    else
+    if (!refusesReturn(*this, *event, read(cleanText())))
         QSpinBox::keyPressEvent(event);
 }
 
