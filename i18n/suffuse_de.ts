@@ -6545,6 +6545,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Das Dock „%1“ hat die Tastatur; Esc gibt sie der Leinwand zurück.</translation>
     </message>
     <message>
+        <source>The canvas has the keyboard.</source>
+        <translation>Die Leinwand hat die Tastatur.</translation>
+    </message>
+    <message>
         <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
         <translation>Die Werkzeugleiste „%1“ hat die Tastatur; Esc gibt sie der Leinwand zurück.</translation>
     </message>

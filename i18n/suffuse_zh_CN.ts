@@ -6505,6 +6505,10 @@ Arrow keys work too.</source>
         <translation>键盘焦点在“%1”面板中；按 Esc 可交还画布。</translation>
     </message>
     <message>
+        <source>The canvas has the keyboard.</source>
+        <translation>键盘焦点在画布中。</translation>
+    </message>
+    <message>
         <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
         <translation>键盘焦点在“%1”工具栏中；按 Esc 可交还画布。</translation>
     </message>

@@ -342,7 +342,8 @@ void KeyboardFocus::say(QWidget &panel)
     m_told = &panel;
     const QString title = panel.windowTitle();
     m_window.statusBar()->showMessage(
-        qobject_cast<QDockWidget *>(&panel)
+        &panel == &m_canvas ? tr("The canvas has the keyboard.")
+        : qobject_cast<QDockWidget *>(&panel)
             ? tr("The %1 dock has the keyboard; Esc gives it back to the canvas.").arg(title)
             : tr("The tool bar “%1” has the keyboard; Esc gives it back to the canvas.").arg(title),
         milliseconds);
@@ -535,8 +536,12 @@ void KeyboardFocus::tabbed(QWidget &to, bool forward)
     }
     if (goal != &to)
         goal->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
-    if (QWidget *panel = panelOf(goal))
+    if (QWidget *panel = panelOf(goal)) {
         frame(*panel);
+    } else if (goal == &m_canvas) { // Shift+Tab in the first field of a row
+        frame(m_canvas);
+        say(m_canvas);
+    }
 }
 
 } // namespace suffuse

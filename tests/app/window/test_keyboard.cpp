@@ -492,6 +492,25 @@ private slots:
         QVERIFY(!isStopped(Command::Brush));
     }
 
+    /// Shift+Tab leads from the first field of a tool's row to the canvas, which is said as it is of a dock.
+    void goingBackToTheCanvasIsSaid()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        QCoreApplication::processEvents();
+        auto *focus = s.window.findChild<KeyboardFocus *>();
+        s.canvas().setFocus();
+        for (int i = 0; i < 20 && !qobject_cast<NumberField *>(QApplication::focusWidget()); ++i)
+            focus->walk(true);
+        auto *first = qobject_cast<NumberField *>(QApplication::focusWidget());
+        QVERIFY(first);
+        for (int i = 0; i < 40 && !s.canvas().hasFocus(); ++i)
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
+        QVERIFY(s.canvas().hasFocus());
+        QCOMPARE(s.window.statusBar()->currentMessage(), QString("The canvas has the keyboard."));
+    }
+
     /// A letter chooses nothing in a list, and it is said where the keyboard is.
     void lettersChooseNothingInLists()
     {
