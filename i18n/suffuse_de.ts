@@ -8187,9 +8187,9 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Dauer des letzten Bildes</translation>
     </message>
     <message>
-        <source>You paint in the past: what came later covers it. </source>
-        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation>Sie malen in der Vergangenheit: Späteres verdeckt es. </translation>
+        <source>You paint in the past: what came later covers it.</source>
+        <extracomment>instead of what the brush does, while the timeline shows a moment of the past</extracomment>
+        <translation>Sie malen in der Vergangenheit: Späteres verdeckt es.</translation>
     </message>
     <message>
         <source>%1, %2</source>

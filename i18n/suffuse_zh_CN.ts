@@ -8141,9 +8141,9 @@ Arrow keys work too.</source>
         <translation>上一帧所用时间</translation>
     </message>
     <message>
-        <source>You paint in the past: what came later covers it. </source>
-        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation>您正在过去的时刻作画：之后的内容会将其覆盖。 </translation>
+        <source>You paint in the past: what came later covers it.</source>
+        <extracomment>instead of what the brush does, while the timeline shows a moment of the past</extracomment>
+        <translation>您正在过去的时刻作画：之后的内容会将其覆盖。</translation>
     </message>
     <message>
         <source>%1, %2</source>

@@ -124,12 +124,13 @@ void StatusLine::makeLabels()
 
 void StatusLine::showHint()
 {
-    //: before what the brush does, while the timeline shows a moment of the past
-    const QString past = m_place.open.editor.clock().isInPast() && m_place.commands[Command::Brush].isChecked()
-                             ? tr("You paint in the past: what came later covers it. ")
-                             : QString();
-    m_hint->setText(past + m_place.canvas.tool()->hint());
-    m_hint->setToolTip(past + m_place.canvas.tool()->hint());
+    const QString hint = m_place.canvas.tool()->hint();
+    const bool isPast = m_place.open.editor.clock().isInPast() && m_place.commands[Command::Brush].isChecked();
+    //: instead of what the brush does, while the timeline shows a moment of the past
+    const QString past = tr("You paint in the past: what came later covers it.");
+    // Both have no room beside each other. What the brush does is told where one asks for it.
+    m_hint->setText(isPast ? past : hint);
+    m_hint->setToolTip(isPast ? past + '\n' + hint : hint);
 }
 
 void StatusLine::showPosition(double x, double y)

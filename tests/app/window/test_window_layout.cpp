@@ -77,6 +77,36 @@ private slots:
         }
     }
 
+    /// On a laptop's screen one reads all of what the status bar says of painting in the past.
+    void whatIsSaidOfThePastFits()
+    {
+        for (const QString &code : translationCodes()) {
+            settings::setLanguage(code);
+            installTranslators();
+            const auto back = qScopeGuard([] {
+                settings::setLanguage("en");
+                installTranslators();
+            });
+            Session s;
+            s.window.resize(1366, 768);
+            QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+            s.use(Command::Brush);
+            s.paintLine({100, 100}, {300, 100});
+            s.dry();
+            const QString hint = s.canvas().tool()->hint();
+            s.editor().clock().lookAt(s.painting().end() / 2);
+            QVERIFY(s.editor().clock().isInPast());
+            const QLabel *line = nullptr;
+            for (const QLabel *label : s.window.statusBar()->findChildren<QLabel *>())
+                if (label->toolTip().endsWith('\n' + hint))
+                    line = label;
+            QVERIFY2(line, qPrintable(code));
+            QVERIFY(!line->text().isEmpty() && line->toolTip().startsWith(line->text()));
+            QVERIFY2(line->fontMetrics().horizontalAdvance(line->text()) <= line->contentsRect().width(),
+                     qPrintable(code));
+        }
+    }
+
     /// A laptop's screen of 1366 pixels has 683 at twice the usual density; a frame and a panel of the desktop need
     /// some.
     void everyLanguageLeavesRoomOnAScreenOf683()
