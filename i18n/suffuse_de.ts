@@ -1007,10 +1007,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Die Zwischenablage enthält keine Striche, keine SVG-Pfade und keine Farbe.</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
         <translation>
-            <numerusform>%n Strich kann dort, so weit außen, nicht liegen und wurde weggelassen.</numerusform>
-            <numerusform>%n Striche können dort, so weit außen, nicht liegen und wurden weggelassen.</numerusform>
+            <numerusform>%Ln Strich kann dort, so weit außen, nicht liegen und wurde weggelassen.</numerusform>
+            <numerusform>%Ln Striche können dort, so weit außen, nicht liegen und wurden weggelassen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1044,17 +1044,17 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Segmente löschen</translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s) deleted; Undo brings back.</source>
+        <source>%Ln segment(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%n Segment gelöscht; Rückgängig bringt es zurück.</numerusform>
-            <numerusform>%n Segmente gelöscht; Rückgängig bringt sie zurück.</numerusform>
+            <numerusform>%Ln Segment gelöscht; Rückgängig bringt es zurück.</numerusform>
+            <numerusform>%Ln Segmente gelöscht; Rückgängig bringt sie zurück.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%n Strich gelöscht; Rückgängig bringt ihn zurück.</numerusform>
-            <numerusform>%n Striche gelöscht; Rückgängig bringt sie zurück.</numerusform>
+            <numerusform>%Ln Strich gelöscht; Rückgängig bringt ihn zurück.</numerusform>
+            <numerusform>%Ln Striche gelöscht; Rückgängig bringt sie zurück.</numerusform>
         </translation>
     </message>
     <message>
@@ -3164,31 +3164,31 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
         <translation>Farbe des Farbfelds „%1“</translation>
     </message>
     <message numerus="yes">
-        <source>Colours of %n segment(s)</source>
+        <source>Colours of %Ln segment(s)</source>
         <translation>
-            <numerusform>Farben von %n Segment</numerusform>
-            <numerusform>Farben von %n Segmenten</numerusform>
+            <numerusform>Farben von %Ln Segment</numerusform>
+            <numerusform>Farben von %Ln Segmenten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n segment(s)</source>
+        <source>Colour of %Ln segment(s)</source>
         <translation>
-            <numerusform>Farbe von %n Segment</numerusform>
-            <numerusform>Farbe von %n Segmenten</numerusform>
+            <numerusform>Farbe von %Ln Segment</numerusform>
+            <numerusform>Farbe von %Ln Segmenten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colours of %n stroke(s)</source>
+        <source>Colours of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Farben von %n Strich</numerusform>
-            <numerusform>Farben von %n Strichen</numerusform>
+            <numerusform>Farben von %Ln Strich</numerusform>
+            <numerusform>Farben von %Ln Strichen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n stroke(s)</source>
+        <source>Colour of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Farbe von %n Strich</numerusform>
-            <numerusform>Farbe von %n Strichen</numerusform>
+            <numerusform>Farbe von %Ln Strich</numerusform>
+            <numerusform>Farbe von %Ln Strichen</numerusform>
         </translation>
     </message>
     <message>
@@ -4363,10 +4363,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Name der Gruppe</translation>
     </message>
     <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
+        <source>Name of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Name von %n Strich</numerusform>
-            <numerusform>Name von %n Strichen</numerusform>
+            <numerusform>Name von %Ln Strich</numerusform>
+            <numerusform>Name von %Ln Strichen</numerusform>
         </translation>
     </message>
     <message>
@@ -6491,17 +6491,17 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n Strich</numerusform>
-            <numerusform>%n Striche</numerusform>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n Segment</numerusform>
-            <numerusform>%n Segmente</numerusform>
+            <numerusform>%Ln Segment</numerusform>
+            <numerusform>%Ln Segmente</numerusform>
         </translation>
     </message>
     <message>
@@ -6513,17 +6513,17 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Setzt einen Wert entlang des Strichs: konstant, als Rampe oder als gezeichnete Kurve.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n segment(s)</source>
+        <source>%1 of %Ln segment(s)</source>
         <translation>
-            <numerusform>%1 von %n Segment</numerusform>
-            <numerusform>%1 von %n Segmenten</numerusform>
+            <numerusform>%1 von %Ln Segment</numerusform>
+            <numerusform>%1 von %Ln Segmenten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasing segment(s)</source>
+        <source>%Ln erasing segment(s)</source>
         <translation>
-            <numerusform>%n radierendes Segment</numerusform>
-            <numerusform>%n radierende Segmente</numerusform>
+            <numerusform>%Ln radierendes Segment</numerusform>
+            <numerusform>%Ln radierende Segmente</numerusform>
         </translation>
     </message>
     <message>
@@ -6531,10 +6531,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sie nehmen Farbe weg: je mehr Dichte, desto mehr.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them take(s) paint away.</source>
+        <source>%Ln of them take(s) paint away.</source>
         <translation>
-            <numerusform>%n davon nimmt Farbe weg.</numerusform>
-            <numerusform>%n davon nehmen Farbe weg.</numerusform>
+            <numerusform>%Ln davon nimmt Farbe weg.</numerusform>
+            <numerusform>%Ln davon nehmen Farbe weg.</numerusform>
         </translation>
     </message>
 </context>
@@ -6573,17 +6573,17 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 in %2 zerschnitten</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n Strich</numerusform>
-            <numerusform>%n Striche</numerusform>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n part(s)</source>
+        <source>%Ln part(s)</source>
         <translation>
-            <numerusform>%n Teil</numerusform>
-            <numerusform>%n Teile</numerusform>
+            <numerusform>%Ln Teil</numerusform>
+            <numerusform>%Ln Teile</numerusform>
         </translation>
     </message>
     <message>
@@ -6592,10 +6592,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 in %2 eingefügt</translation>
     </message>
     <message numerus="yes">
-        <source>%n node(s)</source>
+        <source>%Ln node(s)</source>
         <translation>
-            <numerusform>%n Knoten</numerusform>
-            <numerusform>%n Knoten</numerusform>
+            <numerusform>%Ln Knoten</numerusform>
+            <numerusform>%Ln Knoten</numerusform>
         </translation>
     </message>
     <message>
@@ -6611,11 +6611,11 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Die Linie kreuzt keinen ausgewählten Strich.</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <comment>in</comment>
         <translation>
-            <numerusform>%n Strich</numerusform>
-            <numerusform>%n Strichen</numerusform>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Strichen</numerusform>
         </translation>
     </message>
     <message>
@@ -8306,10 +8306,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Strich %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n Segment</numerusform>
-            <numerusform>%n Segmente</numerusform>
+            <numerusform>%Ln Segment</numerusform>
+            <numerusform>%Ln Segmente</numerusform>
         </translation>
     </message>
     <message>
@@ -8381,17 +8381,17 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ein Teil davon ist gesperrt. Klick: die Gruppe sperren.</translation>
     </message>
     <message numerus="yes">
-        <source>%n piece(s)</source>
+        <source>%Ln piece(s)</source>
         <translation>
-            <numerusform>%n Stück</numerusform>
-            <numerusform>%n Stücke</numerusform>
+            <numerusform>%Ln Stück</numerusform>
+            <numerusform>%Ln Stücke</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasure(s)</source>
+        <source>%Ln erasure(s)</source>
         <translation>
-            <numerusform>%n Radierung</numerusform>
-            <numerusform>%n Radierungen</numerusform>
+            <numerusform>%Ln Radierung</numerusform>
+            <numerusform>%Ln Radierungen</numerusform>
         </translation>
     </message>
     <message>
@@ -9033,10 +9033,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Breite ändern</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n Strich</numerusform>
-            <numerusform>%n Striche</numerusform>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
         </translation>
     </message>
     <message>

@@ -4,17 +4,17 @@
 <context>
     <name>Commands</name>
     <message numerus="yes">
-        <source>%n segment(s) deleted; Undo brings back.</source>
+        <source>%Ln segment(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%n segment deleted; Undo brings it back.</numerusform>
-            <numerusform>%n segments deleted; Undo brings them back.</numerusform>
+            <numerusform>%Ln segment deleted; Undo brings it back.</numerusform>
+            <numerusform>%Ln segments deleted; Undo brings them back.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%n stroke deleted; Undo brings it back.</numerusform>
-            <numerusform>%n strokes deleted; Undo brings them back.</numerusform>
+            <numerusform>%Ln stroke deleted; Undo brings it back.</numerusform>
+            <numerusform>%Ln strokes deleted; Undo brings them back.</numerusform>
         </translation>
     </message>
 </context>
@@ -62,10 +62,10 @@
 <context>
     <name>Clipboard</name>
     <message numerus="yes">
-        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
         <translation>
-            <numerusform>%n stroke cannot lie there, too far out, and was left out.</numerusform>
-            <numerusform>%n strokes cannot lie there, too far out, and were left out.</numerusform>
+            <numerusform>%Ln stroke cannot lie there, too far out, and was left out.</numerusform>
+            <numerusform>%Ln strokes cannot lie there, too far out, and were left out.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -99,41 +99,41 @@
 <context>
     <name>suffuse::ColourTarget</name>
     <message numerus="yes">
-        <source>Colours of %n segment(s)</source>
+        <source>Colours of %Ln segment(s)</source>
         <translation>
-            <numerusform>Colours of %n segment</numerusform>
-            <numerusform>Colours of %n segments</numerusform>
+            <numerusform>Colours of %Ln segment</numerusform>
+            <numerusform>Colours of %Ln segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n segment(s)</source>
+        <source>Colour of %Ln segment(s)</source>
         <translation>
-            <numerusform>Colour of %n segment</numerusform>
-            <numerusform>Colour of %n segments</numerusform>
+            <numerusform>Colour of %Ln segment</numerusform>
+            <numerusform>Colour of %Ln segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colours of %n stroke(s)</source>
+        <source>Colours of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Colours of %n stroke</numerusform>
-            <numerusform>Colours of %n strokes</numerusform>
+            <numerusform>Colours of %Ln stroke</numerusform>
+            <numerusform>Colours of %Ln strokes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n stroke(s)</source>
+        <source>Colour of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Colour of %n stroke</numerusform>
-            <numerusform>Colour of %n strokes</numerusform>
+            <numerusform>Colour of %Ln stroke</numerusform>
+            <numerusform>Colour of %Ln strokes</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>suffuse::Commands</name>
     <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
+        <source>Name of %Ln stroke(s)</source>
         <translation>
-            <numerusform>Name of %n stroke</numerusform>
-            <numerusform>Name of %n strokes</numerusform>
+            <numerusform>Name of %Ln stroke</numerusform>
+            <numerusform>Name of %Ln strokes</numerusform>
         </translation>
     </message>
 </context>
@@ -270,70 +270,70 @@
 <context>
     <name>suffuse::InspectorPanel</name>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n stroke</numerusform>
-            <numerusform>%n strokes</numerusform>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n segment</numerusform>
-            <numerusform>%n segments</numerusform>
+            <numerusform>%Ln segment</numerusform>
+            <numerusform>%Ln segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n segment(s)</source>
+        <source>%1 of %Ln segment(s)</source>
         <translation>
-            <numerusform>%1 of %n segment</numerusform>
-            <numerusform>%1 of %n segments</numerusform>
+            <numerusform>%1 of %Ln segment</numerusform>
+            <numerusform>%1 of %Ln segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasing segment(s)</source>
+        <source>%Ln erasing segment(s)</source>
         <translation>
-            <numerusform>%n erasing segment</numerusform>
-            <numerusform>%n erasing segments</numerusform>
+            <numerusform>%Ln erasing segment</numerusform>
+            <numerusform>%Ln erasing segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them take(s) paint away.</source>
+        <source>%Ln of them take(s) paint away.</source>
         <translation>
-            <numerusform>%n of them takes paint away.</numerusform>
-            <numerusform>%n of them take paint away.</numerusform>
+            <numerusform>%Ln of them takes paint away.</numerusform>
+            <numerusform>%Ln of them take paint away.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>suffuse::KnifeTool</name>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n stroke</numerusform>
-            <numerusform>%n strokes</numerusform>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n part(s)</source>
+        <source>%Ln part(s)</source>
         <translation>
-            <numerusform>%n part</numerusform>
-            <numerusform>%n parts</numerusform>
+            <numerusform>%Ln part</numerusform>
+            <numerusform>%Ln parts</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n node(s)</source>
+        <source>%Ln node(s)</source>
         <translation>
-            <numerusform>%n node</numerusform>
-            <numerusform>%n nodes</numerusform>
+            <numerusform>%Ln node</numerusform>
+            <numerusform>%Ln nodes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <comment>in</comment>
         <translation>
-            <numerusform>%n stroke</numerusform>
-            <numerusform>%n strokes</numerusform>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
         </translation>
     </message>
 </context>
@@ -360,24 +360,24 @@
 <context>
     <name>suffuse::StrokesModel</name>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n segment</numerusform>
-            <numerusform>%n segments</numerusform>
+            <numerusform>%Ln segment</numerusform>
+            <numerusform>%Ln segments</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n piece(s)</source>
+        <source>%Ln piece(s)</source>
         <translation>
-            <numerusform>%n piece</numerusform>
-            <numerusform>%n pieces</numerusform>
+            <numerusform>%Ln piece</numerusform>
+            <numerusform>%Ln pieces</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasure(s)</source>
+        <source>%Ln erasure(s)</source>
         <translation>
-            <numerusform>%n erasure</numerusform>
-            <numerusform>%n erasures</numerusform>
+            <numerusform>%Ln erasure</numerusform>
+            <numerusform>%Ln erasures</numerusform>
         </translation>
     </message>
 </context>
@@ -401,10 +401,10 @@
 <context>
     <name>suffuse::ValueCard</name>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n stroke</numerusform>
-            <numerusform>%n strokes</numerusform>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
         </translation>
     </message>
 </context>

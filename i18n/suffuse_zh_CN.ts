@@ -1001,9 +1001,9 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>剪贴板中没有笔画、SVG 路径或颜色。</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
         <translation>
-            <numerusform>有 %n 个笔画离得太远，无法放在那里，已略去。</numerusform>
+            <numerusform>有 %Ln 个笔画离得太远，无法放在那里，已略去。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1036,15 +1036,15 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>删除线段</translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s) deleted; Undo brings back.</source>
+        <source>%Ln segment(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>已删除 %n 个线段；撤销可恢复。</numerusform>
+            <numerusform>已删除 %Ln 个线段；撤销可恢复。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s) deleted; Undo brings back.</source>
+        <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>已删除 %n 个笔画；撤销可恢复。</numerusform>
+            <numerusform>已删除 %Ln 个笔画；撤销可恢复。</numerusform>
         </translation>
     </message>
     <message>
@@ -3152,27 +3152,27 @@ Shift: all change as the shown one does, and keep their differences.</source>
         <translation>色板“%1”的颜色</translation>
     </message>
     <message numerus="yes">
-        <source>Colours of %n segment(s)</source>
+        <source>Colours of %Ln segment(s)</source>
         <translation>
-            <numerusform>%n 条线段的颜色（多种）</numerusform>
+            <numerusform>%Ln 条线段的颜色（多种）</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n segment(s)</source>
+        <source>Colour of %Ln segment(s)</source>
         <translation>
-            <numerusform>%n 条线段的颜色</numerusform>
+            <numerusform>%Ln 条线段的颜色</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colours of %n stroke(s)</source>
+        <source>Colours of %Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 条笔画的颜色（多种）</numerusform>
+            <numerusform>%Ln 条笔画的颜色（多种）</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n stroke(s)</source>
+        <source>Colour of %Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 条笔画的颜色</numerusform>
+            <numerusform>%Ln 条笔画的颜色</numerusform>
         </translation>
     </message>
     <message>
@@ -4347,9 +4347,9 @@ Arrow keys work too.</source>
         <translation>组的名称</translation>
     </message>
     <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
+        <source>Name of %Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 条笔画的名称</numerusform>
+            <numerusform>%Ln 条笔画的名称</numerusform>
         </translation>
     </message>
     <message>
@@ -6456,15 +6456,15 @@ Arrow keys work too.</source>
         <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 条笔画</numerusform>
+            <numerusform>%Ln 条笔画</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n 条线段</numerusform>
+            <numerusform>%Ln 条线段</numerusform>
         </translation>
     </message>
     <message>
@@ -6476,15 +6476,15 @@ Arrow keys work too.</source>
         <translation>设置沿笔画变化的值：恒定、渐变或手绘曲线。</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n segment(s)</source>
+        <source>%1 of %Ln segment(s)</source>
         <translation>
-            <numerusform>%n 条线段中的 %1 条</numerusform>
+            <numerusform>%Ln 条线段中的 %1 条</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasing segment(s)</source>
+        <source>%Ln erasing segment(s)</source>
         <translation>
-            <numerusform>%n 个擦除线段</numerusform>
+            <numerusform>%Ln 个擦除线段</numerusform>
         </translation>
     </message>
     <message>
@@ -6492,9 +6492,9 @@ Arrow keys work too.</source>
         <translation>它们擦去颜料：密度越大，擦去越多。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them take(s) paint away.</source>
+        <source>%Ln of them take(s) paint away.</source>
         <translation>
-            <numerusform>其中 %n 个擦去颜料。</numerusform>
+            <numerusform>其中 %Ln 个擦去颜料。</numerusform>
         </translation>
     </message>
 </context>
@@ -6533,15 +6533,15 @@ Arrow keys work too.</source>
         <translation>已将 %1切成 %2</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 条笔画</numerusform>
+            <numerusform>%Ln 条笔画</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n part(s)</source>
+        <source>%Ln part(s)</source>
         <translation>
-            <numerusform>%n 段</numerusform>
+            <numerusform>%Ln 段</numerusform>
         </translation>
     </message>
     <message>
@@ -6550,9 +6550,9 @@ Arrow keys work too.</source>
         <translation>已在 %2中插入 %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n node(s)</source>
+        <source>%Ln node(s)</source>
         <translation>
-            <numerusform>%n 个节点</numerusform>
+            <numerusform>%Ln 个节点</numerusform>
         </translation>
     </message>
     <message>
@@ -6568,10 +6568,10 @@ Arrow keys work too.</source>
         <translation>该线未与任何所选笔画相交。</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <comment>in</comment>
         <translation>
-            <numerusform>%n 条笔画</numerusform>
+            <numerusform>%Ln 条笔画</numerusform>
         </translation>
     </message>
     <message>
@@ -8260,9 +8260,9 @@ Arrow keys work too.</source>
         <translation>笔画 %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n segment(s)</source>
+        <source>%Ln segment(s)</source>
         <translation>
-            <numerusform>%n 条线段</numerusform>
+            <numerusform>%Ln 条线段</numerusform>
         </translation>
     </message>
     <message>
@@ -8334,15 +8334,15 @@ Arrow keys work too.</source>
         <translation>其中部分已锁定。点击锁定整组。</translation>
     </message>
     <message numerus="yes">
-        <source>%n piece(s)</source>
+        <source>%Ln piece(s)</source>
         <translation>
-            <numerusform>%n 段</numerusform>
+            <numerusform>%Ln 段</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n erasure(s)</source>
+        <source>%Ln erasure(s)</source>
         <translation>
-            <numerusform>%n 处擦除</numerusform>
+            <numerusform>%Ln 处擦除</numerusform>
         </translation>
     </message>
     <message>
@@ -8982,9 +8982,9 @@ Arrow keys work too.</source>
         <translation>更改宽度</translation>
     </message>
     <message numerus="yes">
-        <source>%n stroke(s)</source>
+        <source>%Ln stroke(s)</source>
         <translation>
-            <numerusform>%n 个笔画</numerusform>
+            <numerusform>%Ln 个笔画</numerusform>
         </translation>
     </message>
     <message>

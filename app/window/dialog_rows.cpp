@@ -43,7 +43,7 @@ std::optional<PresentName> presentNameOf(const Document &document)
     const StrokePtr first = painting.find(*selected.begin());
     const bool alike = std::all_of(selected.begin(), selected.end(),
                                    [&](StrokeId id) { return painting.find(id)->name == first->name; });
-    return PresentName{Commands::tr("Name of %n stroke(s)", nullptr, int(selected.size())),
+    return PresentName{Commands::tr("Name of %Ln stroke(s)", nullptr, int(selected.size())),
                        alike ? first->name : QString(), selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
 }
 

@@ -26,15 +26,15 @@ QString selectionSummary(const Inspected &inspected, bool inPart)
     const auto meant = std::size_t(std::ranges::count_if(inspected.segments, lifts));
     if (meant == 0 && !inPart)
         all -= lifting; // whole strokes stand for what lays paint
-    const QString segments = count == all
-                                 ? SummaryText::tr("%n segment(s)", nullptr, int(all))
-                                 : SummaryText::tr("%1 of %n segment(s)", nullptr, int(all)).arg(count);
-    QString text = SummaryText::tr("%1 · %2").arg(SummaryText::tr("%n stroke(s)", nullptr, int(inspected.strokes.size())), segments);
+    const QString segments = count == all ? SummaryText::tr("%Ln segment(s)", nullptr, int(all))
+                                          : SummaryText::tr("%1 of %Ln segment(s)", nullptr, int(all)).arg(count);
+    QString text = SummaryText::tr("%1 · %2").arg(
+        SummaryText::tr("%Ln stroke(s)", nullptr, int(inspected.strokes.size())), segments);
     if (meant == 0 && !inPart && lifting > 0)
-        text = SummaryText::tr("%1 · %2").arg(text, SummaryText::tr("%n erasing segment(s)", nullptr, int(lifting)));
+        text = SummaryText::tr("%1 · %2").arg(text, SummaryText::tr("%Ln erasing segment(s)", nullptr, int(lifting)));
     if (meant > 0)
         text += '\n' + (meant == count ? SummaryText::tr("They take paint away: the more density, the more.")
-                                       : SummaryText::tr("%n of them take(s) paint away.", nullptr, int(meant)));
+                                       : SummaryText::tr("%Ln of them take(s) paint away.", nullptr, int(meant)));
     return text;
 }
 

@@ -60,9 +60,9 @@ QString makeUpOf(const Stroke &stroke)
     const int erasures = erasureCount(stroke), pieces = int(chainsOf(stroke).size()) - erasures;
     QStringList parts;
     if (pieces > 1)
-        parts << StrokesModel::tr("%n piece(s)", nullptr, pieces);
+        parts << StrokesModel::tr("%Ln piece(s)", nullptr, pieces);
     if (erasures > 0)
-        parts << StrokesModel::tr("%n erasure(s)", nullptr, erasures);
+        parts << StrokesModel::tr("%Ln erasure(s)", nullptr, erasures);
     //: between "3 pieces" and "12 erasures"
     return parts.join(StrokesModel::tr(", "));
 }
@@ -70,7 +70,7 @@ QString makeUpOf(const Stroke &stroke)
 /// "40 segments", and in a second line how the stroke is made up.
 QString tipFor(const Stroke &stroke)
 {
-    const QString segments = StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
+    const QString segments = StrokesModel::tr("%Ln segment(s)", nullptr, int(stroke.segments.size()));
     const QString makeUp = makeUpOf(stroke);
     return makeUp.isEmpty() ? segments : segments + QLatin1Char('\n') + makeUp;
 }

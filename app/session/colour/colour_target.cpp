@@ -118,10 +118,10 @@ QString ColourTarget::title() const
     if (ofSegments && summary.onlyFills && summary.strokes == 1)
         return summary.several ? tr("Colours of the fill") : tr("Colour of the fill");
     if (ofSegments && !summary.onlyFills)
-        return summary.several ? tr("Colours of %n segment(s)", "", int(summary.segments))
-                               : tr("Colour of %n segment(s)", "", int(summary.segments));
-    return summary.several ? tr("Colours of %n stroke(s)", "", int(summary.strokes))
-                           : tr("Colour of %n stroke(s)", "", int(summary.strokes));
+        return summary.several ? tr("Colours of %Ln segment(s)", "", int(summary.segments))
+                               : tr("Colour of %Ln segment(s)", "", int(summary.segments));
+    return summary.several ? tr("Colours of %Ln stroke(s)", "", int(summary.strokes))
+                           : tr("Colour of %Ln stroke(s)", "", int(summary.strokes));
 }
 
 void ColourTarget::follow(const Change &change)

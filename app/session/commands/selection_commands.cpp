@@ -31,8 +31,8 @@ QString deleteSelected(Editor &editor)
     const int gone = before - count();
     if (gone <= 0)
         return {}; // what is locked stays
-    return segments ? QCoreApplication::translate("Commands", "%n segment(s) deleted; Undo brings back.", "", gone)
-                    : QCoreApplication::translate("Commands", "%n stroke(s) deleted; Undo brings back.", "", gone);
+    return segments ? QCoreApplication::translate("Commands", "%Ln segment(s) deleted; Undo brings back.", "", gone)
+                    : QCoreApplication::translate("Commands", "%Ln stroke(s) deleted; Undo brings back.", "", gone);
 }
 
 void duplicateSelected(Editor &editor)

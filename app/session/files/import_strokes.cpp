@@ -156,7 +156,7 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
         {comes ? placed.said : QString(),
          refused == 0 ? QString()
                       : QCoreApplication::translate("Clipboard",
-                                                    "%n stroke(s) cannot lie there, too far out, and were left out.",
+                                                    "%Ln stroke(s) cannot lie there, too far out, and were left out.",
                                                     nullptr, refused),
          comes && later > 0 && !keepsTimes
              ? QCoreApplication::translate("Clipboard", "What came was painted later than the moment that is shown. "

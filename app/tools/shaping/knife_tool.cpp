@@ -88,10 +88,10 @@ void KnifeTool::cut()
     const int parts = crossed + chains() - chainsBefore;
     if (m_splits && parts > crossed)
         //: what the knife did; %1: "2 strokes", %2: "5 parts"
-        say(tr("%1 cut into %2").arg(tr("%n stroke(s)", nullptr, crossed), tr("%n part(s)", nullptr, parts)));
+        say(tr("%1 cut into %2").arg(tr("%Ln stroke(s)", nullptr, crossed), tr("%Ln part(s)", nullptr, parts)));
     else if (!m_splits && inserted > 0)
         //: what the knife did; %1: "3 nodes", %2: "2 strokes"
-        say(tr("%1 inserted in %2").arg(tr("%n node(s)", nullptr, inserted), tr("%n stroke(s)", "in", crossed)));
+        say(tr("%1 inserted in %2").arg(tr("%Ln node(s)", nullptr, inserted), tr("%Ln stroke(s)", "in", crossed)));
     else
         say(endsWithin           ? tr("A fill is cut only where the line goes all the way through it.")
             : crossed > 0        ? tr("There are nodes already where the line crosses strokes.")

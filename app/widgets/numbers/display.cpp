@@ -9,11 +9,11 @@
 
 namespace suffuse {
 
-QString Display::number(double value) const
+namespace {
+
+QString numberIn(const QLocale &locale, double shown, int decimals)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double shown = toShown(value), size = std::abs(shown);
+    const double size = std::abs(shown);
     if (decimals < 0 && size != 0 && (size >= 1e6 || size < 1e-3))
         return locale.toString(shown, 'g', 4);
     int places = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
@@ -29,6 +29,21 @@ QString Display::number(double value) const
             text.chop(1);
     }
     return text;
+}
+
+} // namespace
+
+QString Display::number(double value) const
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return numberIn(locale, toShown(value), decimals);
+}
+
+QString Display::text(double value) const
+{
+    constexpr double large = 10'000;
+    return (std::abs(toShown(value)) < large ? number(value) : numberIn(QLocale(), toShown(value), decimals)) + unit;
 }
 
 QString canvasUnit()

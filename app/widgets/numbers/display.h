@@ -18,8 +18,8 @@ struct Display {
     bool isReversed() const { return factor < 0; }
     /// "43.3", in the language's digits.
     QString number(double value) const;
-    /// "43.3 %"
-    QString text(double value) const { return number(value) + unit; }
+    /// "43.3 %", for reading alone: the digits of large numbers are grouped, as in "879,364 u".
+    QString text(double value) const;
 };
 
 /// Units as they stand behind a number, translated: those of the canvas' lengths, of time and of diffusion.

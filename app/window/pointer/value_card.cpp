@@ -211,7 +211,7 @@ void ValueCard::refresh()
     }
     const std::size_t count = inspected.strokes.size();
     const bool one = m_at && m_editor.selection().segments.size() == 1;
-    const QString stroke = count == 1 ? titleOf(*inspected.strokes.front()) : tr("%n stroke(s)", nullptr, int(count));
+    const QString stroke = count == 1 ? titleOf(*inspected.strokes.front()) : tr("%Ln stroke(s)", nullptr, int(count));
     m_title->setText(one ? tr("%1, segment %2").arg(stroke).arg(m_at->segment + 1) : stroke);
     const bool fillsAlone = std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); });
     m_fill->setVisible(fillsAlone);

@@ -2,6 +2,7 @@
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/numbers/display.h"
 #include "app/widgets/numbers/quantity.h"
 #include "tests/app/panel_bench.h"
 #include "tests/model/tried_segment.h"
@@ -16,6 +17,15 @@ class TestNumberRows : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Large numbers are grouped where they are read, and not where they are typed.
+    void largeNumbersAreGrouped()
+    {
+        QCOMPARE(lengthDisplay().text(879'364), QLocale().toString(879'364) + canvasUnit());
+        QVERIFY(lengthDisplay().text(879'364) != lengthDisplay().number(879'364) + canvasUnit());
+        QCOMPARE(lengthDisplay().text(9'364), lengthDisplay().number(9'364) + canvasUnit());
+        QCOMPARE(lengthDisplay().number(879'364), QStringLiteral("879364"));
+    }
+
     void everyNumberHasARow()
     {
         Bench bench;
