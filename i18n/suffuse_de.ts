@@ -3211,6 +3211,14 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
         <source>Colours of the fill</source>
         <translation>Farben der Füllung</translation>
     </message>
+    <message>
+        <source>Colour of the gradient&apos;s end</source>
+        <translation>Farbe am Ende des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Colour of the gradient&apos;s start</source>
+        <translation>Farbe am Anfang des Verlaufs</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourWheel</name>
@@ -9369,8 +9377,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>GradientHandles</name>
     <message>
-        <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>
-        <translation>Ein Ende des Verlaufs ziehen. Strg: in Schritten von 15°.</translation>
+        <source>Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.</source>
+        <translation>Ein Ende des Verlaufs ziehen. Strg: in Schritten von 15°. Ein Klick darauf: Farben gelten ihm.</translation>
     </message>
     <message>
         <source>Move gradient</source>

@@ -3195,6 +3195,14 @@ Shift: all change as the shown one does, and keep their differences.</source>
         <source>Colours of the fill</source>
         <translation>填充的颜色</translation>
     </message>
+    <message>
+        <source>Colour of the gradient&apos;s end</source>
+        <translation>渐变终点的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the gradient&apos;s start</source>
+        <translation>渐变起点的颜色</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ColourWheel</name>
@@ -9317,8 +9325,8 @@ Arrow keys work too.</source>
 <context>
     <name>GradientHandles</name>
     <message>
-        <source>Drag an end of the gradient. Ctrl: steps of 15°.</source>
-        <translation>拖动渐变的一端。Ctrl：以 15° 为步长。</translation>
+        <source>Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.</source>
+        <translation>拖动渐变的一端。Ctrl：以 15° 为步长。单击它：颜色用于这一端。</translation>
     </message>
     <message>
         <source>Move gradient</source>

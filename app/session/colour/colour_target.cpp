@@ -13,6 +13,25 @@ namespace {
 
 const QString modeKey = QStringLiteral("colour/shifts");
 
+/// One colour of a gradient, or nothing where the stroke cannot be changed or has no gradient.
+ColourParts partsOfEnd(const Painting &painting, const Selection &selection, const GradientEnd &end)
+{
+    const StrokePtr stroke = painting.find(end.stroke);
+    if (!stroke || !selection.strokes.contains(end.stroke) || !stroke->fill || !stroke->fill->gradient ||
+        !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        return {};
+    return {{stroke, std::vector<bool>(stroke->segments.size()), !end.isSecond, end.isSecond}};
+}
+
+/// The opacity of an end that takes a colour; that of the other end where it has none itself.
+float seenOpacity(const ColourPart &end, float opacity)
+{
+    if (opacity > 0)
+        return opacity;
+    const float other = (end.gradient ? end.stroke->fill->colour : end.stroke->fill->gradient->colour).opacity;
+    return other > 0 ? other : 1;
+}
+
 } // namespace
 
 ColourTarget::ColourTarget(Editor &editor)
@@ -29,13 +48,14 @@ ColourTarget::Kind ColourTarget::kind() const
 {
     if (isSwatchThere())
         return Kind::Swatch;
-    const Kind wanted = m_chosen.value_or(m_use == ToolUse::Refines ? Kind::Selection : Kind::Brush);
+    const bool refines = m_end || m_use == ToolUse::Refines;
+    const Kind wanted = (m_end ? m_chosenForEnd : m_chosen).value_or(refines ? Kind::Selection : Kind::Brush);
     return wanted == Kind::Selection && m_selected ? Kind::Selection : Kind::Brush;
 }
 
 void ColourTarget::choose(Kind kind)
 {
-    m_chosen = kind;
+    (m_end ? m_chosenForEnd : m_chosen) = kind;
     m_swatch.reset();
     emit changed();
 }
@@ -59,6 +79,18 @@ void ColourTarget::editSwatch(std::size_t index)
     if (index >= swatches.size())
         return;
     m_swatch = {index, swatches};
+    emit changed();
+}
+
+void ColourTarget::chooseEnd(std::optional<GradientEnd> end)
+{
+    if (!end && !m_end)
+        return;
+    m_end = end;
+    m_chosenForEnd.reset();
+    m_swatch.reset();
+    m_start.reset();
+    summarise();
     emit changed();
 }
 
@@ -113,8 +145,11 @@ QString ColourTarget::title() const
         const QString &name = m_editor.unsettled().painting()->swatches[m_swatch->index].name;
         return name.isEmpty() ? tr("Colour of a swatch") : tr("Colour of the swatch “%1”").arg(name);
     }
+    const Document &document = m_editor.unsettled();
+    if (m_end && !partsOfEnd(*document.painting(), document.selection(), *m_end).empty())
+        return m_end->isSecond ? tr("Colour of the gradient's end") : tr("Colour of the gradient's start");
     const ColourSummary &summary = *m_selected;
-    const bool ofSegments = !m_editor.unsettled().selection().segments.empty();
+    const bool ofSegments = !document.selection().segments.empty();
     if (ofSegments && summary.onlyFills && summary.strokes == 1)
         return summary.several ? tr("Colours of the fill") : tr("Colour of the fill");
     if (ofSegments && !summary.onlyFills)
@@ -138,13 +173,22 @@ void ColourTarget::follow(const Change &change)
         emit changed();
 }
 
+/// What a colour is for, of what is selected.
+ColourParts ColourTarget::partsMeant(const Painting &painting) const
+{
+    const Selection &selection = m_editor.unsettled().selection();
+    if (selection.isEmpty())
+        return {};
+    if (m_end)
+        if (ColourParts end = partsOfEnd(painting, selection, *m_end); !end.empty())
+            return end;
+    return partsToColour(painting, selection);
+}
+
 void ColourTarget::summarise()
 {
     m_selected.reset();
-    const Document &document = m_editor.unsettled();
-    if (document.selection().isEmpty())
-        return;
-    if (const ColourParts parts = partsToColour(*document.painting(), document.selection()); !parts.empty())
+    if (const ColourParts parts = partsMeant(*m_editor.unsettled().painting()); !parts.empty())
         m_selected = summaryOf(parts, m_mode == Mode::Shift);
 }
 
@@ -160,7 +204,7 @@ const ColourTarget::Start &ColourTarget::startOf(ValueEntry *entry)
         m_start = {usersOf(painting, m_swatch->index), colour(), entry};
         return *m_start;
     }
-    ColourParts parts = m_editor.selection().isEmpty() ? ColourParts() : partsToColour(painting, m_editor.selection());
+    ColourParts parts = partsMeant(painting);
     const Colour usual = parts.empty() ? Colour() : summaryOf(parts, m_mode == Mode::Shift).usual;
     m_start = {std::move(parts), usual, entry};
     return *m_start;
@@ -178,7 +222,14 @@ void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
     case Kind::Selection:
         break;
     }
-    const Colour from = startOf(entry).colour;
+    const Start &start = startOf(entry);
+    const Colour from = start.colour;
+    if (m_end && start.parts.size() == 1 && start.parts.front().count() == 0) {
+        const ColourPart end = start.parts.front();
+        colourSelection([&](const Colour &each) { return withOpacity(colour, seenOpacity(end, each.opacity)); },
+                        tr("Change colour"), entry);
+        return;
+    }
     const ColourShift shift = m_mode == Mode::Shift ? shiftBetween(from, colour) : ColourShift();
     colourSelection(
         [=, this](const Colour &each) {

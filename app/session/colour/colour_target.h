@@ -14,6 +14,13 @@ struct Change;
 class Editor;
 class ValueEntry;
 
+/// An end of the gradient of a stroke's fill.
+struct GradientEnd {
+    StrokeId stroke = 0;
+    bool isSecond = false;
+    friend bool operator==(const GradientEnd &, const GradientEnd &) = default;
+};
+
 /// The colour dock, its swatches and the eyedropper ask here which colour they show, and hand over here what is picked:
 /// it becomes the colour of the brush, of what is selected, or of a swatch. What is selected comes before the brush
 /// while a tool is in use that does not paint, unless the user chooses otherwise.
@@ -42,6 +49,9 @@ public:
     /// From now on this swatch is meant, until something else is chosen or selected, or it is gone.
     void editSwatch(std::size_t index);
     void endSwatch();
+    /// From now on this end of a selected stroke's gradient is meant, and nothing else of what is selected, as long as
+    /// it is there; without a value all of it again.
+    void chooseEnd(std::optional<GradientEnd> end);
     /// Only while the kind is Swatch.
     std::size_t swatch() const { return m_swatch->index; }
 
@@ -59,8 +69,8 @@ public:
     /// Whose colour it is, for people: "Colour of the brush", "Colours of 3 strokes".
     QString title() const;
 
-    /// Gives red, yellow and blue; opacity stays. A drag with one entry is one step, and begins with the colours that
-    /// were there then.
+    /// Gives red, yellow and blue; opacity stays, but for a chosen end of a gradient that nobody would see: it becomes
+    /// as opaque as the other end. A drag with one entry is one step, and begins with the colours that were there then.
     void setPaint(const Colour &colour, ValueEntry *entry = nullptr);
     void setOpacity(float opacity, ValueEntry *entry = nullptr);
     /// Of what is selected, each colour becomes what the map makes of it. A drag with one entry is one step.
@@ -85,6 +95,7 @@ private:
         std::size_t index;
         std::vector<Swatch> list;
     };
+    ColourParts partsMeant(const Painting &painting) const;
     const Start &startOf(ValueEntry *entry);
     void colourSelection(const std::function<Colour(const Colour &)> &map, const QString &name, ValueEntry *entry);
     void colourSwatch(const Colour &colour, ValueEntry *entry);
@@ -97,6 +108,8 @@ private:
     bool m_isToolPainting = true;
     std::optional<Kind> m_chosen; ///< by the user, for this use
     std::optional<EditedSwatch> m_swatch;
+    std::optional<GradientEnd> m_end;
+    std::optional<Kind> m_chosenForEnd; ///< by the user, while an end is meant
     Mode m_mode;
     std::optional<ColourSummary> m_selected; ///< nothing: no selection that could be changed
     std::optional<Start> m_start;

@@ -58,7 +58,8 @@ Stroke withEnd(const Stroke &before, bool isSecond, Point place)
 
 QString GradientHandles::hint()
 {
-    return QCoreApplication::translate("GradientHandles", "Drag an end of the gradient. Ctrl: steps of 15°.");
+    return QCoreApplication::translate(
+        "GradientHandles", "Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.");
 }
 
 std::optional<GradientHandles::End> GradientHandles::endAt(Point pixel) const
@@ -81,6 +82,7 @@ bool GradientHandles::press(const PointerEvent &event)
         return false;
     m_end = *end;
     m_chosen = end;
+    m_canvas.editor().colourTarget().chooseEnd(end);
     m_grab = endOf(*m_canvas.editor().document().painting()->find(end->stroke), end->isSecond) - event.point;
     m_gesture = m_canvas.editor().begin(QCoreApplication::translate("GradientHandles", "Move gradient"));
     m_gesture.take({end->stroke});
@@ -96,7 +98,8 @@ bool GradientHandles::isChosen() const
 bool GradientHandles::deselect()
 {
     const bool was = isChosen();
-    m_chosen.reset();
+    if (std::exchange(m_chosen, std::nullopt))
+        m_canvas.editor().colourTarget().chooseEnd({});
     if (was)
         m_canvas.updateSelection();
     return was;

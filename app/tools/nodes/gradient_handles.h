@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/input/pointer_event.h"
+#include "app/session/colour/colour_target.h"
 #include "app/session/gesture.h"
 #include "model/painting/ids.h"
 #include "render/view.h"
@@ -16,7 +17,8 @@ class CanvasWidget;
 class ValueEntry;
 
 /// A line from one end to the other, with a knob in the colour of each, for every selected stroke whose fill has a
-/// gradient. A knob that is dragged takes its end along; with Ctrl the line keeps to steps of 15°. Tools that select
+/// gradient. A knob that is dragged takes its end along; with Ctrl the line keeps to steps of 15°. The knob that was
+/// pressed last is the one that colours are for (`ColourTarget::chooseEnd`). Tools that select
 /// offer each press to the handles before they look at it themselves.
 class GradientHandles {
 public:
@@ -48,11 +50,7 @@ public:
     static QString hint();
 
 private:
-    struct End {
-        StrokeId stroke = 0;
-        bool isSecond = false;
-        friend bool operator==(const End &, const End &) = default;
-    };
+    using End = GradientEnd;
     std::optional<End> endAt(Point pixel) const;
 
     CanvasWidget &m_canvas;

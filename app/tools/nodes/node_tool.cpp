@@ -49,7 +49,11 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
         if (!isInUse())
             m_nodes.clear();
-        m_gradient.deselect();
+        // The eyedropper takes a colour for the knob, and comes back.
+        const bool staysWithIt =
+            isInUse() || (m_canvas.tool() && m_canvas.tool()->colourUse() == ColourTarget::ToolUse::Either);
+        if (!staysWithIt)
+            m_gradient.deselect();
         m_marks.reset();
         m_commands.update();
     });

@@ -1,4 +1,6 @@
 // Nodes, handles and segments under the hand: what the pointer makes of a stroke.
+#include "app/panels/colour/colour_panel.h"
+#include "model/colour/colour_shift.h"
 #include "tests/app/nodes.h"
 
 #include <QStatusBar>
@@ -201,6 +203,74 @@ private slots:
         QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
         s.use(Command::Delete);
         QCOMPARE(s.painting().strokes.size(), count - 1);
+    }
+
+    void aChosenKnobTakesColours()
+    {
+        NodeSession s;
+        const auto fill = [](Stroke &stroke) {
+            Fill graded;
+            graded.colour = {0.2f, 0.3f, 0.4f, 0.75f};
+            graded.gradient = Gradient{toOffset({250, 420}, stroke.origin), toOffset({350, 420}, stroke.origin), {}};
+            graded.gradient->colour = {0, 0, 0, 0};
+            stroke.fill = graded;
+        };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
+        const Stroke before = s.stroke();
+        ColourTarget &target = s.editor().colourTarget();
+        const auto first = [&s] { return s.stroke().fill->colour; };
+        const auto second = [&s] { return s.stroke().fill->gradient->colour; };
+        const Colour green{0, 1, 1, 1};
+
+        // The end was transparent; nobody would see its colour.
+        s.click({350, 420});
+        QCOMPARE(target.title(), QString("Colour of the gradient's end"));
+        const int steps = s.steps();
+        target.take(green);
+        QCOMPARE(second(), (Colour{0, 1, 1, 0.75f}));
+        QVERIFY(first() == before.fill->colour && s.stroke().segments == before.segments);
+        QCOMPARE(s.steps(), steps + 1);
+        target.setOpacity(0.5f);
+        QCOMPARE(second(), (Colour{0, 1, 1, 0.5f}));
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+
+        // By a field of the dock; the other end keeps its opacity.
+        s.click({250, 420});
+        QCOMPARE(target.title(), QString("Colour of the gradient's start"));
+        emit s.window.findChild<ColourPanel *>()->hex()->typed("#ff0000");
+        QVERIFY(first() != before.fill->colour && first().opacity == 0.75f);
+        QVERIFY(second() == before.fill->gradient->colour && s.stroke().segments == before.segments);
+        s.use(Command::Undo);
+
+        // By the eyedropper, which leaves the knob chosen.
+        s.use(Command::Eyedropper);
+        s.dry();
+        s.click({300, 340});
+        QVERIFY(first() != before.fill->colour);
+        QVERIFY(second() == before.fill->gradient->colour && s.stroke().segments == before.segments);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+
+        // The brush, where the user wants that; another choice of the knob means the knob again.
+        s.use(Command::Segments);
+        target.choose(ColourTarget::Kind::Brush);
+        target.take(green);
+        QVERIFY(s.stroke() == before && samePaint(s.editor().brush().colour, green));
+        s.click({250, 420});
+        target.take(green);
+        QVERIFY(first() != before.fill->colour);
+        s.use(Command::Undo);
+
+        // Without it all is as it was.
+        s.key(Qt::Key_Escape);
+        target.take(green);
+        QVERIFY(first() != before.fill->colour && s.stroke().segments != before.segments);
+        s.use(Command::Undo);
+        s.click({250, 420});
+        s.use(Command::Brush);
+        QCOMPARE(target.kind(), ColourTarget::Kind::Brush);
     }
 
     void tabAndTheViewWaitForTheEndOfADrag()
