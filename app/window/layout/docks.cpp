@@ -15,7 +15,6 @@
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/section.h"
-#include "app/window/free_hand.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -201,7 +200,11 @@ void Docks::addRows(KeyboardFocus &keyboard)
     table.add(HideDocks, "hideDocks", Commands::tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)})
         .checkable()
         .runs([this] {
-            whenHandIsFree(m_place.canvas, *this, [this] { hide(m_place.commands[HideDocks].isChecked()); });
+            // What is held would jump as the canvas moves below the pointer, and afterwards nobody expects it any more.
+            if (m_place.canvas.isPressed() || m_place.open.editor.isDragging())
+                m_place.commands[HideDocks].setChecked(m_hidden);
+            else
+                hide(m_place.commands[HideDocks].isChecked());
         });
     table
         .add(NextPanel, "nextPanel", Commands::tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},

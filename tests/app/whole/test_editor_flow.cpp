@@ -490,6 +490,41 @@ private slots:
         }
     }
 
+    /// It never takes effect late: with a button down it does nothing, and between the clicks of an outline all.
+    void tabWhileSomethingIsDrawn()
+    {
+        Session s;
+        const QAction &hides = s.window.action(Command::HideDocks);
+        const QDockWidget &dock = *s.window.findChild<QDockWidget *>("colourDock");
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Brush);
+        s.canvas().setFocus();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({200, 300}));
+        QTest::mouseMove(&s.canvas(), s.at({300, 300}));
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QVERIFY(!hides.isChecked() && !dock.isHidden());
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({400, 300}));
+        QTest::qWait(50);
+        QVERIFY(!hides.isChecked() && !dock.isHidden());
+        s.use(Command::HideDocks);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({200, 400}));
+        QTest::mouseMove(&s.canvas(), s.at({300, 400}));
+        s.use(Command::HideDocks);
+        QVERIFY(hides.isChecked() && dock.isHidden());
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 400}));
+        QTest::qWait(50);
+        QVERIFY(hides.isChecked() && dock.isHidden());
+        s.use(Command::HideDocks);
+        QVERIFY(!dock.isHidden());
+        s.use(Command::OutlinePen);
+        s.click({200, 500});
+        s.click({300, 500});
+        QVERIFY(s.canvas().tool()->isBusy());
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QVERIFY(hides.isChecked() && dock.isHidden() && s.canvas().tool()->isBusy());
+    }
+
 private:
     QTemporaryDir m_folder;
 };
