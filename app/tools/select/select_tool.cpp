@@ -19,6 +19,8 @@ namespace {
 
 using Kind = TransformHandle::Kind;
 
+constexpr double smallEm = 30; ///< logical pixels: letters below this are hard to hit
+
 bool takesAway(const PointerEvent &event)
 {
     return event.modifiers & Qt::ShiftModifier && event.modifiers & Qt::ControlModifier;
@@ -62,7 +64,7 @@ void SelectTool::pressed(const PointerEvent &event)
     m_handle = event.modifiers & Qt::AltModifier
                    ? std::nullopt
                    : handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
-    m_hit = m_handle ? std::nullopt : pick(event);
+    m_hit = m_handle ? std::nullopt : pickPaintOrText(event);
     const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier));
     m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
     if (m_selectedByPress) {
@@ -73,6 +75,21 @@ void SelectTool::pressed(const PointerEvent &event)
     }
     if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
         m_canvas.lifted().lift(m_canvas.selection().strokes);
+}
+
+/// The paint under the pointer or, where none lies above it, a small text in whose line the pointer is.
+std::optional<SegmentRef> SelectTool::pickPaintOrText(const PointerEvent &event)
+{
+    const std::optional<SegmentRef> paint = pick(event);
+    const Painting &painting = *m_editor.document().painting();
+    const std::optional<SegmentRef> text =
+        pickSmallText(painting, m_editor.clock().time(), m_canvas.view(), smallEm * m_canvas.devicePixelRatioF(),
+                      event.point, tolerance(), m_layout);
+    if (!text || !paint)
+        return text ? text : paint;
+    const bool isLetter = painting.find(paint->stroke)->group == painting.find(text->stroke)->group;
+    const bool isAbove = painting.indexOf(paint->stroke) > painting.indexOf(text->stroke);
+    return isLetter || isAbove ? paint : text;
 }
 
 bool SelectTool::isMoving(const PointerEvent &event) const
@@ -104,7 +121,7 @@ void SelectTool::clicked(const PointerEvent &event)
     if (resets)
         m_handles.resetCentre();
     else if (centre)
-        m_hit = pick(event); // The handle only lies over the paint that was meant.
+        m_hit = pickPaintOrText(event); // The handle only lies over the paint that was meant.
     if (resets || (handle && !centre)) {
         // A click on a handle does nothing without a drag.
     } else if (event.modifiers & Qt::AltModifier) {

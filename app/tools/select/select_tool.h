@@ -2,6 +2,7 @@
 
 #include "app/session/gesture.h"
 #include "app/session/selecting/pick.h"
+#include "app/session/selecting/pick_text.h"
 #include "app/tools/select/transform_handles.h"
 #include "app/tools/select/transform_snap.h"
 #include "app/tools/selection_tool.h"
@@ -51,6 +52,7 @@ protected:
 
 private:
     void followDocument(const Change &change);
+    std::optional<SegmentRef> pickPaintOrText(const PointerEvent &event);
     void clickedBelow(const PointerEvent &event);
     void clickedStroke(const PointerEvent &event);
     /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.
@@ -85,6 +87,7 @@ private:
     std::optional<double> m_turned; ///< radians; it has a value while a drag turns strokes
     Point m_turnedAt;
     TransformSnap m_snap;
+    TextLayout m_layout; ///< of texts under the pointer
 };
 
 } // namespace suffuse

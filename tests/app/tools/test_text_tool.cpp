@@ -558,6 +558,52 @@ private slots:
         QVERIFY(s.window.action(Command::Text).isChecked());
     }
 
+    /// Nobody hits letters of a few pixels: a line of them is clicked as a whole.
+    void smallTextsAreClickedByTheirLines()
+    {
+        Typing s;
+        s.write("i   i");
+        const std::set<StrokeId> letters = strokesWithin(s.painting(), s.group());
+        const SharedText text = textOf(s.painting(), s.group());
+        const Point between = 0.5 * (s.placeOf(1) + s.placeOf(4)); // the spaces have no paint
+        s.use(Command::Select);
+        s.select({});
+        const auto showEmAs = [&](double pixels) { // logical ones
+            s.canvas().zoomBy(pixels * s.canvas().devicePixelRatioF() / (text->size * s.canvas().view().scale));
+        };
+        const auto clickBetween = [&] {
+            s.select({});
+            s.click(between);
+            QTest::qWait(QApplication::doubleClickInterval() + 20); // no double click
+        };
+        showEmAs(20);
+        clickBetween();
+        QCOMPARE(s.selected(), letters);
+        // Paint below it does not count, paint above it does.
+        for (const bool above : {false, true}) {
+            const StrokeId id = s.editor().document().takeStrokeId();
+            const StrokePtr bar = line(id, between - Point{30, 0}, between + Point{30, 0});
+            s.editor().push(addStrokes(s.editor().document(), {bar}, false), "bar");
+            s.editor().clock().setTime(s.painting().end());
+            if (!above) {
+                s.select({id});
+                s.use(Command::Bottom);
+            }
+            clickBetween();
+            QCOMPARE(s.selected(), above ? std::set<StrokeId>{id} : letters);
+            s.editor().undo();
+            if (!above)
+                s.editor().undo();
+        }
+        // Beside the line, and where the letters are large, it is paint alone that counts.
+        s.select({});
+        s.click(between - Point{0, 2 * text->size});
+        QVERIFY(s.selected().empty());
+        showEmAs(60);
+        clickBetween();
+        QVERIFY(s.selected().empty());
+    }
+
     void inputMethods()
     {
         Typing s;
