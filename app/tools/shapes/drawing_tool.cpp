@@ -35,6 +35,15 @@ DrawingTool::DrawingTool(CanvasWidget &canvas, const QString &name, QObject *par
         if (isBusy())
             show();
     });
+    const auto forgetTakenBack = [this] {
+        if (!isBusy())
+            forget();
+    };
+    connect(&canvas, &CanvasWidget::toolChanged, this, forgetTakenBack);
+    connect(&m_editor.document(), &Document::changed, this, [forgetTakenBack](const Change &change) {
+        if (!change.strokes.empty() || change.order || change.canvas || change.reset)
+            forgetTakenBack();
+    });
 }
 
 QWidget *DrawingTool::options()
@@ -81,6 +90,13 @@ void DrawingTool::begin(const PointerEvent &event)
     m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
     begin(event.time);
     m_editor.clock().hold(true, event.late);
+}
+
+void DrawingTool::resume()
+{
+    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+    begin(m_born);
+    m_editor.clock().hold(true);
 }
 
 void DrawingTool::cancel()

@@ -34,13 +34,15 @@ protected:
     virtual void addFields(QHBoxLayout &row);
     /// Shows what is in hand as it is now.
     virtual void show() = 0;
-    /// Forgets what is in hand; called when it is finished or given up.
+    /// Forgets what is in hand; called when it is finished or given up, and when nothing of it can come back any more.
     virtual void forget() = 0;
 
     /// Takes a new stroke in hand, which was begun at `born`.
     void begin(Microseconds born);
     /// The same by the pointer; time stands still until it is finished.
     void begin(const PointerEvent &event);
+    /// Takes in hand again what was given up last, as long as nothing else has happened since.
+    void resume();
     /// Where the pointer is, or what it snaps to.
     Point snapped(const PointerEvent &event) const;
     /// As `snapped`, and with Shift in a direction of steps of 15° from a point.

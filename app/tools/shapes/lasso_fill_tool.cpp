@@ -147,10 +147,13 @@ bool LassoFillTool::takeBack()
     m_isPressed = false;
     m_takenBack.push_back(std::move(m_parts.back()));
     m_parts.pop_back();
-    if (m_parts.empty())
-        cancel();
-    else
+    if (!m_parts.empty()) {
         show();
+        return true;
+    }
+    std::vector<Part> takenBack = std::move(m_takenBack); // All of it can come back.
+    cancel();
+    m_takenBack = std::move(takenBack);
     return true;
 }
 
@@ -164,8 +167,9 @@ void LassoFillTool::forget()
 
 bool LassoFillTool::wantsKey(const QKeyEvent &event) const
 {
-    return isBusy() && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter ||
-                        (meansRedo(event) && !m_takenBack.empty()));
+    if (meansRedo(event))
+        return !m_takenBack.empty();
+    return isBusy() && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
 }
 
 bool LassoFillTool::keyPress(QKeyEvent *event)
@@ -176,6 +180,8 @@ bool LassoFillTool::keyPress(QKeyEvent *event)
         finish();
         return true;
     }
+    if (!isBusy())
+        resume();
     m_parts.push_back(std::move(m_takenBack.back()));
     m_takenBack.pop_back();
     show();

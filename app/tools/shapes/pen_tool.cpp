@@ -151,19 +151,27 @@ bool PenTool::takeBack()
 
 void PenTool::takeBackNode()
 {
-    if (m_nodes.size() == 1)
-        return cancel();
     m_takenBack.push_back(m_nodes.back());
     m_nodes.pop_back();
     m_isPressed = m_isClosing = false;
-    show();
+    if (!m_nodes.empty())
+        return show();
+    // Nothing is in hand then, and all of it can come back.
+    const std::vector<PathNode> takenBack = m_takenBack;
+    const std::optional<NodeRef> extended = m_extended;
+    cancel();
+    m_takenBack = takenBack;
+    m_extended = extended;
 }
 
 void PenTool::bringBackNode()
 {
+    if (!isBusy())
+        resume();
     m_nodes.push_back(m_takenBack.back());
     m_takenBack.pop_back();
     show();
+    emit hintChanged();
 }
 
 StrokePtr PenTool::strokeInHand(bool isClosed) const
@@ -231,8 +239,9 @@ void PenTool::forget()
 bool PenTool::wantsKey(const QKeyEvent &event) const
 {
     const int key = event.key();
-    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace ||
-                        (meansRedo(event) && !m_takenBack.empty()));
+    if (meansRedo(event))
+        return !m_takenBack.empty();
+    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace);
 }
 
 bool PenTool::keyPress(QKeyEvent *event)

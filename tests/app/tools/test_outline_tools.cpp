@@ -386,6 +386,44 @@ private slots:
         }
     }
 
+    /// The first point comes back, too, unless something else has happened.
+    void allThatWasTakenBackComesBack()
+    {
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
+            Drawing s(tool);
+            const auto redo = [&s] { QTest::keyClick(&s.canvas(), Qt::Key_Y, Qt::ControlModifier); };
+            const auto begin = [&s] {
+                for (const Point at : {Point{200, 200}, Point{300, 220}, Point{260, 320}})
+                    s.click(at);
+            };
+            begin();
+            Stroke whole = *s.editor().document().draft();
+            for (int i = 0; i < 3; ++i)
+                s.use(Command::Undo);
+            QVERIFY(!s.isBusy() && !s.editor().document().draft());
+            for (int i = 0; i < 3; ++i)
+                redo();
+            QVERIFY(s.isBusy());
+            whole.id = s.editor().document().draft()->id;
+            QVERIFY(*s.editor().document().draft() == whole);
+            s.key(Qt::Key_Return);
+            QCOMPARE(s.steps(), 1);
+            begin();
+            for (int i = 0; i < 4; ++i)
+                s.use(Command::Undo); // at last the outline before it
+            QVERIFY(s.painting().strokes.empty());
+            redo();
+            QVERIFY(!s.isBusy());
+            begin();
+            for (int i = 0; i < 3; ++i)
+                s.use(Command::Undo);
+            s.use(Command::Brush);
+            s.use(tool);
+            redo();
+            QVERIFY(!s.isBusy());
+        }
+    }
+
     /// Saving ends nothing: the file has the painting, and what is drawn goes on.
     void whatIsInHandStaysThereWhenThePaintingIsSaved()
     {
