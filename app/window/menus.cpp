@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <memory>
 
 namespace suffuse {
@@ -161,6 +162,30 @@ void leaveBarWithMenus(QMenuBar &bar)
     }
 }
 
+/// Its icons get smaller where the screen is low, before Qt hides the last ones behind an arrow.
+class ToolsBar : public QToolBar {
+public:
+    ToolsBar(const QString &title, QWidget *parent) : QToolBar(title, parent) { setIconSize({largest, largest}); }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QToolBar::resizeEvent(event);
+        const auto along = [this](const QSize &size) {
+            return orientation() == Qt::Vertical ? size.height() : size.width();
+        };
+        const QList<QAction *> all = actions();
+        const auto buttons = int(std::ranges::count_if(all, [](const QAction *a) { return !a->isSeparator(); }));
+        const int withoutIcons = along(sizeHint()) - buttons * iconSize().width();
+        const int room = isFloating() ? largest : (along(this->size()) - withoutIcons) / std::max(buttons, 1);
+        const int icon = std::clamp(room, least, largest);
+        setIconSize({icon, icon});
+    }
+
+private:
+    static constexpr int least = 16, largest = 22; ///< logical pixels
+};
+
 } // namespace
 
 OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
@@ -182,9 +207,8 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
 
 QToolBar *makeToolBar(const Commands &table, QWidget *parent)
 {
-    auto *bar = new QToolBar(Commands::tr("Tools"), parent);
+    auto *bar = new ToolsBar(Commands::tr("Tools"), parent);
     bar->setObjectName("tools");
-    bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
            {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push, Knife, Eraser,

@@ -8,7 +8,7 @@
 #include "app/widgets/look/elided_sentences.h"
 #include "app/window/layout/window_layout.h"
 #include "model/formats/files.h"
-#include "tests/app/session.h"
+#include "tests/app/shapes.h"
 
 #include <QApplication>
 #include <QDataStream>
@@ -24,6 +24,7 @@
 #include <QStyle>
 #include <QTemporaryDir>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <zlib.h>
@@ -73,6 +74,36 @@ private slots:
                 QCoreApplication::sendPostedEvents();
                 QVERIFY2(s.window.width() <= 960 && s.window.minimumSizeHint().width() <= 960,
                          qPrintable(QStringLiteral("%1: %2").arg(code).arg(s.window.width())));
+            }
+        }
+    }
+
+    /// No row of fields and no bar hides a part of itself behind an arrow.
+    void everyBarIsWholeOnAScreenOf1280()
+    {
+        for (const QString &code : translationCodes()) {
+            settings::setLanguage(code);
+            installTranslators();
+            const auto back = qScopeGuard([] {
+                settings::setLanguage("en");
+                installTranslators();
+            });
+            WaveSession s;              // with a stroke that is selected
+            s.window.resize(1280, 680); // 720 less a title bar, and some as fonts differ
+            QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+            for (const Command tool :
+                 {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
+                  Command::LassoFill, Command::Bucket, Command::Text, Command::Redraw, Command::Push, Command::Knife,
+                  Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+                s.use(tool);
+                QTest::qWait(20);
+                for (const QToolBar *bar : s.window.findChildren<QToolBar *>())
+                    for (const QToolButton *arrow : bar->findChildren<QToolButton *>("qt_toolbar_ext_button"))
+                        QVERIFY2(!arrow->isVisible(),
+                                 qPrintable(QStringLiteral("%1, %2: %3 needs %4 of %5")
+                                                .arg(code, s.window.action(tool).text(), bar->windowTitle())
+                                                .arg(bar->sizeHint().width())
+                                                .arg(bar->width())));
             }
         }
     }
