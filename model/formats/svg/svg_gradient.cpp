@@ -268,7 +268,8 @@ private:
             return loop;
         };
         const auto isCircle = [&](double offset) { return inner + offset * (radius - inner) > 0; };
-        return m_isOpaque || m_use.isApart ? addRings(circle, isCircle) : addShingles(circle, isCircle);
+        return m_isOpaque || m_use.isApart || m_use.finest == 0 ? addRings(circle, isCircle)
+                                                                : addShingles(circle, isCircle);
     }
 
     /// A rectangle around all that is seen.
@@ -290,7 +291,7 @@ private:
     bool addShingles(const Circle &circle, const IsCircle &isCircle)
     {
         std::vector<SvgShingle> rings;
-        for (const int finest : {128, 64, 24}) {
+        for (const int finest : {m_use.finest, m_use.finest / 2, 24}) {
             rings = svgShingles(m_stops, finest);
             if (rings.size() <= mostApart)
                 break;

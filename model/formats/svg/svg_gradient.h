@@ -27,6 +27,9 @@ struct SvgGradientUse {
     Rect seen;        ///< the box of all that is painted, in units of the document
     double opacity = 1;
     bool isApart = false; ///< whether shades must not lie over each other
+    /// The greatest number of steps between two stops around a point, where colours let through; 0: coarse ones, in
+    /// rings beside each other.
+    int finest = 128;
 };
 
 /// The shades that show a gradient, from bottom to top: colours along a line within 1/100, those around a point within

@@ -104,6 +104,13 @@ double SvgPainter::tolerance() const
     return exactness / m_out.scale;
 }
 
+/// How finely gradients are divided: where a drawing has very many of them, the later ones are coarser, rather than
+/// gone.
+int SvgPainter::finestSteps() const
+{
+    return m_effort.left() > mostEffort / 2 ? 128 : m_effort.left() > mostEffort / 4 ? 64 : 0;
+}
+
 void SvgPainter::paint(const SvgShape &shape)
 {
     if (!shape.style.isVisible || (shape.clip && shape.clip->area.isEmpty()))
@@ -235,7 +242,7 @@ void SvgPainter::addArea(const SvgShape &shape, const SvgLoops &whole, bool isEv
         const SvgStyle &style = shape.style;
         const std::optional<std::vector<SvgShade>> shades =
             svgShades({*paint.gradient, shape.box ? *shape.box : svgBox(shape.lines), style.matrix, style.units,
-                       boxOf(loops), opacity, style.isFaded},
+                       boxOf(loops), opacity, style.isFaded, finestSteps()},
                       m_tree);
         if (shades) {
             addShades(shape, area, loops, paint, *shades);

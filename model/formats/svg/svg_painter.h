@@ -36,6 +36,8 @@ public:
     void fade(std::size_t first, double opacity);
 
 private:
+    static constexpr std::uint64_t mostEffort = 600'000'000; ///< about two seconds
+
     void paintParts(const SvgShape &shape);
     void paintFill(const SvgShape &shape);
     void paintStroke(const SvgShape &shape);
@@ -49,6 +51,7 @@ private:
     Area areaOfPath(const SvgPath &path, AreaEffort &effort) const;
     bool countCurves(std::size_t curves);
     double tolerance() const;
+    int finestSteps() const;
     /// Calls `work` with a part of the effort that is left, and takes what it spent.
     template <class Work>
     auto withEffort(Work work);
@@ -57,7 +60,7 @@ private:
     SvgDrawing &m_out;
     std::set<const SvgElement *> &m_lost;
     std::size_t m_curves = 0;
-    AreaEffort m_effort{300'000'000}; ///< about a second
+    AreaEffort m_effort{mostEffort};
 };
 
 } // namespace suffuse

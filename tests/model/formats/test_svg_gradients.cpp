@@ -297,6 +297,26 @@ private slots:
         }
     }
 
+    /// Of very many gradients none is left out.
+    void manyGradientsComeAll()
+    {
+        QByteArray shapes;
+        for (int i = 0; i < 200; ++i)
+            shapes += QStringLiteral("<path d='M%1 %2q50 -40 80 10t-30 60z' fill='url(#g)'/>")
+                          .arg(37 * i % 900)
+                          .arg(211 * i % 900)
+                          .toLatin1();
+        const Result<LoadedDocument> read =
+            readDocument(svg("viewBox='0 0 1000 1000'", "<radialGradient id='g'><stop stop-color='#fd8'/><stop "
+                                                        "offset='1' stop-color='#08f' stop-opacity='0'/>"
+                                                        "</radialGradient>" +
+                                                            shapes),
+                         "a.svg");
+        QVERIFY(read);
+        QCOMPARE(read->leftOut, QString());
+        QCOMPARE(read->painting.groups.size(), std::size_t(200));
+    }
+
     /// Where colours let through, or repeat, strips lie beside each other.
     void linearGradientsMayBeStrips()
     {
