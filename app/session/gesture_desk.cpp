@@ -74,6 +74,10 @@ void GestureDesk::rest(GestureState &gesture)
     if (m_open != &gesture || m_rests)
         return;
     gesture.settle();
+    if (gesture.back() && changesNothing(*gesture.back(), *m_document.painting())) {
+        (void)gesture.takeBack(); // It is back where it began, so there is nothing to decide.
+        emit undecidedChanged();
+    }
     gesture.liftAnew();
     m_rests = true;
     m_told = m_told || gesture.back();

@@ -326,6 +326,7 @@ void SliderField::giveUp()
     if (m_pressedValue && !m_amount) // for whoever keeps values without an editor
         emit edited(*m_pressedValue, &m_entry);
     m_entry.giveUpDrag();
+    emit dragEnded();
 }
 
 /// The entry for a step by key or wheel.

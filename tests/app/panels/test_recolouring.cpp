@@ -26,6 +26,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -504,6 +505,34 @@ private slots:
         s.select({s.id});
         RecolourDialog dialog(s.editor(), &s.window);
         QCOMPARE(dialog.list()->topLevelItemCount(), 1); // of what is selected
+    }
+
+    /// A drag that was given up leaves nothing that would have to be saved.
+    void artworkAsItWasIsNotModified()
+    {
+        TwoWaves s;
+        QSignalSpy saved(&s.editor(), &Editor::saved);
+        s.editor().startSaving(m_folder.filePath("asItWas.suffuse"), true);
+        QVERIFY(saved.wait() && !s.editor().isModified());
+        RecolourDialog dialog(s.editor(), &s.window);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        BarSlider &slider = *dialog.saturation()->slider();
+        for (const bool givesUp : {true, false}) {
+            QTest::mousePress(&slider, Qt::LeftButton, {}, along(slider, 0.5));
+            QTest::mouseMove(&slider, along(slider, 0.1));
+            QVERIFY(s.editor().isModified() && s.window.isWindowModified());
+            if (givesUp)
+                QTest::keyClick(&slider, Qt::Key_Escape);
+            QTest::mouseRelease(&slider, Qt::LeftButton, {}, along(slider, 0.1));
+            QCOMPARE(s.editor().isModified(), !givesUp);
+            QCOMPARE(s.window.isWindowModified(), !givesUp);
+            QCOMPARE(s.isAsBefore(), givesUp);
+        }
+        type(*dialog.saturation()->number(), "100"); // as it was by hand
+        QVERIFY(s.isAsBefore() && !s.editor().isModified());
+        dialog.reject();
+        QVERIFY(s.isAsBefore() && !s.editor().isModified());
     }
 
     void artworkIsRecolouredStepByStep()
