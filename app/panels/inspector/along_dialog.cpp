@@ -285,11 +285,12 @@ void AlongDialog::set(const CurveAlong &curve)
 /// Before something is changed: that is stepped back to. A drag is one change.
 void AlongDialog::note()
 {
-    if (m_curve->isDragging() && m_beforeDrag)
+    const bool goesOn = m_curve->isDragging() && m_beforeDrag;
+    if (goesOn && !m_past.empty())
         return;
-    m_past.emplace_back(m_quantity, m_set);
+    m_past.emplace_back(m_quantity, m_set); // What a drag does after it was saved is another change.
     m_future.clear();
-    if (m_curve->isDragging())
+    if (m_curve->isDragging() && !goesOn)
         m_beforeDrag = m_set;
 }
 
@@ -322,7 +323,8 @@ void AlongDialog::giveUpDrag()
 {
     if (!m_finished && m_beforeDrag) {
         m_set = *m_beforeDrag;
-        m_past.pop_back();
+        if (!m_past.empty()) // It is, where the drag has been saved and has not moved since.
+            m_past.pop_back();
     }
     m_beforeDrag.reset();
     showFields();
@@ -347,6 +349,8 @@ void AlongDialog::step(bool back)
 
 void AlongDialog::handOver(const std::function<bool()> &commit, const std::function<void()> &undo)
 {
+    if (m_curve->isDragging() && m_beforeDrag)
+        return handOverInDrag(commit);
     const std::size_t done = m_past.size();
     while (canStep(true))
         step(true);
@@ -363,6 +367,24 @@ void AlongDialog::handOver(const std::function<bool()> &commit, const std::funct
     }
     m_gesture.commit();
     follow();
+}
+
+/// What the drag has set so far is a step as all before it, and the drag goes on from there.
+void AlongDialog::handOverInDrag(const std::function<bool()> &commit)
+{
+    std::vector<CurvesSet> states;
+    for (const auto &[quantity, before] : m_past)
+        states.push_back(before);
+    states.push_back(m_set);
+    m_set = states.front();
+    showValues();
+    for (std::size_t k = 1; k < states.size(); ++k) {
+        m_set = states[k];
+        showValues();
+        (void)commit();
+    }
+    m_past.clear();
+    m_gesture.commit();
 }
 
 /// Shows what was set so far.

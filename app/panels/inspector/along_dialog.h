@@ -54,6 +54,7 @@ private:
     bool canStep(bool back) const override { return !(back ? m_past : m_future).empty(); }
     void step(bool back) override;
     void handOver(const std::function<bool()> &commit, const std::function<void()> &undo) override;
+    void handOverInDrag(const std::function<bool()> &commit);
     void addChoice();
     void addFields();
     void showQuantity();

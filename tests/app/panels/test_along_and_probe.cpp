@@ -498,6 +498,47 @@ private slots:
         QVERIFY(*now() == *second);
     }
 
+    void savingInTheMiddleOfADragGoesOnWithIt()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const auto now = [&] { return bench.editor.document().painting(); };
+        const PaintingPtr before = now();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "7");
+        const PaintingPtr first = now();
+        dialog->choose(AlongDialog::Ramp);
+        const QPointF end{1, dialog->curve()->curve().at(1)};
+        dragCurve(*dialog->curve(), end, {1, 0.9}, false);
+        const PaintingPtr second = now();
+        QVERIFY(*second != *first && dialog->curve()->isDragging());
+        const QString path = m_folder.filePath("dragged.suffuse");
+        QSignalSpy saved(&bench.editor, &Editor::saved);
+        bench.editor.startSaving(path, true);
+        QVERIFY(saved.wait());
+        QVERIFY(*loadPainting(path) == *second && !bench.editor.isModified());
+        QVERIFY(dialog && dialog->curve()->isDragging());
+        QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({1, 0.3}).toPoint());
+        QVERIFY(*now() != *second && *now() != *first);
+        QTest::mouseRelease(dialog->curve(), Qt::LeftButton, {}, dialog->curve()->toWidget({1, 0.3}).toPoint());
+        const PaintingPtr third = now();
+        QVERIFY(bench.editor.isModified());
+        bench.editor.undo();
+        QVERIFY(*now() == *second);
+        bench.editor.redo();
+        QVERIFY(*now() == *third);
+        bench.editor.undo();
+        bench.editor.undo();
+        QVERIFY(*now() == *first || *now() == *before); // a ramp of one value is a change of its own, or none
+        while (bench.editor.canUndo())
+            bench.editor.undo();
+        QVERIFY(*now() == *before);
+    }
+
     /// Undo goes on to what was done before the window, and redo comes back through all that was done in it.
     void undoBeyondTheWindowCanBeRedone()
     {
