@@ -15,7 +15,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double pickSlack = 3; ///< logical pixels
+constexpr double pickSlack = 3;    ///< logical pixels
+constexpr double caretMargin = 60; ///< logical pixels between the edge of the view and a caret that it follows
 
 bool contains(const std::array<Point, 4> &corners, Point p)
 {
@@ -41,6 +42,7 @@ TextTool::TextTool(CanvasWidget &canvas, QObject *parent)
 {
     connect(&m_entry, &TextEntry::opened, this, [this] {
         m_caret = {};
+        m_followed = {QString(), -1};
         emit typingChanged();
         emit hintChanged();
         restartBlinking();
@@ -96,6 +98,7 @@ void TextTool::changed()
     if (m_editor.selection().strokes != letters || !m_editor.selection().segments.empty())
         m_editor.document().setSelection({letters, {}});
     m_values.showRow();
+    followCaret();
     // Where nothing but the caret lies over the text, the rest of what lies over the picture stays as it is.
     const QRectF caret = seenCaret();
     const auto [from, to] = m_entry.composed();
@@ -115,6 +118,25 @@ QRectF TextTool::seenCaret() const
 {
     const View &view = m_canvas.view();
     return caretPixels(m_entry, view, m_canvas.devicePixelRatioF()).intersected(QRectF(0, 0, view.width, view.height));
+}
+
+/// Moves the view where the caret has left it, as text editors do; not below a pointer that selects.
+void TextTool::followCaret()
+{
+    const std::pair<QString, qsizetype> now(m_entry.text().string, m_entry.caret());
+    if (m_isPressed || std::exchange(m_followed, now) == now)
+        return;
+    const View &view = m_canvas.view();
+    const QRectF caret = caretPixels(m_entry, view, m_canvas.devicePixelRatioF());
+    if (QRectF(0, 0, view.width, view.height).contains(caret))
+        return;
+    const auto way = [dpr = m_canvas.devicePixelRatioF()](double from, double to, double size) {
+        const double margin = std::min(caretMargin * dpr, size / 4);
+        if (to - from > size - 2 * margin) // It is larger than the view.
+            return (size - from - to) / 2;
+        return from < margin ? margin - from : to > size - margin ? size - margin - to : 0;
+    };
+    m_canvas.panBy({way(caret.left(), caret.right(), view.width), way(caret.top(), caret.bottom(), view.height)});
 }
 
 void TextTool::restartBlinking()

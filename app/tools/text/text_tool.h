@@ -58,6 +58,7 @@ private:
     void say(const QString &text);
     void restartBlinking();
     QRectF seenCaret() const;
+    void followCaret();
 
     TextEntry m_entry;
     TextValues m_values;
@@ -66,7 +67,8 @@ private:
     bool m_isPressed = false;
     bool m_isOn = true; ///< the caret, as it blinks
     bool m_choosesWords = false;
-    qsizetype m_wordFrom = 0, m_wordTo = 0; ///< the word where a drag by words began
+    qsizetype m_wordFrom = 0, m_wordTo = 0;   ///< the word where a drag by words began
+    std::pair<QString, qsizetype> m_followed; ///< the text and the caret in it that the view has followed
     QBasicTimer m_blinking;
     QRectF m_caret;              ///< device pixels, where it was drawn last; empty: more than a caret was
     mutable SharedText m_framed; ///< the text of which m_frame is the box

@@ -604,6 +604,35 @@ private slots:
         QVERIFY(s.selected().empty());
     }
 
+    void theViewFollowsTheCaret()
+    {
+        Typing s;
+        s.click({200, 300});
+        const View before = s.canvas().view();
+        const auto isSeen = [&s] {
+            return s.canvas().rect().contains(asked(s.canvas(), Qt::ImCursorRectangle).toRectF().toAlignedRect());
+        };
+        s.type("inside");
+        QCOMPARE(s.canvas().view(), before);
+        s.type(QString(50, QLatin1Char('m')));
+        QVERIFY(isSeen() && s.canvas().view().centre.x > before.centre.x);
+        QVERIFY(near(s.canvas().view().scale, before.scale));
+        s.key(Qt::Key_Home);
+        QVERIFY(isSeen());
+        for (int i = 0; i < 20; ++i)
+            s.key(Qt::Key_Return);
+        QVERIFY(isSeen() && s.canvas().view().centre.y > before.centre.y);
+        s.key(Qt::Key_Home, Qt::ControlModifier);
+        QVERIFY(isSeen());
+        // Whoever scrolls away stays there until the caret moves.
+        s.canvas().panBy({0, 5000});
+        const View away = s.canvas().view();
+        s.editor().setColour(red);
+        QCOMPARE(s.canvas().view(), away);
+        s.key(Qt::Key_Right);
+        QVERIFY(isSeen());
+    }
+
     void inputMethods()
     {
         Typing s;
