@@ -3,7 +3,7 @@
 
 #include "render/bench/generator.h"
 #include "render/cuda/cuda_renderer.h"
-#include "tests/render/filled.h"
+#include "tests/render/cell_corners.h"
 
 #include <functional>
 
@@ -271,6 +271,13 @@ inline void checkFills(const OpenDevice &open, int randomOnes)
             return;
         }
     }
+}
+
+/// Crisp edges that lead through corners of cells fill no cell that they only touch.
+inline void checkCornersOfCells(const OpenDevice &open, unsigned triangles)
+{
+    CudaRenderer cuda({open()}, 0);
+    checkTrianglesThroughCorners(cuda, triangles);
 }
 
 /// Fills are the same to the bit whatever was drawn before, on however many devices, with all tiles looked at and not.

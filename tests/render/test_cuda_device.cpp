@@ -30,6 +30,7 @@ private slots:
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
     void fills() { checkFills(open, 48); }
+    void cornersOfCells() { checkCornersOfCells(open, 2000); }
     void fillEdits() { checkFillEdits(open, 80); }
     void dirtyIsFull() { checkDirtyIsFull(open, 200); }
     void growingStroke() { checkGrowingStroke(open); }

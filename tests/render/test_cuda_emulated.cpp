@@ -38,6 +38,7 @@ private slots:
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
     void fills() { checkFills(open, 12); }
+    void cornersOfCells() { checkCornersOfCells(open, 120); }
     void fillEdits() { checkFillEdits(open, 14); }
     void dirtyIsFull() { checkDirtyIsFull(open, 60); }
     void growingStroke() { checkGrowingStroke(open); }

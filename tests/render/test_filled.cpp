@@ -1,5 +1,5 @@
 // Fills: the CPU renderer against the reference.
-#include "tests/render/filled.h"
+#include "tests/render/cell_corners.h"
 
 #include "model/paint/fill_density.h"
 #include "model/paint/seen_paint.h"
@@ -103,36 +103,10 @@ private slots:
     /// the outline all is covered, or nothing.
     void crispEdgesThroughCornersOfCells()
     {
-        std::mt19937 random(31);
-        const auto whole = [&](int least, int most) {
-            return double(least + int(random() % unsigned(most - least + 1)));
-        };
-        for (int n = 0; n < 400; ++n) {
-            Stroke shape = emptyFill(1, 0, styleOf(StyleKind::Uniform));
-            const Point corner{8 * whole(1, 7), 8 * whole(1, 5)}, along{whole(-9, 9), whole(1, 9)};
-            const std::array<Point, 3> corners{corner - whole(0, 4) * along, corner + whole(1, 4) * along,
-                                               Point{whole(0, 64), whole(0, 48)}};
-            addPolygon(shape, {corners.begin(), corners.end()});
-            const auto p = painting({shape}, 64, 48);
-            if (n < 4)
-                compare(p, sheetView(), "triangle " + QByteArray::number(n));
-            const FloatPicture picture = test::render(*m_cpu, p, sheetView(), -1, true);
-            for (int y = 0; y < 48; ++y)
-                for (int x = 0; x < 64; ++x) {
-                    int right = 0; // of how many sides it lies
-                    double nearest = 1e9;
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        const Point side = corners[(k + 1) % 3] - corners[k], to = Point{x + 0.5, y + 0.5} - corners[k];
-                        const double distance = (side.x * to.y - side.y * to.x) / std::max(length(side), 1e-9);
-                        right += distance > 0;
-                        nearest = std::min(nearest, std::abs(distance));
-                    }
-                    const float covered = picture.at(x, y)[3];
-                    if (nearest > 1)
-                        QVERIFY2(right % 3 == 0 ? covered > 0.5f : covered == 0,
-                                 qPrintable(QStringLiteral("%1: %2 at %3, %4").arg(n).arg(covered).arg(x).arg(y)));
-                }
-        }
+        for (unsigned n = 0; n < 4; ++n)
+            compare(painting({triangleThroughCorner(n).shape()}, 64, 48), sheetView(),
+                    "triangle " + QByteArray::number(n));
+        checkTrianglesThroughCorners(*m_cpu, 400);
     }
 
     void thinSpreads()
