@@ -27,7 +27,9 @@ void keepStyle(const Style &style, float (&bytes)[12])
 bool isPlain(const SceneStroke &s)
 {
     const SceneFill *fill = s.fill.get();
-    if (fill && (fill->crisp || fill->deep || fill->level > 0 || fill->b != 0 || s.shade.colourChannel >= 0))
+    if (fill && (fill->deep || fill->level > 0 || fill->b != 0 || s.shade.colourChannel >= 0))
+        return false;
+    if (fill && fill->crisp && !s.nodes.empty())
         return false;
     return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
            s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();

@@ -17,6 +17,9 @@ constexpr std::size_t fewestApart = 256, mostApart = 32768;
 /// Where there are fewer costly strokes than one in so many tiles, the next call has none evaluated apart, since the
 /// kernel that cannot do so is the faster one. In the general kernel strokes cost more.
 constexpr std::size_t fewApart = 2, fewApartInGeneral = 4;
+/// Where there are more tiles than these, all multiprocessors have enough to do without cheap fills being apart.
+constexpr std::size_t manyTiles = 8192;
+constexpr std::uint32_t costlyFill = 1000;
 /// Planes of the paper take 1 kB each, at most 64 MiB.
 constexpr std::size_t mostEtaPlanes = 65536, manyEtaPlanes = 5;
 /// All lists of a band have at most so many entries. Macro-tiles are counted by 16 bits.
@@ -43,7 +46,7 @@ TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads thread
       m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
-    m_frame.apartLimits = apart;
+    m_apartLimits = apart;
 }
 
 void TileWorker::releaseBuffers()
@@ -198,6 +201,9 @@ Fault TileWorker::reserveApart(std::size_t tiles, std::size_t listed)
     m_frame.apartSamples = m_apartSamples.data();
     m_frame.apartDone = m_apartDone.data();
     m_frame.apartRoom = std::uint32_t(m_apartRoom);
+    m_frame.apartLimits = m_apartLimits;
+    if (tiles > manyTiles)
+        m_frame.apartLimits.ofFill = std::max(m_apartLimits.ofFill, costlyFill);
     ++m_frame.apartStamp;
     return fault;
 }

@@ -100,6 +100,7 @@ private:
     std::size_t m_apartRoom = 0;   ///< slots for strokes that are evaluated apart
     std::size_t m_apartWanted = 0; ///< slots that the last band would have taken
     bool m_apartWorthIt = true;    ///< whether the last band had enough strokes for it
+    ApartLimits m_apartLimits;     ///< as the renderer was asked for them
     bool m_apartRefused = false;   ///< whether there was no memory for them
     DeviceArray<float> m_eta;
     DeviceArray<std::uint32_t> m_etaKnown;

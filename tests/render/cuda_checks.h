@@ -442,14 +442,28 @@ inline PaintingPtr heavyPainting(int strokes)
     return painting(all, 48, 36, {PaperKind::Procedural, 5, 20, 0.8f, {}});
 }
 
+/// Fills of all kinds over each other: crisp, finer than a pixel, and wider, with and without gradients.
+inline PaintingPtr heavyFills(int fills)
+{
+    std::mt19937_64 random(67);
+    std::vector<Stroke> all;
+    for (int i = 0; i < fills; ++i) {
+        constexpr double spreads[] = {1e-4, 0.4, 3, 30, 0.05};
+        all.push_back(randomFill(random, StrokeId(i + 1), 48, 36, spreads[i % 5]));
+        if (i % 3)
+            changeFill(all.back(), [](Fill &f) { f.anisotropyRatio = f.granulation = 1; });
+    }
+    return painting(all, 48, 36, {PaperKind::Procedural, 5, 20, 0.8f, {}});
+}
+
 /// Who evaluates a stroke changes no bit: its tile, or another warp; whatever was drawn before; on several devices.
-inline void checkHeavyTiles(const OpenDevice &open, int strokes, int repeats)
+inline void checkHeavyTiles(const OpenDevice &open, PaintingPtr p, int repeats)
 {
     constexpr std::uint32_t never = UINT32_MAX;
-    auto p = heavyPainting(strokes);
     const View view = View::ofArea(p->canvas.area(), 48, 36);
-    CudaRenderer together({open()}, 0, true, {never, never, never}), apart({open()}, 0, true, {0, 0, 0});
-    CudaRenderer some({open()}, 0, true, {300, 100, 900}), usual({open(), open()}, 0), live({open()}, 0);
+    CudaRenderer together({open()}, 0, true, {never, never, never, never}),
+        apart({open()}, 0, true, {0, 0, 0, 0});
+    CudaRenderer some({open()}, 0, true, {300, 100, 500, 900}), usual({open(), open()}, 0), live({open()}, 0);
     FloatPicture picture;
     for (int step = 0; step < 3; ++step) {
         const FloatPicture expected = test::render(together, p, view);

@@ -157,7 +157,12 @@ void EmulatedDevice::paint(Frame frame, Work work)
         makeLists(std::false_type{});
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
-    const auto apart = [&](auto general, auto &scratch) { paintApart<general.value>(warp, frame, scratch); };
+    const auto apart = [&](auto general, auto &scratch) {
+        if (frame.fills)
+            paintApart<general.value, true>(warp, frame, scratch);
+        else
+            paintApart<general.value, false>(warp, frame, scratch);
+    };
     if (work.plain)
         apart(std::false_type{}, *plain);
     if (work.general)

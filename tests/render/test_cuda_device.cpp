@@ -36,7 +36,8 @@ private slots:
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
-    void heavyTiles() { checkHeavyTiles(open, 5000, 34); } // 102 times for each way
+    void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 34); } // 102 times for each way
+    void heavyFills() { checkHeavyTiles(open, test::heavyFills(80), 7); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

@@ -44,7 +44,8 @@ private slots:
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
-    void heavyTiles() { checkHeavyTiles(open, 5000, 1); }
+    void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 1); }
+    void heavyFills() { checkHeavyTiles(open, test::heavyFills(30), 1); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

@@ -75,6 +75,12 @@ SUFFUSE_PROGRAM float jumpOf(std::int32_t kind, std::uint32_t use)
     return (kind & fillFlat) || (use & fillFalls) ? jump : -jump;
 }
 
+/// Tells whether a stroke needs several samples at some pixels.
+SUFFUSE_PROGRAM bool isSupersampled(const StrokeRecord &stroke)
+{
+    return stroke.small != 0 || (stroke.fill & thinFill) != 0;
+}
+
 /// Reads a record of a fill from where nodes lie.
 SUFFUSE_PROGRAM FillRecord readFillRecord(const NodeRecord *from)
 {

@@ -68,7 +68,7 @@ __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps
     takeTurn();
     DeviceWarp warp;
     if constexpr (apart)
-        paintApart<general>(warp, frame, scratch);
+        paintApart<general, fills>(warp, frame, scratch);
     TileOrder order(warp, frame, orderScratch);
     constexpr StatusWord counter = general ? nextGeneralTile : nextPlainTile;
     constexpr int together = general ? generalWarps : plainWarps;

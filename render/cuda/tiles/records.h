@@ -149,7 +149,7 @@ struct alignas(16) StrokeRecord {
     std::uint32_t channels = 0;
     std::uint32_t granulated = 0;
     /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺. If it
-    /// has a fill, that is separable and its colours lie on a line.
+    /// has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has.
     std::uint32_t plain = 0;
     std::uint32_t firstChunk = 0, chunks = 0;
     std::uint32_t firstValue = 0; ///< where its channel values begin, `channels` in a row
@@ -228,6 +228,7 @@ inline constexpr int overPlanes = 9; ///< keep, three of add, three of limit, ho
 struct ApartLimits {
     std::uint32_t from = 400;    ///< the cost of a stroke
     std::uint32_t inGeneral = 0; ///< the same at a tile of the general kernel, where plain strokes cost more
+    std::uint32_t ofFill = 400;  ///< the same for a stroke with a fill, at any tile
     std::uint32_t above = 20000; ///< what the strokes of a list may cost before all others are evaluated apart
 };
 

@@ -26,7 +26,8 @@ SUFFUSE_PROGRAM std::uint32_t *apartDone(const Frame &frame, std::uint32_t slot,
     return frame.apartDone + std::size_t(slot) * apartParts + part;
 }
 
-/// One warp evaluates a plain stroke with all that varies along it in one pass, since no picture is in its registers.
+/// One warp evaluates a plain stroke without a fill, with all that varies along it in one pass, since no picture is in
+/// its registers.
 template <class Warp>
 class ApartPlain {
 public:
@@ -37,9 +38,9 @@ public:
         : m_warp(warp), m_frame(frame), m_job(job), m_s(scratch)
     {}
 
+    /// The stroke's record has been fetched, or is on its way.
     SUFFUSE_PROGRAM void paint()
     {
-        m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, m_job.stroke, lane, start, m_s.stroke); });
         sum();
         const StrokeRecord &stroke = strokeOf(m_s.stroke);
         const bool paper = stroke.granulated && m_frame.paper.kind != 0;
@@ -157,8 +158,8 @@ SUFFUSE_CALL void evaluateGeneral(Warp warp, const Frame &frame, const ApartJob 
     GeneralStroke<Warp, fills>(warp, frame, job, stroke, paint.fetched, paint.sums, general).evaluateTile(part);
 }
 
-/// Does a part of a job of a general stroke. It has no fill.
-template <class Warp>
+/// Does a part of a job of a general stroke.
+template <bool fills, class Warp>
 SUFFUSE_PROGRAM void paintApartPart(Warp &warp, const Frame &frame, const ApartJob &job, int part, PaintScratch &paint,
                                     GeneralScratch &general)
 {
@@ -166,9 +167,9 @@ SUFFUSE_PROGRAM void paintApartPart(Warp &warp, const Frame &frame, const ApartJ
     warp.fetch([&](int lane, auto start) { fetchStroke(frame, job.stroke, lane, start, paint.stroke); });
     warp.arrive(false);
     const StrokeRecord &stroke = strokeOf(paint.stroke);
-    if (part > 0 && stroke.small == 0)
+    if (part > 0 && !isSupersampled(stroke))
         return;
-    evaluateGeneral<false>(warp, frame, job, part, paint, stroke, general);
+    evaluateGeneral<fills>(warp, frame, job, part, paint, stroke, general);
     Float4 *slot = apartSlot(frame, job.slot);
     warp.each([&](int lane) {
         SUFFUSE_ROLLED
@@ -181,17 +182,66 @@ SUFFUSE_PROGRAM void paintApartPart(Warp &warp, const Frame &frame, const ApartJ
     warp.publish(apartDone(frame, job.slot, part), 2 * frame.apartStamp + 1);
 }
 
-/// Does plain jobs, until none is left. They are called, not inlined, since painting tiles needs all registers.
+/// Evaluates a plain stroke that has a fill. Its colours lie on a line, so that it is summed once.
 template <class Warp>
+SUFFUSE_PROGRAM void paintApartFill(Warp &warp, const Frame &frame, const ApartJob &job, PaintScratch &scratch)
+{
+    const StrokeRecord &stroke = strokeOf(scratch.stroke);
+    const FillValues &fill = frame.fills[stroke.fillValues];
+    const float *eta = nullptr;
+    if (stroke.granulated && frame.paper.kind != 0) { // This is done while no sums are in registers.
+        findEta(warp, frame, job.column, job.row, Block{}, 0, scratch.eta);
+        eta = scratch.eta;
+    }
+    NodeStream<Warp, true> nodes(warp, frame, job, scratch.fetched, scratch.sums);
+    Float4 *slot = apartSlot(frame, job.slot);
+    bool shows = false;
+    if (stroke.fill & crispFill) {
+        int base = 0;
+        clearCover(warp, plainCover(scratch.sums));
+        nodes.forEachListing(
+            Block{}, [](const Listing &) {},
+            [&](const Fetched &chunk, int records, Listing &) {
+                base += addCover(warp, plainCover(scratch.sums), chunk, records, fill, job.column, job.row, Block{});
+            });
+        shows = shadeCrisp(warp, frame, stroke, job.column, job.row, base, eta, scratch.sums);
+        if (shows)
+            warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k)
+                    slot[sampleAt(lane, k)] = crispSamples(scratch.sums)[sampleAt(lane, k)];
+            });
+    } else {
+        PlainStroke<Warp, true> plain(warp, frame, stroke, scratch.sums, job.column, job.row);
+        const auto list = [&](const Fetched &chunk, int records, Listing &listing) {
+            listFill(warp, chunk, records, fill, job.column, job.row, Block{}, scratch.sums, listing);
+        };
+        plain.sum([&](auto use) { nodes.forEachListing(Block{}, use, list); }, true, 0);
+        shows = plain.style(eta);
+        if (shows)
+            plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
+                slot[sampleAt(lane, k)] = {w, red, yellow, blue};
+            });
+    }
+    warp.publish(apartDone(frame, job.slot, 0), 2 * frame.apartStamp + shows);
+}
+
+/// Does a plain job. It is called, not inlined, since painting tiles needs all registers.
+template <bool fills, class Warp>
 SUFFUSE_CALL void paintApartPlain(Warp warp, const Frame &frame, const ApartJob job, PaintScratch &scratch)
 {
     warp.meet();
+    warp.fetch([&](int lane, auto start) { fetchStroke(frame, job.stroke, lane, start, scratch.stroke); });
+    if constexpr (fills) {
+        warp.arrive(false);
+        if (strokeOf(scratch.stroke).fill)
+            return paintApartFill(warp, frame, job, scratch);
+    }
     ApartPlain<Warp>(warp, frame, job, scratch).paint();
 }
 
 /// Takes jobs and does them, until none is left. All jobs have been taken when a warp goes on to tiles, so that no warp
 /// waits for one that waits itself.
-template <bool general, class Warp, class Scratch>
+template <bool general, bool fills, class Warp, class Scratch>
 SUFFUSE_PROGRAM void paintApart(Warp &warp, const Frame &frame, Scratch &scratch)
 {
     const std::uint32_t *counts = frame.status + firstApartCount + (general ? costlyGeneral : costlyPlain);
@@ -204,9 +254,9 @@ SUFFUSE_PROGRAM void paintApart(Warp &warp, const Frame &frame, Scratch &scratch
         const std::uint32_t i = place / parts, kind = (general ? costlyGeneral : costlyPlain) + (i >= costly);
         const ApartJob job = frame.apartJobs[std::size_t(kind) * frame.apartRoom + (i >= costly ? i - costly : i)];
         if constexpr (general)
-            paintApartPart(warp, frame, job, int(place % parts), scratch.paint, scratch.general);
+            paintApartPart<fills>(warp, frame, job, int(place % parts), scratch.paint, scratch.general);
         else
-            paintApartPlain(warp, frame, job, scratch.paint);
+            paintApartPlain<fills>(warp, frame, job, scratch.paint);
     }
 }
 

@@ -67,6 +67,29 @@ struct FillCover {
     float *covered, *borders;
 };
 
+/// Returns where plain strokes sum up what they cover. They have no nodes, whose channels and means would lie there.
+SUFFUSE_PROGRAM FillCover plainCover(SumScratch &s)
+{
+    static_assert(sizeof s.sums.channel >= tileSize * sizeof(float));
+    return {reinterpret_cast<float *>(s.sums.channel), s.means.h2};
+}
+
+template <class Warp>
+SUFFUSE_PROGRAM void clearCover(Warp &warp, const FillCover &cover)
+{
+    warp.each([&](int lane) {
+        for (int k = 0; k < laneSamples; ++k)
+            cover.covered[sampleAt(lane, k)] = 0;
+    });
+}
+
+/// Returns how much of a sample is covered, from the sum of all panels and `base`. What is 0 or 1 but for rounding is
+/// so.
+SUFFUSE_PROGRAM float coveredShare(float sum)
+{
+    return sum < 1e-4f ? 0.0f : sum > 1 - 1e-4f ? 1.0f : sum;
+}
+
 /// Adds a number to all that lies below a height.
 template <class Warp>
 SUFFUSE_PROGRAM void addBelow(Warp &warp, const FillCover &cover, float y, float jump)
@@ -162,49 +185,65 @@ SUFFUSE_PROGRAM bool meetsPixel(const FillCurve &curve, float column, float row,
     return meets(FillCurve::at(curve.x, from), FillCurve::at(curve.x, to));
 }
 
-/// Raises the level of the pixels of a tile that lie as near to the boundary of a thin fill as docs/solver.md says
+/// Raises the level of the pixels of a job's tile that lie near one panel or flat. Returns whether there are any.
+template <class Warp>
+SUFFUSE_PROGRAM bool markNear(Warp &warp, const NodeRecord *from, const ApartJob &job, float nearby, std::uint8_t level,
+                              std::uint8_t *levels)
+{
+    const FillRecord record = readFillRecord(from);
+    FillCurveRecord rest;
+    if (record.kind & fillShape) {
+        const auto *parts = reinterpret_cast<const Float4 *>(from + 1);
+        rest = curveRecordOf([&](int part) { return parts[part]; });
+    } else {
+        rest.x1 = rest.x2 = rest.x3 = float(record.x1 - record.x0) * (1.0f / fillUnits);
+    }
+    const FillCurve curve(record, rest, job.column, job.row, Block{});
+    return warp.any([&](int lane) {
+        bool marked = false;
+        for (int k = 0; k < laneSamples; ++k) {
+            std::uint8_t &own = levels[sampleAt(lane, k)];
+            if (own < level && meetsPixel(curve, float(sampleColumn(lane, k)), float(sampleRow(lane, k)), nearby))
+                own = level, marked = true;
+        }
+        return marked;
+    });
+}
+
+/// Raises the level of the pixels of a job's tile that lie as near to the boundary of a thin fill as docs/solver.md
+/// says
 /// ("Supersampling"). Returns whether there are any. `levels` is arranged as sampleAt says.
 template <class Warp>
-SUFFUSE_CALL bool markThinFill(Warp warp, const Frame &frame, const StrokeRecord &stroke, std::int32_t cellX,
-                               std::int32_t cellY, std::uint8_t *levels)
+SUFFUSE_CALL bool markThinFill(Warp warp, const Frame &frame, const ApartJob job, const StrokeRecord &stroke,
+                               std::uint8_t *levels)
 {
+    const std::int32_t cellX = job.column, cellY = job.row;
     const FillValues &fill = frame.fills[stroke.fillValues];
     const float nearby = float(fill.nearby);
     const FillRegion region = fillRegion(fill, cellX, cellY);
     const auto level = std::uint8_t(stroke.fill / fillLevel);
     bool any = false;
-    for (std::uint32_t c = 0; c < stroke.chunks; ++c) {
-        const ChunkRecord chunk = frame.chunks[stroke.firstChunk + c];
-        if (!(chunk.nodes & fillChunk) || !meetsTile(chunk, cellX, cellY))
-            continue;
-        const NodeRecord *records = frame.nodes + chunk.firstNode;
-        std::uint32_t hits = warp.ballot([&](int lane) {
-            if (std::uint32_t(lane) >= (chunk.nodes & chunkCountBits))
+    typename Warp::template Var<std::uint32_t> firstNode, count; // of 32 chunks
+    for (std::uint32_t base = job.from; base < job.to; base += warpLanes) {
+        std::uint32_t near = warp.ballot([&](int lane) {
+            const std::uint32_t i = base + std::uint32_t(lane);
+            if (i >= job.to)
                 return false;
-            const FillEnds ends = endsOf(readFillRecord(records + lane));
-            return (ends.kind & (fillShape | fillFlat)) != 0 && (useOf(ends, region) & metFill) != 0;
+            const ChunkRecord chunk = frame.chunks[i];
+            firstNode[lane] = chunk.firstNode, count[lane] = chunk.nodes & chunkCountBits;
+            return (chunk.nodes & fillChunk) != 0 && meetsTile(chunk, cellX, cellY);
         });
-        for (; hits; hits &= hits - 1) {
-            const int n = Warp::lowest(hits);
-            const FillRecord record = readFillRecord(records + n);
-            FillCurveRecord rest;
-            if (record.kind & fillShape) {
-                const auto *parts = reinterpret_cast<const Float4 *>(records + n + 1);
-                rest = curveRecordOf([&](int part) { return parts[part]; });
-            } else {
-                rest.x1 = rest.x2 = rest.x3 = float(record.x1 - record.x0) * (1.0f / fillUnits);
-            }
-            const FillCurve curve(record, rest, cellX, cellY, Block{});
-            any |= warp.any([&](int lane) {
-                bool marked = false;
-                for (int k = 0; k < laneSamples; ++k) {
-                    std::uint8_t &own = levels[sampleAt(lane, k)];
-                    if (own < level &&
-                        meetsPixel(curve, float(sampleColumn(lane, k)), float(sampleRow(lane, k)), nearby))
-                        own = level, marked = true;
-                }
-                return marked;
+        for (; near; near &= near - 1) {
+            const NodeRecord *records = frame.nodes + warp.read(firstNode, Warp::lowest(near));
+            const std::uint32_t listed = warp.read(count, Warp::lowest(near));
+            std::uint32_t hits = warp.ballot([&](int lane) {
+                if (std::uint32_t(lane) >= listed)
+                    return false;
+                const FillEnds ends = endsOf(readFillRecord(records + lane));
+                return (ends.kind & (fillShape | fillFlat)) != 0 && (useOf(ends, region) & metFill) != 0;
             });
+            for (; hits; hits &= hits - 1)
+                any |= markNear(warp, records + Warp::lowest(hits), job, nearby, level, levels);
         }
     }
     warp.meet();

@@ -169,9 +169,10 @@ public:
         const ApartLimits &limits = m_frame.apartLimits;
         return m_warp.ballot([&](int lane) {
             const bool isGeneral = general >> lane & 1;
-            if ((fills && stroke().fill) || !(mask >> lane & 1) || (!stroke().plain && !isGeneral))
+            if (!(mask >> lane & 1) || (!stroke().plain && !isGeneral))
                 return false;
-            return cost(lane) >= (isGeneral ? limits.inGeneral : limits.from) || weights[lane] >= limits.above;
+            const std::uint32_t least = isGeneral ? limits.inGeneral : limits.from;
+            return cost(lane) >= (fills && stroke().fill ? limits.ofFill : least) || weights[lane] >= limits.above;
         });
     }
     /// Finds the tiles of the mask where it costs so much that it is taken before others.
@@ -202,7 +203,7 @@ private:
                 m_s.ends[lane] = endsOf(readFillRecord(m_frame.nodes + chunk.firstNode + lane));
         });
         // Of a fill that is sampled finer than by tiles, parts of a tile must know of all that lies left of them.
-        const bool finer = (stroke.fill & (crispFill | thinFill)) != 0;
+        const bool crisp = (stroke.fill & crispFill) != 0, finer = crisp || (stroke.fill & thinFill) != 0;
         const std::uint32_t hits = m_warp.ballot([&](int lane) {
             const FillRegion region = fillRegion(values, cellX(lane), cellY(lane));
             std::uint32_t all = 0, cost = 0;
@@ -211,7 +212,7 @@ private:
             for (int n = 0; n < records; ++n) {
                 const std::uint32_t use = useOf(m_s.ends[n], region);
                 all |= use;
-                cost += (use & listedFill) ? fillNodeCost : 0;
+                cost += crisp ? ((use & metFill) ? crispCurveCost : 0) : (use & listedFill) ? fillNodeCost : 0;
                 base += std::int32_t((use & enteredFill) != 0) - std::int32_t((use & leftFill) != 0);
             }
             const bool met = (all & metFill) != 0;
@@ -225,9 +226,10 @@ private:
         return hits;
     }
 
-    static constexpr std::uint32_t fillNodeCost = 2;  ///< that of a fill's node, in nodes
-    static constexpr std::uint32_t strokeWeight = 96; ///< the cost of shading and mixing at a tile
-    static constexpr std::uint32_t mixWeight = 16;    ///< that of mixing alone
+    static constexpr std::uint32_t fillNodeCost = 2;    ///< that of a fill's node, in nodes
+    static constexpr std::uint32_t crispCurveCost = 32; ///< that of a panel of a crisp fill
+    static constexpr std::uint32_t strokeWeight = 96;   ///< the cost of shading and mixing at a tile
+    static constexpr std::uint32_t mixWeight = 16;      ///< that of mixing alone
 
     /// Returns what the stroke costs at a tile. What a node costs was measured; it depends on how often the nodes are
     /// summed.
@@ -235,7 +237,9 @@ private:
     {
         const ShadeParams &shade = stroke().shade;
         const std::uint32_t nodeWeight = shade.colourChannel >= 0 ? 17 : shade.lineChannel >= 0 ? 7 : 4;
-        const std::uint32_t times = stroke().plain ? 1 : stroke().small ? 6 : 2; // as often as blocks are evaluated
+        const std::uint32_t times = stroke().plain             ? 1
+                                    : isSupersampled(stroke()) ? 6
+                                                               : 2; // as often as blocks are evaluated
         return times * (strokeWeight + nodeWeight * m_met[lane]);
     }
 

@@ -28,7 +28,7 @@ SUFFUSE_PROGRAM int quadrantOf(int column, int row)
 /// Returns the part of a stroke's job to which a lane's pixel belongs, by the level that `markLevels` has found there.
 SUFFUSE_PROGRAM int partOf(const StrokeRecord &stroke, int level, int lane, int k)
 {
-    return stroke.small == 0 || level == 0 ? 0 : 1 + quadrantOf(sampleColumn(lane, k), sampleRow(lane, k));
+    return !isSupersampled(stroke) || level == 0 ? 0 : 1 + quadrantOf(sampleColumn(lane, k), sampleRow(lane, k));
 }
 
 /// If `fills`, the stroke may have a fill.
@@ -90,7 +90,7 @@ private:
             for (int k = 0; k < laneSamples; ++k)
                 m_s.level[sampleAt(lane, k)] = 0;
         });
-        const bool marked = thin && markThinFill(m_warp, m_frame, m_stroke, m_column, m_row, m_s.level);
+        const bool marked = thin && markThinFill(m_warp, m_frame, m_nodes.job(), m_stroke, m_s.level);
         if (m_stroke.small == 0)
             return marked;
         double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile's box in canvas units
@@ -270,10 +270,7 @@ private:
         const bool crisp = has(crispFill);
         m_isFillOpen = has(haveFill) && !crisp && !has(deepFill), m_base = 0;
         if (crisp)
-            m_warp.each([&](int lane) {
-                for (int k = 0; k < laneSamples; ++k)
-                    m_cover.covered[sampleAt(lane, k)] = 0;
-            });
+            clearCover(m_warp, m_cover);
         m_nodes.forEachListing(
             block,
             [&](const Listing &listing) {
@@ -351,12 +348,7 @@ private:
         });
     }
 
-    /// Returns how much of a sample a crisp fill covers. Sums that are 0 or 1 but for rounding are so.
-    SUFFUSE_PROGRAM float coveredAt(int at) const
-    {
-        const float sum = m_cover.covered[at] + float(m_base);
-        return sum < 1e-4f ? 0.0f : sum > 1 - 1e-4f ? 1.0f : sum;
-    }
+    SUFFUSE_PROGRAM float coveredAt(int at) const { return coveredShare(m_cover.covered[at] + float(m_base)); }
 
     static SUFFUSE_PROGRAM float sampleX(int lane, int k, const Block &block)
     {

@@ -2,7 +2,7 @@
 // registers.
 #pragma once
 
-#include "render/cuda/tiles/tile_fill.h"
+#include "render/cuda/tiles/tile_crisp.h"
 #include "render/cuda/tiles/tile_paper.h"
 #include "render/cuda/tiles/tile_shade.h"
 
@@ -93,6 +93,28 @@ public:
             finishFill();
     }
 
+    /// Does so for a stroke that has a crisp fill and nothing else. What it covers has been summed up (`plainCover`),
+    /// but for how often it is entered left of all panels.
+    SUFFUSE_PROGRAM void cover(int base)
+    {
+        const GradientLine line = gradientLine();
+        float *covered = plainCover(m_s).covered;
+        const float full = m_stroke.fillDensity;
+        m_warp.each([&](int lane) {
+            m_sums[lane] = {};
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                const float x = float(sampleColumn(lane, k)) - 7.5f, y = float(sampleRow(lane, k)) - 7.5f;
+                float &share = covered[sampleAt(lane, k)];
+                share = coveredShare(share + float(base));
+                m_sums[lane].density[k] = share > 0 ? full : 0.0f;
+                m_values[lane].v[k] =
+                    full *
+                    (line.step != 0 ? math::mulAdd_(line.step, line.place.at(x, y, 1, 0, 0), line.from) : line.from);
+            }
+        });
+    }
+
     /// Finds F at the tile's pixels after the first pass. Returns false if the stroke shows nothing. `eta` is the paper
     /// at the pixels, in the order of `sampleAt`, or null if it is 1 everywhere.
     SUFFUSE_PROGRAM bool style(const float *eta)
@@ -146,36 +168,48 @@ public:
     }
 
 private:
+    /// Says where samples of the fill lie on the stroke's line of colours: at from + step·place.
+    struct GradientLine {
+        float from = 0, step = 0;
+        FillPlace place;
+    };
+    SUFFUSE_PROGRAM GradientLine gradientLine() const
+    {
+        GradientLine line;
+        const int channel = m_stroke.shade.lineChannel;
+        if (channel < 0)
+            return line;
+        const FillValues &values = m_frame.fills[m_stroke.fillValues];
+        line.from = values.from[channel];
+        if (m_stroke.fill & gradientFill) {
+            line.step = values.step[channel];
+            line.place = {values, (m_column + 0.5) * tileSide, (m_row + 0.5) * tileSide};
+        }
+        return line;
+    }
+
     /// Makes sums of a fill of density 1 those of the stroke's fill, before nodes are added.
     SUFFUSE_PROGRAM void finishFill()
     {
         if (!m_isFillOpen)
             return;
         m_isFillOpen = false;
-        const int line = m_stroke.shade.lineChannel;
         const float base = float(m_base), full = m_stroke.fillDensity;
-        float from = 0, step = 0;
-        FillPlace place;
-        if (line >= 0) {
-            const FillValues &values = m_frame.fills[m_stroke.fillValues];
-            from = values.from[line];
-            if (m_stroke.fill & gradientFill)
-                step = values.step[line], place = {values, (m_column + 0.5) * tileSide, (m_row + 0.5) * tileSide};
-        }
+        const GradientLine line = gradientLine();
         m_warp.each([&](int lane) {
             SampleSums &s = m_sums[lane];
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
                 const float inside = math::min_(math::max_(s.density[k] + base, 0.0f), 1.0f);
-                if (step != 0)
+                if (line.step != 0)
                     m_values[lane].v[k] =
                         full * inside *
-                        math::mulAdd_(step,
-                                      place.at(float(sampleColumn(lane, k)) - 7.5f, float(sampleRow(lane, k)) - 7.5f,
-                                               inside, s.slopeX[k], s.slopeY[k]),
-                                      from);
+                        math::mulAdd_(line.step,
+                                      line.place.at(float(sampleColumn(lane, k)) - 7.5f,
+                                                    float(sampleRow(lane, k)) - 7.5f, inside, s.slopeX[k], s.slopeY[k]),
+                                      line.from);
                 else
-                    m_values[lane].v[k] = full * inside * from;
+                    m_values[lane].v[k] = full * inside * line.from;
                 s.density[k] = full * inside;
                 s.slopeX[k] *= full, s.slopeY[k] *= full;
             }
@@ -196,5 +230,31 @@ private:
     int m_base = 0;            ///< how often the fill is entered left of what is summed
     bool m_isFillOpen = false; ///< whether the sums are those of the fill so far
 };
+
+/// Returns where `shadeCrisp` leaves w and colour of a tile's samples, in the order of `sampleAt`.
+SUFFUSE_PROGRAM Float4 *crispSamples(SumScratch &s)
+{
+    static_assert(sizeof s.sums.tables >= tileSize * sizeof(Float4));
+    return s.sums.tables[0];
+}
+
+/// Shades a plain stroke that has a crisp fill, of which `plainCover` has the sum. Returns false if it shows nothing.
+/// `eta` is as for PlainStroke::style. It is called, not inlined, since plain strokes without such fills need all
+/// registers.
+template <class Warp>
+SUFFUSE_CALL bool shadeCrisp(Warp warp, const Frame &frame, const StrokeRecord &stroke, int column, int row, int base,
+                             const float *eta, SumScratch &s)
+{
+    PlainStroke<Warp, true> plain(warp, frame, stroke, s, column, row);
+    plain.cover(base);
+    if (!plain.style(eta))
+        return false;
+    const float *covered = plainCover(s).covered;
+    plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
+        const int at = sampleAt(lane, k);
+        crispSamples(s)[at] = {w * covered[at], red, yellow, blue};
+    });
+    return true;
+}
 
 } // namespace suffuse::cuda

@@ -81,7 +81,7 @@ private:
         std::uint32_t nodes = 0;     ///< or apartNodes, if the stroke is evaluated apart
         std::uint32_t firstNode = 0; ///< or the slot
     };
-    static constexpr std::uint32_t apartNodes = 63; ///< No chunk has so many.
+    static constexpr std::uint32_t apartNodes = 127; ///< No chunk has so many, with fillChunk or without.
 
     /// Finds the next chunk of the half macro-tile's lists that meets the tile, and starts its copy to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
@@ -226,6 +226,8 @@ private:
         });
         const StrokeRecord &stroke = strokeOf(m_s.paint.stroke);
         m_streams = general && !stroke.plain;
+        if (fills && (stroke.fill & crispFill) && stroke.plain)
+            clearCover(m_warp, plainCover(m_s.paint.sums));
         if (stroke.granulated && !m_haveEta && !(apart && m_isApart) && !(general && m_streams)) {
             m_haveEta = true; // This is done while no sums are in registers.
             if (m_frame.paper.kind != 0)
@@ -238,7 +240,14 @@ private:
             return; // Another warp lists the nodes, or this one does so when it evaluates the stroke.
         if constexpr (fills) {
             if (std::uint32_t(nodes) & fillChunk) {
-                const FillValues &fill = m_frame.fills[strokeOf(m_s.paint.stroke).fillValues];
+                const StrokeRecord &stroke = strokeOf(m_s.paint.stroke);
+                const FillValues &fill = m_frame.fills[stroke.fillValues];
+                if (stroke.fill & crispFill) {
+                    m_listing.base +=
+                        addCover(m_warp, plainCover(m_s.paint.sums), fetched,
+                                 int(std::uint32_t(nodes) & chunkCountBits), fill, m_job.column, m_job.row, Block{});
+                    return;
+                }
                 if (!m_overflown && !listFill(m_warp, fetched, int(std::uint32_t(nodes) & chunkCountBits), fill,
                                               m_job.column, m_job.row, Block{}, m_s.paint.sums, m_listing))
                     m_overflown = true;
@@ -281,7 +290,7 @@ private:
     /// Mixes a stroke that another warp has evaluated, or is about to.
     SUFFUSE_PROGRAM void mixApart(const Found &found, const StrokeRecord &stroke)
     {
-        const int parts = general && !stroke.plain && stroke.small ? generalParts : 1;
+        const int parts = general && !stroke.plain && isSupersampled(stroke) ? generalParts : 1;
         const std::uint32_t done = 2 * m_frame.apartStamp;
         const bool shows = m_warp.any([&](int lane) {
             return lane < parts && Warp::await(apartDone(m_frame, found.firstNode, lane),
@@ -290,12 +299,18 @@ private:
         if (!shows)
             return;
         const Float4 *slot = apartSlot(m_frame, found.firstNode);
-        const float keep = stroke.keep;
+        mixSamples(stroke.keep, [&](int at) { return Warp::readPublished(slot + at); });
+    }
+
+    /// Mixes samples of w and colour. `read(at)` gives that at a place of `sampleAt`.
+    template <class Read>
+    SUFFUSE_PROGRAM void mixSamples(float keep, Read read)
+    {
         m_warp.each([&](int lane) {
             Float4 samples[laneSamples]; // All loads are started at once.
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k)
-                samples[k] = Warp::readPublished(slot + sampleAt(lane, k));
+                samples[k] = read(sampleAt(lane, k));
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
                 mixCoverage(lane, k, samples[k].x, keep);
@@ -308,11 +323,17 @@ private:
 
     SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
     {
+        const float *eta = stroke.granulated && m_frame.paper.kind != 0 ? m_s.paint.eta : nullptr;
+        if (fills && (stroke.fill & crispFill)) {
+            if (shadeCrisp(m_warp, m_frame, stroke, m_job.column, m_job.row, m_listing.base, eta, m_s.paint.sums))
+                mixSamples(stroke.keep, [&](int at) { return crispSamples(m_s.paint.sums)[at]; });
+            return;
+        }
         PlainStroke<Warp, fills> plain(m_warp, m_frame, stroke, m_s.paint.sums, m_job.column, m_job.row);
         const float keep = stroke.keep;
         for (int pass = 0; pass < plain.passes(); ++pass) {
             plain.sum([&](auto use) { forEachListing(stroke, use); }, m_overflown, pass);
-            if (pass == 0 && !plain.style(stroke.granulated && m_frame.paper.kind != 0 ? m_s.paint.eta : nullptr))
+            if (pass == 0 && !plain.style(eta))
                 return;
             if (pass == 0 && plain.passes() == 1)
                 plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {

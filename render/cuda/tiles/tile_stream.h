@@ -60,6 +60,8 @@ public:
         : m_warp(warp), m_frame(frame), m_job(job), m_fetched(fetched), m_s(scratch)
     {}
 
+    SUFFUSE_PROGRAM const ApartJob &job() const { return m_job; }
+
     /// Calls use(listing) for runs of listed nodes, in order, until all that meet the block were listed.
     template <class Use>
     SUFFUSE_PROGRAM void forEachListing(const Block &block, Use use)
