@@ -97,10 +97,11 @@ struct Timed : Selecting {
             ids.push_back(s->id);
         return ids;
     }
+    /// What the status bar says of the tool in hand.
     QString hint()
     {
         for (const QLabel *label : window.findChildren<QLabel *>())
-            if (label->text().endsWith(canvas().tool()->hint()))
+            if (label->toolTip().endsWith(canvas().tool()->hint()))
                 return label->text();
         return {};
     }
