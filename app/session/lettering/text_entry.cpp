@@ -407,10 +407,10 @@ void TextEntry::follow(const Change &change)
         close();
         return;
     }
-    m_plain = m_preedit.isEmpty() ? painting : nullptr;
-    if (!text || *text == m_shown)
+    const bool isShown = !text || *text == m_shown;
+    m_plain = isShown && !m_preedit.isEmpty() ? nullptr : painting;
+    if (isShown)
         return;
-    m_plain = painting;
     m_isThere = true;
     m_preedit.clear();
     if (const std::optional<qsizetype> end = endOfChange(m_text.string, text->string))
