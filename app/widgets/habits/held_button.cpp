@@ -20,6 +20,8 @@ public:
     {
         if (isHeld() && event->type() == QEvent::Show && covers(*watched))
             letGo();
+        if (isHeld() && event->type() == QEvent::KeyPress && walks(*static_cast<const QKeyEvent *>(event)))
+            return true;
         if (watched != &m_widget)
             return QObject::eventFilter(watched, event);
         const auto &mouse = *static_cast<const QMouseEvent *>(event);
@@ -63,6 +65,9 @@ private:
         const auto *widget = qobject_cast<const QWidget *>(&watched);
         return widget && widget->isWindow() && (widget->isModal() || widget->windowType() == Qt::Popup);
     }
+
+    /// Whether a key takes the keyboard elsewhere, where the next keys would do what nobody means in a drag.
+    static bool walks(const QKeyEvent &key) { return key.key() == Qt::Key_Tab || key.key() == Qt::Key_Backtab; }
 
     void take(const QMouseEvent &mouse)
     {

@@ -11,7 +11,7 @@ namespace suffuse {
 
 /// For a widget on which something is dragged from press to release. A dialog or a menu that opens meanwhile takes the
 /// mouse, and the release never comes: the widget then gets a release where the pointer was last. It also gets one when
-/// the pointer moves on without a button.
+/// the pointer moves on without a button. Until the release Tab does not take the keyboard elsewhere.
 void endDragsWhenCovered(QWidget &dragged);
 
 /// Ends what is dragged on such widgets in a panel, in the same way: after a command that selects something else, since

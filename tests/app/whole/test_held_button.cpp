@@ -6,6 +6,7 @@
 
 #include <QDialog>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalSpy>
 
 using namespace suffuse;
@@ -103,6 +104,26 @@ private slots:
         QVERIFY(drag(*wheel, {75, 4}, {140, 75}, turned));
         QVERIFY(drag(*curve, {30, 60}, {90, 40}, drawn));
         QVERIFY(!curve->isDragging());
+    }
+
+    /// Its next key would press a button beside the wheel, for example.
+    void tabStaysWithWhatIsDragged()
+    {
+        QWidget window;
+        auto *wheel = new ColourWheel(&window);
+        auto *button = new QPushButton(QStringLiteral("beside"), &window);
+        wheel->setGeometry(0, 0, 150, 150);
+        button->setGeometry(0, 160, 100, 30);
+        window.resize(200, 200);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        wheel->setFocus();
+        QTest::mousePress(wheel, Qt::LeftButton, {}, {75, 4});
+        QTest::keyClick(wheel, Qt::Key_Tab);
+        QVERIFY(wheel->hasFocus());
+        QTest::mouseRelease(wheel, Qt::LeftButton, {}, {75, 4});
+        QTest::keyClick(wheel, Qt::Key_Tab);
+        QVERIFY(button->hasFocus());
     }
 };
 
