@@ -41,6 +41,20 @@ void CanvasView::panBy(Point pixels)
     moveByHand();
 }
 
+void CanvasView::bringIntoView(const Rect &pixels, double margin)
+{
+    const double width = view().width, height = view().height;
+    if (pixels.left >= 0 && pixels.top >= 0 && pixels.right <= width && pixels.bottom <= height)
+        return;
+    const auto way = [margin](double from, double to, double size) {
+        const double free = std::min(margin, size / 4);
+        if (to - from > size - 2 * free) // It is larger than the view.
+            return (size - from - to) / 2;
+        return from < free ? free - from : to > size - free ? size - free - to : 0;
+    };
+    panBy({way(pixels.left, pixels.right, width), way(pixels.top, pixels.bottom, height)});
+}
+
 void CanvasView::zoomAt(Point pixel, double factor)
 {
     m_transform.zoomAt(pixel, factor);

@@ -32,6 +32,9 @@ public:
     /// to be drawn only where it comes into view. This and what follows are moves by hand, after which the view is no
     /// longer fitted.
     void panBy(Point pixels);
+    /// Moves the canvas no further than that a box of pixels (left, top, right, bottom) lies within the view, if it can
+    /// with a margin around it; a larger box comes into the middle. What is seen already stays where it is.
+    void bringIntoView(const Rect &pixels, double margin);
     /// Zooms by a factor; the point under the pixel stays there.
     void zoomAt(Point pixel, double factor);
     /// Sets the scale (pixels per canvas unit); the point under the pixel stays there.

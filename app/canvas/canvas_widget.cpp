@@ -18,7 +18,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double fitMargin = 24; ///< logical pixels around the canvas
+constexpr double fitMargin = 24;    ///< logical pixels around the canvas
+constexpr double followMargin = 60; ///< logical pixels around what the view follows
 
 } // namespace
 
@@ -203,6 +204,17 @@ void CanvasWidget::zoomToSelection()
     const Rect area = chosen.isEmpty() ? seenSelection(*document.painting(), document.selection()) : chosen;
     if (!area.isEmpty())
         m_view.lookAt(area, fitMargin * devicePixelRatioF());
+}
+
+void CanvasWidget::bringIntoView(const Rect &pixels)
+{
+    m_view.bringIntoView(pixels, followMargin * devicePixelRatioF());
+}
+
+void CanvasWidget::bringIntoView(Point point)
+{
+    const Point at = view().toPixels(point);
+    bringIntoView({at.x, at.y, at.x, at.y});
 }
 
 void CanvasWidget::viewMoved()

@@ -73,6 +73,10 @@ public:
     /// Shows what another view shows. The view may be of a window of another size; its centre stays in the middle.
     void lookThrough(const View &view) { m_view.lookThrough(view); }
     void panBy(Point pixels) { m_view.panBy(pixels); }
+    /// Moves the canvas as CanvasView::bringIntoView does, with a margin of a finger's width around the box of pixels.
+    void bringIntoView(const Rect &pixels);
+    /// Does so with a point of the canvas.
+    void bringIntoView(Point point);
     void rotateBy(double degrees) { m_view.rotateAt(m_view.centre(), degrees * std::numbers::pi / 180); }
     void resetRotation() { m_view.resetRotation(); }
     void mirror() { m_view.mirror(); }

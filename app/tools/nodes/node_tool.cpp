@@ -475,7 +475,7 @@ bool NodeTool::keyPress(QKeyEvent *event)
 {
     if (wantsKey(*event)) { // A drag keeps the keyboard.
         if (!isBusy())
-            m_commands.selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+            selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
         return true;
     }
     if (isBusy())
@@ -487,6 +487,15 @@ bool NodeTool::keyPress(QKeyEvent *event)
         return true;
     }
     return nudge(event) || SelectionTool::keyPress(event);
+}
+
+void NodeTool::selectNext(int step)
+{
+    m_commands.selectNext(step);
+    if (m_nodes.empty())
+        return;
+    if (const StrokePtr stroke = m_editor.document().painting()->find(m_nodes.begin()->stroke))
+        m_canvas.bringIntoView(nodePosition(*stroke, m_nodes.begin()->node)); // The next key is meant for what is seen.
 }
 
 bool NodeTool::deleteSelected()

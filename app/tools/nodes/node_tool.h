@@ -88,6 +88,7 @@ private:
     QString erasureHint() const;
     void insertNode(const NodeHit &at);
     std::set<StrokeId> strokesOfNodes() const;
+    void selectNext(int step);
     bool nudge(QKeyEvent *event);
 
     QPointer<QWidget> m_options;

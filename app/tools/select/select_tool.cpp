@@ -356,6 +356,10 @@ void SelectTool::selectNext(int step)
     const Painting &painting = *m_editor.document().painting();
     if (const StrokeId next = nextStroke(painting, m_editor.clock().time(), selection(), step))
         select(Selection{{next}, {}});
+    const Document &document = m_editor.document();
+    const Rect box = seenSelection(*document.painting(), document.selection());
+    if (!box.isEmpty() && m_canvas.selectionOnScreen().isEmpty())
+        m_canvas.bringIntoView(Point{(box.left + box.right) / 2, (box.top + box.bottom) / 2});
 }
 
 QWidget *SelectTool::options()

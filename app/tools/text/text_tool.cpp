@@ -15,8 +15,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double pickSlack = 3;    ///< logical pixels
-constexpr double caretMargin = 60; ///< logical pixels between the edge of the view and a caret that it follows
+constexpr double pickSlack = 3; ///< logical pixels
 
 bool contains(const std::array<Point, 4> &corners, Point p)
 {
@@ -126,17 +125,8 @@ void TextTool::followCaret()
     const std::pair<QString, qsizetype> now(m_entry.text().string, m_entry.caret());
     if (m_isPressed || std::exchange(m_followed, now) == now)
         return;
-    const View &view = m_canvas.view();
-    const QRectF caret = caretPixels(m_entry, view, m_canvas.devicePixelRatioF());
-    if (QRectF(0, 0, view.width, view.height).contains(caret))
-        return;
-    const auto way = [dpr = m_canvas.devicePixelRatioF()](double from, double to, double size) {
-        const double margin = std::min(caretMargin * dpr, size / 4);
-        if (to - from > size - 2 * margin) // It is larger than the view.
-            return (size - from - to) / 2;
-        return from < margin ? margin - from : to > size - margin ? size - margin - to : 0;
-    };
-    m_canvas.panBy({way(caret.left(), caret.right(), view.width), way(caret.top(), caret.bottom(), view.height)});
+    const QRectF caret = caretPixels(m_entry, m_canvas.view(), m_canvas.devicePixelRatioF());
+    m_canvas.bringIntoView({caret.left(), caret.top(), caret.right(), caret.bottom()});
 }
 
 void TextTool::restartBlinking()

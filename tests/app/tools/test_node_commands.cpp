@@ -467,6 +467,34 @@ private slots:
         QVERIFY(!s.window.action(Command::HideDocks).isChecked());
     }
 
+    /// What is chosen by keys can be seen before the next key changes it: nodes, and strokes with Select.
+    void tabBringsIntoView()
+    {
+        NodeSession s;
+        const auto isSeen = [&](Point point) {
+            const View &view = s.canvas().view();
+            const Point p = view.toPixels(point);
+            return p.x > 0 && p.y > 0 && p.x < view.width && p.y < view.height;
+        };
+        s.editor().document().setSelection({{s.id}, {}});
+        s.canvas().zoomBy(4);
+        for (int node = 0; node < 5; ++node) {
+            s.canvas().panBy({node % 2 ? 900.0 : -3000.0, 1500.0 - 700.0 * node});
+            s.key(Qt::Key_Tab);
+            QCOMPARE(s.tool().nodes(), s.nodes({node}));
+            QVERIFY(isSeen(nodePosition(s.stroke(), node)));
+        }
+        const View view = s.canvas().view();
+        s.canvas().bringIntoView(nodePosition(s.stroke(), 4)); // It is seen already.
+        QVERIFY(s.canvas().view() == view);
+        s.use(Command::Select);
+        s.editor().document().setSelection({});
+        s.canvas().panBy({1e5, 1e5});
+        s.key(Qt::Key_Tab);
+        QVERIFY(s.editor().selection().strokes.contains(s.id));
+        QVERIFY(!s.canvas().selectionOnScreen().isEmpty());
+    }
+
     void arrowsNudgeNodes()
     {
         NodeSession s;
