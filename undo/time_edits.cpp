@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 namespace suffuse {
 
@@ -244,6 +245,41 @@ std::vector<StrokeId> addedOnTop(const Painting &painting, const Edit &edit)
     return {edit.order->begin() + std::ptrdiff_t(painting.strokes.size()), edit.order->end()};
 }
 
+/// Strokes that an edit adds, which stay together: one, or those of a group that it adds, as those of a text.
+struct Added {
+    GroupId group = 0; ///< the group, which is in no other one; 0: none
+    std::vector<StrokeId> strokes;
+    Microseconds born = 0; ///< when the first of them is begun
+};
+
+/// What an edit adds that does nothing else (`addedOnTop`); nothing where a stroke joins a group that there is already.
+std::vector<Added> addedTogether(const Painting &painting, const Edit &edit)
+{
+    std::vector<Added> all;
+    Painting after;
+    if (edit.groups)
+        after.groups = *edit.groups;
+    for (const StrokeId id : addedOnTop(painting, edit)) {
+        const Stroke &stroke = *edit.strokes.at(id);
+        if (!edit.groups) {
+            all.push_back({0, {id}, stroke.born()});
+            continue;
+        }
+        const std::vector<GroupId> around = groupsAround(after, stroke.group);
+        const auto isOld = [&](GroupId group) { return std::ranges::count(painting.groups, group, &Group::id) > 0; };
+        if (std::ranges::any_of(around, isOld))
+            return {};
+        const GroupId outermost = around.empty() ? 0 : around.back();
+        if (outermost && !all.empty() && all.back().group == outermost) {
+            all.back().strokes.push_back(id);
+            all.back().born = std::min(all.back().born, stroke.born());
+        } else {
+            all.push_back({outermost, {id}, stroke.born()});
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 TimeSpan drawnSpan(const Painting &painting, const Selection &selection)
@@ -436,24 +472,30 @@ PlaceInTime placeInTime(const Painting &painting, Microseconds born)
 Edit placedInTime(const Document &document, Edit edit)
 {
     const Painting &painting = *document.painting();
-    const std::vector<StrokeId> added = addedOnTop(painting, edit);
-    if (added.empty() || edit.groups)
+    const std::vector<Added> all = addedTogether(painting, edit);
+    if (all.empty())
         return edit;
     edit.order->resize(painting.strokes.size());
-    // The last one comes first, so that the places of those before it stay right.
-    std::vector<std::pair<PlaceInTime, StrokeId>> places;
-    for (const StrokeId id : added) {
-        const PlaceInTime place = placeInTime(painting, edit.strokes.at(id)->born());
-        places.emplace_back(place, id);
-        if (place.index < painting.strokes.size()) {
-            auto moved = std::make_shared<Stroke>(*edit.strokes.at(id));
-            moved->group = place.group;
-            edit.strokes[id] = std::move(moved);
+    std::vector<std::pair<PlaceInTime, const Added *>> places;
+    for (const Added &added : all) {
+        const PlaceInTime place = placeInTime(painting, added.born);
+        places.emplace_back(place, &added);
+        if (place.index == painting.strokes.size())
+            continue;
+        if (added.group) {
+            std::ranges::find(*edit.groups, added.group, &Group::id)->parent = place.group;
+            continue;
         }
+        const StrokeId id = added.strokes.front();
+        auto moved = std::make_shared<Stroke>(*edit.strokes.at(id));
+        moved->group = place.group;
+        edit.strokes[id] = std::move(moved);
     }
+    // The last ones come first, so that the places of those before them stay right.
     std::ranges::stable_sort(places, {}, [](const auto &p) { return p.first.index; });
-    for (auto it = places.rbegin(); it != places.rend(); ++it)
-        edit.order->insert(edit.order->begin() + std::ptrdiff_t(it->first.index), it->second);
+    for (const auto &[place, added] : places | std::views::reverse)
+        edit.order->insert(edit.order->begin() + std::ptrdiff_t(place.index), added->strokes.begin(),
+                           added->strokes.end());
     return edit;
 }
 

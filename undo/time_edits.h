@@ -71,7 +71,8 @@ struct PlaceInTime {
 /// The place below all strokes that were begun after `born`. Between members of a group it joins the group; if that is
 /// hidden or locked, it goes below it.
 PlaceInTime placeInTime(const Painting &painting, Microseconds born);
-/// The edit with the strokes that it adds on top put to their places in time instead.
+/// The edit with the strokes that it adds on top put to their places in time instead. Those of a group that it adds, as
+/// of a text, stay together.
 Edit placedInTime(const Document &document, Edit edit);
 
 } // namespace suffuse

@@ -439,6 +439,43 @@ private slots:
         QCOMPARE(placedInTime(d.document, raise).order, raise.order);
     }
 
+    void aTextOfThePastTakesItsPlace()
+    {
+        for (const bool within : {false, true}) {
+            auto painting = std::make_shared<Painting>(*timedPainting(4));
+            if (within) {
+                painting->groups = {{1, {}, 0, true, false}};
+                for (const std::size_t i : {1u, 2u}) {
+                    auto member = std::make_shared<Stroke>(*painting->strokes[i]);
+                    member->group = 1;
+                    painting->strokes[i] = member;
+                }
+            }
+            Desk d(painting);
+            const QByteArray first = hashOf(*d.document.painting());
+            std::vector<StrokeId> letters;
+            Edit edit;
+            edit.groups = painting->groups;
+            edit.groups->push_back({7, {}, 0, true, false});
+            edit.order = orderOf(d.document);
+            for (int i = 0; i < 3; ++i) {
+                auto letter = std::make_shared<Stroke>(*makeStroke(d.document.takeStrokeId(), 0, 0));
+                letter->group = 7;
+                for (Segment &s : letter->segments)
+                    s.born = 2'500'000 + (i == 0 ? second : 0);
+                edit.order->push_back(letter->id);
+                letters.push_back(letter->id);
+                edit.strokes.emplace(letter->id, std::move(letter));
+            }
+            d.push(placedInTime(d.document, std::move(edit)));
+            QCOMPARE(orderOf(d.document), (std::vector<StrokeId>{1, 2, letters[0], letters[1], letters[2], 3, 4}));
+            QCOMPARE(d.document.painting()->groups.back().parent, GroupId(within ? 1 : 0));
+            QCOMPARE(d.stroke(letters[1]).group, GroupId(7));
+            d.stack.undo();
+            QCOMPARE(hashOf(*d.document.painting()), first);
+        }
+    }
+
     void groupsStayTogether()
     {
         for (const bool locked : {false, true}) {

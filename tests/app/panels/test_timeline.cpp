@@ -209,6 +209,7 @@ private slots:
         s.editor().clock().setManual(false);
         QTRY_VERIFY_WITH_TIMEOUT(!s.editor().clock().isRunning(), waitMs);
         QVERIFY(s.editor().clock().isInPast());
+        QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2, 5, 6, 7, 8, 3, 4})); // what came later covers them
         Microseconds dry = 0;
         for (const StrokePtr &stroke : s.painting().strokes)
             if (stroke->id > 4)
