@@ -22,6 +22,7 @@
 #include <QTextEdit>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <algorithm>
@@ -286,7 +287,16 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
             tellWhoHasIt(*panel, key);
         return leaves;
     }
-    if (!widget.hasFocus() || !searchesFor(widget, key))
+    if (!widget.hasFocus())
+        return false;
+    // Qt has Space alone for that. Who takes a tool goes on with it.
+    if (auto *button = qobject_cast<QToolButton *>(&widget);
+        button && qobject_cast<QToolBar *>(panel) && key.key() != Qt::Key_Escape && leaves) {
+        button->click();
+        toCanvas();
+        return true;
+    }
+    if (!searchesFor(widget, key))
         return false;
     tellWhoHasIt(*panel, key);
     return true;

@@ -16,6 +16,7 @@
 #include <QShortcutEvent>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 using namespace suffuse;
@@ -538,6 +539,23 @@ private slots:
         QTest::keyClick(search, 'b');
         QCOMPARE(search->text(), QString("b"));
         QCOMPARE(s.window.statusBar()->currentMessage(), QString());
+    }
+
+    void returnTakesTheToolOfItsButton()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QAction &eraser = s.window.action(Command::Eraser);
+        QToolButton *button = nullptr;
+        for (QToolButton *one : s.window.findChildren<QToolButton *>())
+            if (one->defaultAction() == &eraser && one->isVisible())
+                button = one;
+        QVERIFY(button);
+        button->setFocus(Qt::TabFocusReason);
+        QVERIFY(button->hasFocus());
+        QTest::keyClick(button, Qt::Key_Return);
+        QVERIFY(eraser.isChecked());
+        QVERIFY(s.canvas().hasFocus());
     }
 
     void f6ReturnsToWhereItWas()
