@@ -5540,6 +5540,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Die Sicherungskopie vom %1 ist zurück. Rückgängig nimmt sie wieder weg; keine Datei ändert sich, bevor gespeichert wird.</translation>
     </message>
     <message>
+        <source>The backup of %1 is what you see: nothing has changed.</source>
+        <translation>Die Sicherungskopie vom %1 ist das, was man sieht: Nichts hat sich geändert.</translation>
+    </message>
+    <message>
         <source>The backup is damaged. What is whole of it was restored.</source>
         <translation>Die Sicherungskopie ist beschädigt. Was davon heil ist, wurde wiederhergestellt.</translation>
     </message>

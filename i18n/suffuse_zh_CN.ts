@@ -5523,6 +5523,10 @@ Arrow keys work too.</source>
         <translation>%1 的备份已恢复。可以撤销；保存之前不会改动任何文件。</translation>
     </message>
     <message>
+        <source>The backup of %1 is what you see: nothing has changed.</source>
+        <translation>%1 的备份与当前画面相同：没有任何改动。</translation>
+    </message>
+    <message>
         <source>The backup is damaged. What is whole of it was restored.</source>
         <translation>备份已损坏。其中完好的内容已恢复。</translation>
     </message>

@@ -71,6 +71,11 @@ void FileRestoring::restoreFrom(const QString &backup)
         return;
     }
     const QString when = m_place.window.locale().toString(QFileInfo(backup).lastModified(), QLocale::ShortFormat);
+    if (*editor.document().painting() == document->painting) {
+        sayUntilChange(*m_place.window.statusBar(), editor.document(),
+                       tr("The backup of %1 is what you see: nothing has changed.").arg(when));
+        return;
+    }
     editor.restore(document->painting, tr("Restore backup of %1").arg(when));
     sayUntilChange(*m_place.window.statusBar(), editor.document(),
                    tr("The backup of %1 is back. Undo takes it away again; no file changes until you save.").arg(when));

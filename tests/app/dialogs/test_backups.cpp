@@ -155,6 +155,29 @@ private slots:
         QCOMPARE(strokesIn(backupName(path("a.suffuse"), 1)), 3); // nothing is lost
     }
 
+    /// Then there is no step that undo could take back, and it would take back the one before.
+    void aBackupThatIsWhatIsSeen()
+    {
+        Session s;
+        saveVersions(s, 3);
+        for (int i = 0; i < 2; ++i) {
+            m_answered = 0;
+            whenAsked<BackupsDialog>(this, m_answered, [](BackupsDialog &dialog) {
+                dialog.list()->setCurrentItem(dialog.list()->topLevelItem(1));
+                QTest::mouseClick(dialog.restoreButton(), Qt::LeftButton);
+            });
+            s.use(Command::RestoreBackup);
+            QCOMPARE(m_answered, 1);
+            QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+            const QString said = s.window.statusBar()->currentMessage();
+            QVERIFY2(said.contains(i == 0 ? "is back" : "nothing has changed"), qPrintable(said));
+        }
+        const int steps = s.editor().undoStack().index();
+        s.use(Command::Undo);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        QCOMPARE(s.editor().undoStack().index(), steps - 1);
+    }
+
     /// In the past an edit would be put to its place in time.
     void aBackupIsRestoredFromThePast()
     {
