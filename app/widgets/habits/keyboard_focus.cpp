@@ -2,6 +2,7 @@
 
 #include "app/session/commands/keys.h"
 #include "app/widgets/habits/entry_field.h"
+#include "app/widgets/look/theme.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -52,7 +53,7 @@ public:
     }
 
 protected:
-    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), palette().color(QPalette::Highlight)); }
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), focusFrame()); }
 
 private:
     QWidget &m_panel;

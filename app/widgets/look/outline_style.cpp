@@ -3,8 +3,10 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/theme.h"
 
+#include <QAbstractItemView>
 #include <QMainWindow>
 #include <QPainter>
+#include <QPushButton>
 #include <QStyleOption>
 #include <QWidget>
 
@@ -99,6 +101,24 @@ const char *outlineNameOf(QStyle::StandardPixmap standard)
     }
 }
 
+/// Focus that the keyboard has brought, which is seen as long as the keyboard is used.
+bool showsFocus(const QStyleOption &option)
+{
+    return (option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_KeyboardFocusChange);
+}
+
+/// Fusion's own frames are of the colour of selections, which is too dark to be seen on dark windows.
+void drawFocus(QPainter &painter, const QRect &area, int width)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(focusFrame(), width));
+    const double half = 0.5 * width;
+    painter.drawRoundedRect(QRectF(area).adjusted(half, half, -half, -half), 2, 2);
+    painter.restore();
+}
+
 } // namespace
 
 OutlineStyle::OutlineStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -121,7 +141,14 @@ QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption
 void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                  const QWidget *widget) const
 {
+    const bool isFocus = element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView *>(widget);
+    if (isFocus && showsFocus(*option) && !qobject_cast<const QPushButton *>(widget))
+        drawFocus(*painter, option->rect, 1);
+    if (isFocus) // a push button has its frame around it, and not within
+        return;
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_PanelButtonCommand && showsFocus(*option))
+        drawFocus(*painter, option->rect, 2);
     if (element != PE_IndicatorCheckBox)
         return;
     painter->save();

@@ -15,7 +15,8 @@ public:
 
     QIcon standardIcon(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const override;
     QPixmap standardPixmap(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const override;
-    /// Check boxes have an edge that is seen on every ground, in menus too: Fusion's is dark on dark there.
+    /// Check boxes have an edge that is seen on every ground, in menus too: Fusion's is dark on dark there. So have
+    /// buttons and lists that drop down, where they have the keyboard.
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override;
     /// In the dark palette tool bars have quiet edges, and lines between the entries of a menu are seen: Fusion's edges

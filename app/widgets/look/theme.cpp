@@ -18,12 +18,12 @@ struct Tones {
         warning;
 };
 
-constexpr Tones lightTones{0xFFF0F0F1, 0xFFFCFCFC, 0xFFF5F5F6, 0xFFE6E6E8, 0xFF1E1F22,
-                           0xFF5C5F66, 0xFF9A9CA2, 0xFF2F6690, 0xFFFFFFFF, 0xFFFFFFFF,
-                           0xFFC4C5C9, 0xFFA3A5AA, 0xFF2B2D31, 0xFFF0F0F1, 0xFF275A80, 0xFFA23B1A};
-constexpr Tones darkTones{0xFF2F3135, 0xFF1C1D20, 0xFF212326, 0xFF3A3D41, 0xFFE3E4E6,
-                          0xFFA6A9AF, 0xFF74777D, 0xFF376F9B, 0xFFFFFFFF, 0xFF4A4E53,
-                          0xFF1D1E21, 0xFF17181A, 0xFFE3E4E6, 0xFF1E1F22, 0xFF86B6DA, 0xFFF0A48A};
+constexpr Tones lightTones{0xFFF0F0F1, 0xFFFCFCFC, 0xFFF5F5F6, 0xFFE6E6E8, 0xFF1E1F22, 0xFF5C5F66,
+                           0xFF9A9CA2, 0xFF2F6690, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFC4C5C9, 0xFFA3A5AA,
+                           0xFF2B2D31, 0xFFF0F0F1, 0xFF275A80, 0xFFA23B1A};
+constexpr Tones darkTones{0xFF2F3135, 0xFF1C1D20, 0xFF212326, 0xFF3A3D41, 0xFFE3E4E6, 0xFFA6A9AF,
+                          0xFF74777D, 0xFF376F9B, 0xFFFFFFFF, 0xFF4A4E53, 0xFF1D1E21, 0xFF17181A,
+                          0xFFE3E4E6, 0xFF1E1F22, 0xFF86B6DA, 0xFFF0A48A};
 
 QPalette paletteOf(const Tones &t)
 {
@@ -123,6 +123,11 @@ QColor edgeOfColours()
 QColor warningText()
 {
     return QApplication::palette().color(QPalette::BrightText);
+}
+
+QColor focusFrame()
+{
+    return QApplication::palette().color(QPalette::Link); // the accent colour, as light or dark as it takes to be seen
 }
 
 QColor hairline()

@@ -26,6 +26,8 @@ QColor paperFor(const QImage &picture);
 QColor edgeOfColours();
 /// The colour of hairlines between areas.
 QColor hairline();
+/// The colour of frames around what has the keyboard. Its contrast to windows, buttons and fields is at least 3 : 1.
+QColor focusFrame();
 
 /// The two palettes, for tests of contrast.
 QPalette lightPalette();

@@ -1,6 +1,7 @@
 // Who has the keyboard, and what the keys reach: nothing is altered that was not meant.
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/look/theme.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/window/layout/window_layout.h"
 #include "tests/app/window/hands_on_widgets.h"
@@ -392,12 +393,12 @@ private slots:
             const QPoint at = panel->mapTo(&s.window, QPoint(1, panel->height() / 2));
             return s.window.grab().toImage().pixelColor(at * s.window.devicePixelRatioF());
         };
-        QCOMPARE(edge(), s.window.palette().color(QPalette::Highlight));
+        QCOMPARE(edge(), focusFrame());
         QWidget *focus = QApplication::focusWidget();
         QTest::mousePress(&s.canvas(), Qt::MiddleButton, {}, QPoint(20, 20));
         QTest::mouseRelease(&s.canvas(), Qt::MiddleButton, {}, QPoint(20, 20));
         focus->setFocus();
-        QVERIFY(edge() != s.window.palette().color(QPalette::Highlight));
+        QVERIFY(edge() != focusFrame());
     }
 
     /// A click on what cannot be typed into leaves the keyboard to the canvas.

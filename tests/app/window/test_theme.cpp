@@ -7,13 +7,20 @@
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStyle>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QToolTip>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -170,6 +177,56 @@ private slots:
                 for (int x = 0; x < image.width(); ++x)
                     most = std::max(most, contrast(image.pixelColor(x, y), ground));
             QVERIFY2(most >= 3, qPrintable(QString::number(most)));
+        }
+    }
+
+    /// Whoever goes through a dialog by Tab sees where they are: the frame stands out from the window around it and
+    /// from what it frames.
+    void theFocusIsSeenInBothThemes()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            for (const QPalette::ColorRole ground : {QPalette::Window, QPalette::Base, QPalette::Button})
+                QVERIFY(contrast(focusFrame(), QApplication::palette().color(ground)) >= 3);
+            QDialog dialog;
+            auto *column = new QVBoxLayout(&dialog);
+            QLineEdit elsewhere;
+            QPushButton button("Button"), usual("Usual");
+            usual.setDefault(true);
+            QComboBox combo;
+            combo.addItem("List");
+            QToolButton tool;
+            tool.setText("Tool");
+            tool.setMinimumWidth(120);
+            QCheckBox box("          Box"); // the frame is around the text
+            for (QWidget *widget : std::initializer_list<QWidget *>{&elsewhere, &button, &usual, &combo, &tool, &box}) {
+                widget->setFocusPolicy(Qt::StrongFocus);
+                column->addWidget(widget);
+            }
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowActive(&dialog));
+            dialog.setAttribute(Qt::WA_KeyboardFocusChange); // as after the first Tab
+            for (QWidget *widget : std::initializer_list<QWidget *>{&button, &usual, &combo, &tool, &box}) {
+                elsewhere.setFocus(Qt::TabFocusReason);
+                QCoreApplication::processEvents();
+                const QImage before = dialog.grab().toImage();
+                widget->setFocus(Qt::TabFocusReason);
+                QCoreApplication::processEvents();
+                QVERIFY(widget->hasFocus());
+                const QImage after = dialog.grab().toImage();
+                // Along a line down through the widget the frame is crossed at the top.
+                const double ratio = after.devicePixelRatio();
+                const int x = int((widget->x() + 32) * ratio), top = int((widget->y() - 2) * ratio);
+                const int bottom = int(widget->geometry().center().y() * ratio);
+                bool isSeen = false;
+                for (int y = top; y < bottom && !isSeen; ++y) {
+                    const QColor frame = after.pixelColor(x, y);
+                    isSeen = frame != before.pixelColor(x, y) && contrast(frame, before.pixelColor(x, y)) >= 3 &&
+                             contrast(frame, after.pixelColor(x, top)) >= 3 &&
+                             contrast(frame, after.pixelColor(x, y + int(3 * ratio))) >= 3;
+                }
+                QVERIFY2(isSeen, widget->metaObject()->className());
+            }
         }
     }
 
