@@ -147,7 +147,8 @@ void MainWindow::makeParts(const Workplace &place)
     connect(keyboard, &KeyboardFocus::acting, this, [this] { m_editor.laterChanges().flush(); });
     m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
     new ToolRack(place, *m_toolOptions, m_parts);
-    new StatusLine(place, m_parts);
+    auto *status = new StatusLine(place, m_parts);
+    connect(keyboard, &KeyboardFocus::framed, status, &StatusLine::sayWhoHasKeyboard);
     m_brush = new KeptBrush(m_editor, m_parts);
     m_saving = new FileSaving(place, m_parts);
     auto *restoring = new FileRestoring(place, *m_saving, m_parts);

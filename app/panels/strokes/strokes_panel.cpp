@@ -276,8 +276,14 @@ void StrokesPanel::takeSelectionFromDocument()
     QItemSelectionModel *model = m_view->selectionModel();
     if (model->selection() != selection)
         model->select(selection, QItemSelectionModel::ClearAndSelect);
+    const bool isOwn = m_given == m_editor.selection();
+    if (!isOwn)
+        m_given.reset();
+    // Who goes through the rows keeps their place. But what an undo selects, for example, is where they go on.
     const QWidget *focus = QApplication::focusWidget();
-    if (first.isValid() && (!focus || (focus != m_view && !m_view->isAncestorOf(focus)))) {
+    const bool isElsewhere = !focus || (focus != m_view && !m_view->isAncestorOf(focus));
+    const bool comesHere = focus == m_view && !isOwn && !model->isSelected(m_view->currentIndex());
+    if (first.isValid() && (isElsewhere || comesHere)) {
         model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
         m_view->scrollTo(first);
     }
@@ -315,6 +321,7 @@ void StrokesPanel::giveSelectionToDocument()
     for (const QModelIndex &group : passed)
         m_view->selectionModel()->select(group, QItemSelectionModel::Deselect | QItemSelectionModel::Rows);
     document.setSelection(std::move(selection));
+    m_given = document.selection();
     m_syncing = false;
 }
 

@@ -91,10 +91,11 @@ private:
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
-    QLabel *m_notFound = nullptr;   ///< shown only while nothing is found
-    std::set<GroupId> m_openBefore; ///< the groups that were open when the rows were made anew
-    int m_scrolledTo = 0;           ///< the place of the scroll bar then
-    std::set<GroupId> m_openGroups; ///< the groups that were open before the search
+    QLabel *m_notFound = nullptr;     ///< shown only while nothing is found
+    std::set<GroupId> m_openBefore;   ///< the groups that were open when the rows were made anew
+    int m_scrolledTo = 0;             ///< the place of the scroll bar then
+    std::set<GroupId> m_openGroups;   ///< the groups that were open before the search
+    std::optional<Selection> m_given; ///< what the rows have selected, until something else selects
     bool m_syncing = false;
     bool m_stale = true;
 };

@@ -201,7 +201,7 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
         if (old && now && !old->isVisible() && old->window() == &m_window && panelOf(now))
             QTimer::singleShot(0, this, &KeyboardFocus::toCanvas);
         if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
-            delete m_frame;
+            unframe();
         if (m_told && now && panelOf(now) != m_told) { // not while the window is being closed
             m_told = nullptr;
             m_window.statusBar()->clearMessage();
@@ -346,18 +346,21 @@ void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
     say(panel);
 }
 
+QString KeyboardFocus::sentenceOf(const QWidget &panel) const
+{
+    const QString title = panel.windowTitle();
+    return &panel == &m_canvas ? tr("The canvas has the keyboard.")
+           : qobject_cast<const QDockWidget *>(&panel)
+               ? tr("The %1 dock has the keyboard; Esc gives it back to the canvas.").arg(title)
+               : tr("The tool bar “%1” has the keyboard; Esc gives it back to the canvas.").arg(title);
+}
+
 /// The status bar says who has the keyboard.
 void KeyboardFocus::say(QWidget &panel)
 {
     constexpr int milliseconds = 10'000;
     m_told = &panel;
-    const QString title = panel.windowTitle();
-    m_window.statusBar()->showMessage(
-        &panel == &m_canvas ? tr("The canvas has the keyboard.")
-        : qobject_cast<QDockWidget *>(&panel)
-            ? tr("The %1 dock has the keyboard; Esc gives it back to the canvas.").arg(title)
-            : tr("The tool bar “%1” has the keyboard; Esc gives it back to the canvas.").arg(title),
-        milliseconds);
+    m_window.statusBar()->showMessage(sentenceOf(panel), milliseconds);
 }
 
 /// What has been typed counts before anything else is done: a tool's button or a shortcut takes no focus, and the field
@@ -413,7 +416,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::MouseButtonPress:
         m_namesByKey = false;
-        delete m_frame;
+        unframe();
         if (qobject_cast<QComboBox *>(widget))
             m_opened = widget;
         break;
@@ -517,6 +520,15 @@ void KeyboardFocus::frame(QWidget &stop)
     m_frame = new PanelFrame(stop);
     if (&stop != &m_canvas)
         say(stop);
+    emit framed(&stop != &m_canvas ? sentenceOf(stop) : QString());
+}
+
+void KeyboardFocus::unframe()
+{
+    if (!m_frame)
+        return;
+    delete m_frame;
+    emit framed({});
 }
 
 void KeyboardFocus::noteKey(const QWidget *widget, const QKeyEvent &key)

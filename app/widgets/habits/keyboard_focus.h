@@ -44,6 +44,9 @@ public:
 signals:
     /// Something is pressed, typed, scrolled or dropped, here or in a dialog: panels must be up to date now.
     void acting();
+    /// A frame shows that a panel has the keyboard, which this sentence says; it is empty where there is none any more,
+    /// or around the canvas.
+    void framed(const QString &sentence);
 
 private:
     QWidget *panelOf(QWidget *widget) const;
@@ -54,6 +57,7 @@ private:
     void listClosed(const QWidget &popup);
     void takeTypedBefore(const QObject &watched, QEvent::Type type);
     void putBack(const QWidget &stop);
+    QString sentenceOf(const QWidget &panel) const;
     void say(QWidget &panel);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
     QList<QWidget *> stops() const;
@@ -62,6 +66,7 @@ private:
     void tabbed(QWidget &to, bool forward);
     bool isBehind(QWidget &widget) const;
     void frame(QWidget &stop);
+    void unframe();
 
     QMainWindow &m_window;
     QWidget &m_canvas;

@@ -107,6 +107,7 @@ void StatusLine::makeLabels()
         return l;
     };
     m_hint = new HintLine(&m_place.window);
+    m_hint->setObjectName("hint");
     m_hint->setContentsMargins(6, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_position = label(tr("Position of the pointer in canvas units"), metrics.horizontalAdvance("00000.0, 00000.0"));
@@ -122,8 +123,19 @@ void StatusLine::makeLabels()
         m_place.window.statusBar()->addPermanentWidget(l);
 }
 
+void StatusLine::sayWhoHasKeyboard(const QString &sentence)
+{
+    m_keyboard = sentence;
+    showHint();
+}
+
 void StatusLine::showHint()
 {
+    if (!m_keyboard.isEmpty()) {
+        m_hint->setText(m_keyboard);
+        m_hint->setToolTip(m_keyboard);
+        return;
+    }
     const QString hint = m_place.canvas.tool()->hint();
     const bool isPast = m_place.open.editor.clock().isInPast() && m_place.commands[Command::Brush].isChecked();
     //: instead of what the brush does, while the timeline shows a moment of the past

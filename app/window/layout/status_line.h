@@ -19,6 +19,10 @@ class StatusLine : public QObject {
 public:
     StatusLine(const Workplace &place, QObject *parent);
 
+    /// Shows who has the keyboard, in place of the tool's hint, which is about the canvas; an empty sentence brings the
+    /// hint back.
+    void sayWhoHasKeyboard(const QString &sentence);
+
 private:
     void makeLabels();
     void showHint();
@@ -34,6 +38,7 @@ private:
     QLabel *m_backend = nullptr;
     QLabel *m_frameTime = nullptr;
     QString m_renderError;
+    QString m_keyboard; ///< the sentence that says which panel has the keyboard
 };
 
 } // namespace suffuse

@@ -600,6 +600,49 @@ private slots:
         }
     }
 
+    /// Delete and undo in the list: the row that comes back is the one from which the arrow keys go on, and the status
+    /// bar goes on to say who has the keyboard, not what a drag on the canvas does.
+    void theListGoesOnFromWhatAnUndoSelects()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        std::vector<StrokeId> ids{s.id}; // bottom to top
+        for (const double y : {350.0, 400.0, 450.0, 500.0})
+            ids.push_back(s.addWave(200, y, false));
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        auto *panel = strokes->findChild<StrokesPanel *>();
+        QTreeView *tree = panel->view();
+        const auto *hint = s.window.statusBar()->findChild<QLabel *>("hint");
+        QVERIFY(hint);
+        const QString ofTool = hint->text();
+        s.canvas().setFocus();
+        for (int i = 0; i < 20 && !strokes->isAncestorOf(QApplication::focusWidget()); ++i)
+            s.window.findChild<KeyboardFocus *>()->walk(true);
+        QVERIFY(strokes->isAncestorOf(QApplication::focusWidget()));
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Home);
+        QTest::keyClick(tree, Qt::Key_Down);
+        QCOMPARE(s.selection().strokes, std::set{ids[3]});
+        QTest::keyClick(tree, Qt::Key_Delete);
+        QVERIFY(!s.painting().find(ids[3]));
+        QTest::keyClick(tree, Qt::Key_Z, Qt::ControlModifier);
+        QCoreApplication::processEvents();
+        QVERIFY(tree->hasFocus());
+        QCOMPARE(s.selection().strokes, std::set{ids[3]});
+        QCOMPARE(tree->currentIndex().siblingAtColumn(0), panel->viewIndexOf(ids[3]));
+        const QString said = "The Strokes dock has the keyboard; Esc gives it back to the canvas.";
+        QCOMPARE(hint->text(), said);
+        QTest::keyClick(tree, Qt::Key_Down);
+        QCOMPARE(s.selection().strokes, std::set{ids[2]});
+        // What is selected besides the row leaves it as it is.
+        s.editor().document().setSelection({{ids.begin(), ids.end()}, {}});
+        s.editor().laterChanges().flush();
+        QCOMPARE(tree->currentIndex().siblingAtColumn(0), panel->viewIndexOf(ids[2]));
+        QTest::keyClick(tree, Qt::Key_Escape);
+        QVERIFY(s.canvas().hasFocus());
+        QCOMPARE(hint->text(), ofTool);
+    }
+
 private:
     QTemporaryDir m_folder;
 };
