@@ -14,8 +14,8 @@
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "app/widgets/paper/canvas_section.h"
-#include "undo/edits.h"
 #include "model/area/outline.h"
+#include "undo/edits.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -86,7 +86,8 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     // A drag is about what was selected at the press. It ends when all know what is selected now.
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.selection)
-            QMetaObject::invokeMethod(this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this] { endDragsIn(*this); }, Qt::QueuedConnection);
     });
     refresh();
 }
@@ -185,6 +186,25 @@ void InspectorPanel::putFirst(bool fill)
         return;
     column->removeWidget(m_fill);
     column->insertWidget(fill ? column->indexOf(m_segments) : column->indexOf(m_style) + 1, m_fill);
+    orderTabs();
+}
+
+/// Tab goes through the sections as they stand below each other, and not as they were made.
+void InspectorPanel::orderTabs()
+{
+    const QLayout &column = *m_selectionPage->layout();
+    const auto placeOf = [&](const QWidget *widget) {
+        while (widget->parentWidget() != m_selectionPage)
+            widget = widget->parentWidget();
+        return column.indexOf(widget); // that of the head, which is a row, is −1
+    };
+    QWidgetList stops;
+    for (QWidget *w = m_scroll->nextInFocusChain(); w != m_scroll; w = w->nextInFocusChain())
+        if (m_selectionPage->isAncestorOf(w) && w->focusPolicy() != Qt::NoFocus && !w->focusProxy())
+            stops << w;
+    std::ranges::stable_sort(stops, {}, placeOf);
+    for (qsizetype i = 1; i < stops.size(); ++i)
+        setTabOrder(stops[i - 1], stops[i]);
 }
 
 } // namespace suffuse

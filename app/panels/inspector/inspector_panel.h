@@ -58,6 +58,7 @@ protected:
 
 private:
     void putFirst(bool fill);
+    void orderTabs();
     void addHead(QVBoxLayout &column);
     void refresh();
     void documentChanged(const Change &change);

@@ -110,6 +110,46 @@ private slots:
         QTRY_VERIFY(!isFirst());
     }
 
+    /// Whichever section stands first, Tab goes down the panel as it is seen.
+    void tabGoesThroughTheSectionsAsTheyStand()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 1800});
+        const auto stops = [&] { // by Tab, in its order
+            QWidgetList found;
+            for (QWidget *w = panel.nextInFocusChain(); w != &panel; w = w->nextInFocusChain())
+                if (panel.isAncestorOf(w) && w->isVisible() && w->isEnabled() && !w->focusProxy() &&
+                    (w->focusPolicy() & Qt::TabFocus))
+                    found << w;
+            return found;
+        };
+        const auto goesDown = [&] {
+            const QWidgetList all = stops();
+            for (qsizetype i = 1; i < all.size(); ++i) {
+                const QPoint from = all[i - 1]->mapTo(&panel, all[i - 1]->rect().center());
+                const QPoint to = all[i]->mapTo(&panel, all[i]->rect().center());
+                constexpr int row = 8; // within which centres stand beside each other
+                if (to.y() < from.y() - row || (std::abs(to.y() - from.y()) <= row && to.x() <= from.x()))
+                    return false;
+            }
+            return all.size() > 10 && all.contains(panel.alongButton());
+        };
+        const auto isFirst = [&] { return panel.fillSection()->y() < panel.segmentSection()->y(); };
+        bench.select({1});
+        bench.editor.push(addFills(bench.editor.document(), {1}), "fill");
+        QTRY_VERIFY(!isFirst() && goesDown());
+        const qsizetype count = stops().size();
+        const std::vector<SegmentRef> all{{1, 0}, {1, 1}, {1, 2}, {1, 3}};
+        bench.editor.push(changeSegments(bench.editor.document(), all, [](Segment &s) { s.density = 0; }), "bare");
+        QTRY_VERIFY(isFirst());
+        QTRY_VERIFY(goesDown());
+        bench.editor.undo();
+        QTRY_VERIFY(!isFirst());
+        QTRY_VERIFY(goesDown());
+        QCOMPARE(stops().size(), count);
+    }
+
     /// A shape without an outline is painted by its fill alone: no figure and no warning speaks of paint that is not
     /// there.
     void anOutlineWithoutPaintIsNoFault()
