@@ -1868,7 +1868,7 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>it is the same point as from; a gradient needs two</source>
-        <translation>derselbe Punkt wie from; ein Verlauf braucht zwei</translation>
+        <translation>derselbe Punkt wie from; ein Farbverlauf braucht zwei</translation>
     </message>
     <message>
         <source>there is no such grain of paper</source>
@@ -3213,11 +3213,11 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
     </message>
     <message>
         <source>Colour of the gradient&apos;s end</source>
-        <translation>Farbe am Ende des Verlaufs</translation>
+        <translation>Farbe am Ende des Farbverlaufs</translation>
     </message>
     <message>
         <source>Colour of the gradient&apos;s start</source>
-        <translation>Farbe am Anfang des Verlaufs</translation>
+        <translation>Farbe am Anfang des Farbverlaufs</translation>
     </message>
 </context>
 <context>
@@ -4907,7 +4907,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Add Gradient</source>
-        <translation>Verlauf hinzufügen</translation>
+        <translation>Farbverlauf hinzufügen</translation>
     </message>
     <message>
         <source>The colour of the selected fills fades from left to right; needs a fill of one colour</source>
@@ -4915,19 +4915,19 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Add gradient</source>
-        <translation>Verlauf hinzufügen</translation>
+        <translation>Farbverlauf hinzufügen</translation>
     </message>
     <message>
         <source>Remove Gradient</source>
-        <translation>Verlauf entfernen</translation>
+        <translation>Farbverlauf entfernen</translation>
     </message>
     <message>
         <source>The selected fills have their first colour everywhere; needs a fill with a gradient</source>
-        <translation>Die ausgewählten Füllungen haben überall ihre erste Farbe; nötig ist eine Füllung mit Verlauf</translation>
+        <translation>Die ausgewählten Füllungen haben überall ihre erste Farbe; nötig ist eine Füllung mit Farbverlauf</translation>
     </message>
     <message>
         <source>Remove gradient</source>
-        <translation>Verlauf entfernen</translation>
+        <translation>Farbverlauf entfernen</translation>
     </message>
 </context>
 <context>
@@ -6310,8 +6310,8 @@ Auch die Pfeiltasten wirken.</translation>
     <message numerus="yes">
         <source>%n gradient(s)</source>
         <translation>
-            <numerusform>%n Verlauf</numerusform>
-            <numerusform>%n Verläufe</numerusform>
+            <numerusform>%n Farbverlauf</numerusform>
+            <numerusform>%n Farbverläufe</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6886,7 +6886,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
-        <translation>Ein Ende eines Verlaufs wird nicht allein gelöscht. „Entfernen“ neben „Verlauf“ im Inspektor nimmt den Verlauf weg; nach Esc meint „Löschen“ den Strich.</translation>
+        <translation>Ein Ende eines Farbverlaufs wird nicht allein gelöscht. „Entfernen“ neben „Farbverlauf“ im Inspektor nimmt den Farbverlauf weg; nach Esc meint „Löschen“ den Strich.</translation>
     </message>
 </context>
 <context>
@@ -9320,7 +9320,7 @@ Auch die Pfeiltasten wirken.</translation>
     <name>suffuse::GradientRows</name>
     <message>
         <source>Gradient</source>
-        <translation>Verlauf</translation>
+        <translation>Farbverlauf</translation>
     </message>
     <message>
         <source>Add</source>
@@ -9332,7 +9332,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Add gradient</source>
-        <translation>Verlauf hinzufügen</translation>
+        <translation>Farbverlauf hinzufügen</translation>
     </message>
     <message>
         <source>Swap</source>
@@ -9344,7 +9344,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Swap colours of gradient</source>
-        <translation>Farben des Verlaufs tauschen</translation>
+        <translation>Farben des Farbverlaufs tauschen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -9356,15 +9356,15 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Remove gradient</source>
-        <translation>Verlauf entfernen</translation>
+        <translation>Farbverlauf entfernen</translation>
     </message>
     <message>
         <source>The second colour of the gradient</source>
-        <translation>Die zweite Farbe des Verlaufs</translation>
+        <translation>Die zweite Farbe des Farbverlaufs</translation>
     </message>
     <message>
         <source>Change gradient</source>
-        <translation>Verlauf ändern</translation>
+        <translation>Farbverlauf ändern</translation>
     </message>
     <message>
         <source>Not possible for all that is selected: a value would be out of range.</source>
@@ -9382,11 +9382,11 @@ Auch die Pfeiltasten wirken.</translation>
     <name>GradientHandles</name>
     <message>
         <source>Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.</source>
-        <translation>Ein Ende des Verlaufs ziehen. Strg: in Schritten von 15°. Ein Klick darauf: Farben gelten ihm.</translation>
+        <translation>Ein Ende des Farbverlaufs ziehen. Strg: in Schritten von 15°. Ein Klick darauf: Farben gelten ihm.</translation>
     </message>
     <message>
         <source>Move gradient</source>
-        <translation>Verlauf verschieben</translation>
+        <translation>Farbverlauf verschieben</translation>
     </message>
 </context>
 <context>
