@@ -393,12 +393,17 @@ void AlongDialog::showValues()
     std::map<Quantity, ValueAlong> values;
     for (const auto &[quantity, set] : m_set)
         values[quantity] = [&set = set](double place, double old) { return set.valueAt(place, old); };
-    const QScopedValueRollback applying(m_applying, true);
-    if (!m_gesture.isOpen())
-        m_gesture = m_editor.begin(tr("Change along the stroke"), this);
-    m_gesture.show(setAlong(m_editor.document(), runsToSet(), values));
+    showRuns(runsToSet(), values);
     if (!m_curve->isDragging())
         m_gesture.rest();
+}
+
+void AlongDialog::showRuns(const StrokeRuns &runs, const std::map<Quantity, ValueAlong> &values)
+{
+    const QScopedValueRollback applying(m_applying, true);
+    if (!m_gesture.isOpen()) // Nothing was changed yet, or all of it has been made steps since.
+        m_gesture = m_editor.begin(tr("Change along the stroke"), this);
+    m_gesture.show(setAlong(m_editor.document(), runs, values));
 }
 
 const StrokeRuns &AlongDialog::runsToSet()
@@ -421,10 +426,9 @@ void AlongDialog::accept()
 void AlongDialog::reject()
 {
     // If something else was done meanwhile, a part of the changes is a step already, so the old values are set anew.
-    const QScopedValueRollback applying(m_applying, true);
     StrokeRuns all = m_earlier;
     all.insert(m_runs.begin(), m_runs.end());
-    m_gesture.show(setAlong(m_editor.document(), all, {}));
+    showRuns(all, {});
     m_gesture.commit();
     QDialog::reject();
 }

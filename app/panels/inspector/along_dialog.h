@@ -71,6 +71,7 @@ private:
     void note();
     void apply();
     void showValues();
+    void showRuns(const StrokeRuns &runs, const std::map<Quantity, ValueAlong> &values);
     void giveUpDrag();
     const StrokeRuns &runsToSet();
     void documentChanged(const Change &change);

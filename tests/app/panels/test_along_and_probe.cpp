@@ -498,6 +498,31 @@ private slots:
         QVERIFY(*now() == *second);
     }
 
+    /// Saving makes a step of what was done; Cancel takes it back by one more.
+    void cancelTakesBackWhatWasSaved()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const auto now = [&] { return bench.editor.document().painting(); };
+        const PaintingPtr before = now();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "7");
+        const PaintingPtr saved = now();
+        save(bench.editor);
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QVERIFY(!dialog->isVisible());
+        QVERIFY(*now() == *before && bench.editor.isModified());
+        QCOMPARE(bench.steps(), 2);
+        bench.editor.undo();
+        QVERIFY(*now() == *saved && !bench.editor.isModified());
+        bench.editor.undo();
+        QVERIFY(*now() == *before);
+    }
+
     void savingInTheMiddleOfADragGoesOnWithIt()
     {
         Bench bench;
@@ -773,6 +798,15 @@ private slots:
     }
 
 private:
+    /// To the file of this test; what is there may be replaced.
+    void save(Editor &editor)
+    {
+        QSignalSpy saved(&editor, &Editor::saved);
+        editor.startSaving(m_folder.filePath("along.suffuse"), true);
+        QVERIFY(saved.wait() && !editor.isModified());
+        QVERIFY(*loadPainting(editor.filePath()) == *editor.document().painting());
+    }
+
     QTemporaryDir m_folder;
 };
 
