@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -157,10 +158,21 @@ void BrushGrid::fitHeadings()
             item(row)->setSizeHint({width, fontMetrics().height() + (row > 0 ? 10 : 2)});
 }
 
+/// After the view has been laid out for the size that it has then.
+void BrushGrid::scrollToMarkedSoon()
+{
+    QTimer::singleShot(0, this, [this] {
+        if (QListWidgetItem *item = currentItem())
+            scrollToItem(item);
+    });
+}
+
 void BrushGrid::resizeEvent(QResizeEvent *event)
 {
     QListWidget::resizeEvent(event);
     fitHeadings();
+    if (m_isMarkedSeen)
+        scrollToMarkedSoon();
 }
 
 void BrushGrid::paintEvent(QPaintEvent *event)
@@ -172,11 +184,13 @@ void BrushGrid::paintEvent(QPaintEvent *event)
         painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
                          tr("There is no such brush."));
     }
+    m_isMarkedSeen = currentItem() && viewport()->rect().intersects(visualItemRect(currentItem()));
     if (m_started)
         return;
     // Pictures come after the first paint: the window is there at once.
     m_started = true;
     fitHeadings();
+    scrollToMarkedSoon();
     BrushPictures::instance().want(devicePixelRatioF());
 }
 

@@ -45,12 +45,14 @@ private:
     void addHeading(const QString &group);
     void addBrush(const Brush &brush);
     void fitHeadings();
+    void scrollToMarkedSoon();
     void setPicture(QListWidgetItem *item);
     QSize cell() const;
 
     QString m_inHand;         ///< empty where nobody has told
     bool m_isChanged = false; ///< whether the brush in hand is
     bool m_started = false;
+    bool m_isMarkedSeen = false; ///< what the last picture of the list showed
 };
 
 } // namespace suffuse

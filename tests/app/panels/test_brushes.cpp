@@ -14,6 +14,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QScopeGuard>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -337,6 +338,34 @@ private slots:
                     painted += qAlpha(picture.pixel(x, y)) > 24;
             QVERIFY2(painted > 100 && painted < 112 * 44 * 9 / 10, qPrintable(brush.name));
         }
+    }
+
+    /// A window that takes the place of another one gets its size bit by bit. What is in hand stays in sight, unless
+    /// somebody has scrolled it away.
+    void theBrushInHandStaysInSight()
+    {
+        Editor editor;
+        const QString last = BrushLibrary::instance().brushes().back().name;
+        BrushLibrary::instance().use(editor, last);
+        BrushPanel panel(editor);
+        showAt(panel, {312, 900});
+        const QListWidget *list = panel.list();
+        const auto isSeen = [&] {
+            const QListWidgetItem *item = panel.itemOf(last);
+            return item == list->currentItem() && list->viewport()->rect().contains(list->visualItemRect(item));
+        };
+        QTRY_VERIFY(isSeen());
+        for (const int height : {500, 280, 330, 260}) {
+            panel.resize(312, height);
+            QTRY_VERIFY2(list->verticalScrollBar()->maximum() > 0, qPrintable(QString::number(height)));
+            QTRY_VERIFY2(isSeen(), qPrintable(QString::number(height)));
+        }
+        list->verticalScrollBar()->setValue(0);
+        panel.list()->viewport()->repaint();
+        QVERIFY(!isSeen());
+        panel.resize(312, 300);
+        QTest::qWait(200); // longer than a view waits before it lays out its items
+        QCOMPARE(list->verticalScrollBar()->value(), 0);
     }
 
 private:
