@@ -38,6 +38,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -74,6 +75,23 @@ void setSwitches(const Commands &table, const std::map<QString, bool> &switches)
     for (QAction *action : table.all())
         if (const auto it = switches.find(action->objectName()); it != switches.end())
             action->setChecked(it->second);
+}
+
+/// What is searched for in the docks, by the names of the fields.
+std::map<QString, QString> searchesOf(const QWidget &window)
+{
+    std::map<QString, QString> searches;
+    for (const QLineEdit *field : window.findChildren<QLineEdit *>())
+        if (field->objectName().endsWith(QLatin1String("Search")))
+            searches[field->objectName()] = field->text();
+    return searches;
+}
+
+void setSearches(const QWidget &window, const std::map<QString, QString> &searches)
+{
+    for (const auto &[name, text] : searches)
+        if (auto *field = window.findChild<QLineEdit *>(name))
+            field->setText(text);
 }
 
 /// In all windows: they share the shortcuts.
@@ -351,8 +369,10 @@ MainWindow *MainWindow::replace()
     const std::optional<WorkspaceState> view = workspaceOf(canvas(), m_editor);
     const bool fitted = m_canvas->isFitted();
     const std::map<QString, bool> switches = switchesOf(*m_commands);
+    const std::map<QString, QString> searches = searchesOf(*this);
     auto *successor = new MainWindow(release(), m_makeRenderer, nullptr, Places::Given);
     setSwitches(*successor->m_commands, switches);
+    setSearches(*successor, searches);
     successor->setAttribute(Qt::WA_DeleteOnClose, testAttribute(Qt::WA_DeleteOnClose));
     successor->restoreGeometry(geometry);
     successor->restoreState(layout);

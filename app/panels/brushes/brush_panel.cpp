@@ -58,6 +58,7 @@ void BrushPanel::addHead(QVBoxLayout &column)
 {
     auto *row = new QHBoxLayout;
     m_search = new QLineEdit(this);
+    m_search->setObjectName("brushesSearch");
     m_search->setPlaceholderText(tr("Search"));
     m_search->setClearButtonEnabled(true);
     m_search->setAccessibleName(tr("Search brushes"));

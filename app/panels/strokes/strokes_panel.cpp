@@ -25,6 +25,7 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     column->setContentsMargins(8, 8, 8, 0);
     column->setSpacing(8);
     m_search = new QLineEdit(this);
+    m_search->setObjectName("strokesSearch");
     m_search->setPlaceholderText(tr("Search"));
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);

@@ -1,5 +1,8 @@
 // Settings that windows are built by: other windows show the same paintings, and nothing is lost.
 #include "app/dialogs/settings_dialog.h"
+#include "app/panels/brushes/brush_panel.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
 #include "app/window/layout/window_layout.h"
@@ -9,6 +12,8 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QPointer>
 #include <QSpinBox>
@@ -279,6 +284,44 @@ private slots:
             QVERIFY(onlyWindow()->isMaximized());
             QVERIFY(onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
         }
+        onlyWindow()->journal().remove();
+        delete onlyWindow();
+    }
+
+    /// The docks show what they showed: what is searched for, and the brush in hand.
+    void docksGoOnWhereTheyWere()
+    {
+        auto *window = new MainWindow;
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->setGeometry(20, 40, 1000, 600);
+        window->show();
+        addWave(*window, 200);
+        window->findChild<QDockWidget *>("brushesDock")->raise();
+        const QString last = BrushLibrary::instance().brushes().back().name;
+        BrushLibrary::instance().use(window->editor(), last);
+        window->findChild<StrokesPanel *>()->search()->setText("wa");
+        QCoreApplication::processEvents();
+        for (const char *language : {"de", "zh_CN", "en"}) {
+            settings::setLanguage(language);
+            rebuildWindows();
+            QTRY_VERIFY(onlyWindow());
+            auto *strokes = onlyWindow()->findChild<StrokesPanel *>();
+            QCOMPARE(strokes->search()->text(), QString("wa"));
+            QVERIFY(strokes->isSearching());
+            const auto *brushes = onlyWindow()->findChild<BrushPanel *>();
+            QCOMPARE(brushes->search()->text(), QString());
+            QListWidget *list = brushes->list();
+            QTRY_VERIFY(list->isVisible());
+            QTRY_VERIFY(list->currentItem() == brushes->itemOf(last) &&
+                        list->viewport()->rect().contains(list->visualItemRect(list->currentItem())));
+        }
+        onlyWindow()->findChild<StrokesPanel *>()->search()->clear();
+        onlyWindow()->findChild<BrushPanel *>()->search()->setText("x");
+        settings::setLanguage("de");
+        rebuildWindows();
+        QTRY_VERIFY(onlyWindow());
+        QCOMPARE(onlyWindow()->findChild<BrushPanel *>()->search()->text(), QString("x"));
+        QVERIFY(!onlyWindow()->findChild<StrokesPanel *>()->isSearching());
         onlyWindow()->journal().remove();
         delete onlyWindow();
     }
