@@ -36,9 +36,9 @@ QString nameOfStroke(const Stroke &stroke)
 
 } // namespace
 
-AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
-    : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document()))
+AlongDialog::AlongDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor)
 {
+    m_state.runs = std::make_shared<const StrokeRuns>(runsOf(editor.document()));
     setAttribute(Qt::WA_DeleteOnClose);
     auto *outer = new QVBoxLayout(this);
     m_body = new QWidget(this);
@@ -70,6 +70,10 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     });
     connect(m_curve, &CurveEditor::givenUp, this, &AlongDialog::giveUpDrag);
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
+    connect(&editor.undoStack(), &QUndoStack::indexChanged, this, [this] {
+        if (!m_applying)
+            goOnFromStep();
+    });
     EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     showSubject();
@@ -170,7 +174,7 @@ ValueAxis AlongDialog::axisOf(Quantity quantity) const
 {
     const FieldSpec spec = specOf(quantity);
     ValueAxis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic, spec.display.isReversed()};
-    for (const auto &[id, run] : m_runs)
+    for (const auto &[id, run] : *m_state.runs)
         for (const RunPlace &p : run.places)
             axis.include(double(valueOf(run.stroke->segments[std::size_t(p.segment)], quantity)));
     return axis;
@@ -180,7 +184,7 @@ std::vector<QPointF> AlongDialog::presentOf(Quantity quantity) const
 {
     constexpr std::size_t mostDots = 4000;
     std::vector<QPointF> dots;
-    for (const auto &[id, run] : m_runs)
+    for (const auto &[id, run] : *m_state.runs)
         for (const RunPlace &p : run.places)
             if (dots.size() < mostDots)
                 dots.emplace_back(p.place,
@@ -194,8 +198,8 @@ void AlongDialog::choose(Quantity quantity)
     m_quantity = quantity;
     m_choice->setCurrentIndex(
         int(std::find(curveQuantities.begin(), curveQuantities.end(), quantity) - curveQuantities.begin()));
-    const auto it = m_set.find(quantity);
-    m_axis = it == m_set.end() ? axisOf(quantity) : it->second.axis;
+    const auto it = m_state.set.find(quantity);
+    m_axis = it == m_state.set.end() ? axisOf(quantity) : it->second.axis;
     showQuantity();
 }
 
@@ -212,7 +216,7 @@ void AlongDialog::showQuantity()
     }
     PlaceCurve curve;
     m_from.reset();
-    if (const auto it = m_set.find(m_quantity); it != m_set.end()) {
+    if (const auto it = m_state.set.find(m_quantity); it != m_state.set.end()) {
         curve = it->second.curve;
         m_from = it->second.from;
     } else if (!present.empty()) { // The values are shown as they are.
@@ -220,7 +224,7 @@ void AlongDialog::showQuantity()
             std::all_of(present.begin(), present.end(), [&](QPointF p) { return p.y() == present.front().y(); });
         curve.knots = {present.front().y()};
         if (!same)
-            m_from = curve = presentCurve(m_runs, m_quantity, m_axis);
+            m_from = curve = presentCurve(*m_state.runs, m_quantity, m_axis);
     }
     m_curve->setCurve(curve);
     showFields();
@@ -252,7 +256,7 @@ void AlongDialog::choose(Shape shape)
         next = drawnThrough(samples, m_from ? 0 : 1);
     m_curve->setCurve(next);
     showFields();
-    if (m_set.contains(m_quantity))
+    if (m_state.set.contains(m_quantity))
         apply(); // A curve that was set here is applied in its new shape; one that was only looked at changes nothing.
 }
 
@@ -275,10 +279,10 @@ void AlongDialog::set(const CurveAlong &curve)
     if (m_finished)
         return;
     note();
-    m_set[m_quantity] = curve;
+    m_state.set[m_quantity] = curve;
     m_axis = curve.axis;
     showQuantity();
-    m_set[m_quantity] = shown();
+    m_state.set[m_quantity] = shown();
     showValues();
 }
 
@@ -288,10 +292,10 @@ void AlongDialog::note()
     const bool goesOn = m_curve->isDragging() && m_beforeDrag;
     if (goesOn && !m_past.empty())
         return;
-    m_past.emplace_back(m_quantity, m_set); // What a drag does after it was saved is another change.
-    m_future.clear();
+    m_past.emplace_back(m_quantity, m_state.set); // What a drag does after it was saved is another change.
     if (m_curve->isDragging() && !goesOn)
-        m_beforeDrag = m_set;
+        m_beforeDrag = {m_state.set, m_future};
+    m_future.clear();
 }
 
 void AlongDialog::setEnd(std::size_t knot, double value)
@@ -315,14 +319,15 @@ void AlongDialog::apply()
     if (m_finished)
         return; // The strokes have gone while a drag went on.
     note();
-    m_set[m_quantity] = shown();
+    m_state.set[m_quantity] = shown();
     showValues();
 }
 
 void AlongDialog::giveUpDrag()
 {
     if (!m_finished && m_beforeDrag) {
-        m_set = *m_beforeDrag;
+        m_state.set = std::move(m_beforeDrag->set);
+        m_future = std::move(m_beforeDrag->future);
         if (!m_past.empty()) // It is, where the drag has been saved and has not moved since.
             m_past.pop_back();
     }
@@ -340,8 +345,8 @@ void AlongDialog::step(bool back)
     }
     auto &from = back ? m_past : m_future, &to = back ? m_future : m_past;
     const Quantity quantity = from.back().first; // that was changed
-    to.emplace_back(quantity, std::move(m_set));
-    m_set = std::move(from.back().second);
+    to.emplace_back(quantity, std::move(m_state.set));
+    m_state.set = std::move(from.back().second);
     from.pop_back();
     showValues();
     choose(quantity);
@@ -349,51 +354,47 @@ void AlongDialog::step(bool back)
 
 void AlongDialog::handOver(const std::function<bool()> &commit, const std::function<void()> &undo)
 {
-    if (m_curve->isDragging() && m_beforeDrag)
-        return handOverInDrag(commit);
-    const std::size_t done = m_past.size();
-    while (canStep(true))
-        step(true);
+    const QScopedValueRollback applying(m_applying, true);
+    std::vector<CurvesSet> states;
+    for (const auto &[quantity, set] : m_past)
+        states.push_back(set);
+    const std::size_t now = states.size();
+    states.push_back(m_state.set);
+    for (auto it = m_future.rbegin(); it != m_future.rend(); ++it)
+        states.push_back(it->second);
     int undone = 0; // steps after what is shown now
-    for (std::size_t k = 0; canStep(false); ++k) {
-        step(false);
-        const bool isStep = commit();
-        undone += isStep && k >= done;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        m_state.set = states[k];
+        showValues();
+        const bool isStep = commit(); // of the first one: what was done to other strokes before
+        undone += isStep && k > now;
     }
-    {
-        const QScopedValueRollback applying(m_applying, true);
-        for (; undone > 0; --undone)
-            undo();
-    }
+    for (; undone > 0; --undone)
+        undo();
+    m_state.set = states[now];
     m_gesture.commit();
-    follow();
+    goOnFromStep();
 }
 
-/// What the drag has set so far is a step as all before it, and the drag goes on from there.
-void AlongDialog::handOverInDrag(const std::function<bool()> &commit)
+/// All that was changed is steps now, which undo takes back one by one; a drag goes on from there.
+void AlongDialog::goOnFromStep()
 {
-    std::vector<CurvesSet> states;
-    for (const auto &[quantity, before] : m_past)
-        states.push_back(before);
-    states.push_back(m_set);
-    m_set = states.front();
-    showValues();
-    for (std::size_t k = 1; k < states.size(); ++k) {
-        m_set = states[k];
-        showValues();
-        (void)commit();
-    }
     m_past.clear();
-    m_gesture.commit();
+    m_future.clear();
+    if (!m_beforeDrag)
+        return;
+    m_beforeDrag = {m_state.set, {}};
+    m_curve->keepDragSoFar();
 }
 
 /// Shows what was set so far.
 void AlongDialog::showValues()
 {
     std::map<Quantity, ValueAlong> values;
-    for (const auto &[quantity, set] : m_set)
+    for (const auto &[quantity, set] : m_state.set)
         values[quantity] = [&set = set](double place, double old) { return set.valueAt(place, old); };
-    showRuns(runsToSet(), values);
+    showRuns(m_state.runsToSet(), values);
+    m_states.note(*m_editor.document().painting(), m_state);
     if (!m_curve->isDragging())
         m_gesture.rest();
 }
@@ -406,17 +407,6 @@ void AlongDialog::showRuns(const StrokeRuns &runs, const std::map<Quantity, Valu
     m_gesture.show(setAlong(m_editor.document(), runs, values));
 }
 
-const StrokeRuns &AlongDialog::runsToSet()
-{
-    const bool varies =
-        std::any_of(m_set.begin(), m_set.end(), [](const auto &entry) { return entry.second.varies(); });
-    if (!varies)
-        return m_runs;
-    if (!m_refined)
-        m_refined = refined(m_runs);
-    return *m_refined;
-}
-
 void AlongDialog::accept()
 {
     m_gesture.commit();
@@ -425,10 +415,10 @@ void AlongDialog::accept()
 
 void AlongDialog::reject()
 {
-    // If something else was done meanwhile, a part of the changes is a step already, so the old values are set anew.
-    StrokeRuns all = m_earlier;
-    all.insert(m_runs.begin(), m_runs.end());
-    showRuns(all, {});
+    // Where it was saved, or something else was done meanwhile, a part of the changes is a step already, so the old
+    // values are set anew.
+    if (const StrokeRuns starts = m_states.starts(*m_editor.document().painting()); !starts.empty())
+        showRuns(starts, {});
     m_gesture.commit();
     QDialog::reject();
 }
@@ -437,39 +427,34 @@ void AlongDialog::documentChanged(const Change &change)
 {
     if (m_applying || m_finished)
         return;
-    const bool ours =
-        std::any_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_runs.contains(id); });
+    const bool ours = std::any_of(change.strokes.begin(), change.strokes.end(),
+                                  [this](StrokeId id) { return m_state.runs->contains(id); });
     const Painting &painting = *m_editor.unsettled().painting();
-    const bool isGone =
-        std::any_of(m_runs.begin(), m_runs.end(), [&](const auto &run) { return !painting.find(run.first); });
+    const bool isGone = std::ranges::any_of(*m_state.runs, [&](const auto &run) { return !painting.find(run.first); });
     if (change.reset || isGone) {
         m_finished = true;
         accept();
         return;
     }
-    for (const StrokeId id : change.strokes) { // What was done to it elsewhere goes on from what was done here.
-        m_earlier.erase(id);
-        m_runs.erase(id);
-    }
     if (change.selection || ours)
         follow();
 }
 
-/// Goes on with what is selected now. OK and Cancel decide what was done before, too.
+/// Goes on with what is selected now: with the curves that were set there, where it is as the window has shown it, and
+/// with the values that there are else. OK and Cancel decide what was done before, too.
 void AlongDialog::follow()
 {
     const QScopedValueRollback applying(m_applying, true);
-    for (const auto &[id, run] : m_runs)
-        if (m_editor.document().painting()->find(id) != run.stroke)
-            m_earlier.emplace(id, run);
     m_gesture.rest();
     m_curve->dropDrag();
     m_beforeDrag.reset();
-    m_set.clear();
-    m_past.clear();
-    m_future.clear();
-    m_refined.reset();
-    m_runs = runsOf(m_editor.document());
+    goOnFromStep();
+    const Document &document = m_editor.document();
+    StrokeRuns selected = runsOf(document);
+    if (const AlongState *known = m_states.find(*document.painting(), selected))
+        m_state = *known;
+    else
+        m_state = {std::make_shared<const StrokeRuns>(std::move(selected)), {}, {}};
     showSubject();
     choose(m_quantity);
 }
@@ -477,13 +462,14 @@ void AlongDialog::follow()
 /// Says which strokes it is about, or that there are none.
 void AlongDialog::showSubject()
 {
-    const QString name = m_runs.size() == 1 ? nameOfStroke(*m_runs.begin()->second.stroke)
-                                            : tr("%n stroke(s)", nullptr, int(m_runs.size()));
-    setWindowTitle(m_runs.empty() ? tr("Along the Stroke") : tr("Along the Stroke – %1").arg(name));
-    m_body->setEnabled(!m_runs.empty());
-    m_hint->showHint(m_runs.empty() ? tr("Nothing is selected that can be changed. Click a stroke, and its values "
-                                         "are shown here.")
-                                    : QString());
+    const StrokeRuns &runs = *m_state.runs;
+    const QString name =
+        runs.size() == 1 ? nameOfStroke(*runs.begin()->second.stroke) : tr("%n stroke(s)", nullptr, int(runs.size()));
+    setWindowTitle(runs.empty() ? tr("Along the Stroke") : tr("Along the Stroke – %1").arg(name));
+    m_body->setEnabled(!runs.empty());
+    m_hint->showHint(runs.empty() ? tr("Nothing is selected that can be changed. Click a stroke, and its values "
+                                       "are shown here.")
+                                  : QString());
 }
 
 } // namespace suffuse

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/inspector/along_curve.h"
+#include "app/panels/inspector/along_states.h"
 #include "app/session/gesture.h"
 
 #include <QDialog>
@@ -23,9 +23,9 @@ class NumberField;
 /// The dialog "Along the Stroke". It sets quantities over the arc length of the runs of segments that are selected, and
 /// names their stroke in its title. All that is done in it shows at once and is one undo step; Cancel takes it back.
 /// Undo and redo go through the changes of one curve first; where the painting is saved, or undo goes on to what was
-/// done before, each of them becomes a step. Where something else is selected it goes on with that, and OK and Cancel
-/// decide what was done before, too. Where something else changes the strokes that it is about, it goes on from there;
-/// where one of them goes, it closes by itself and keeps what was done.
+/// done before, each of them becomes a step, and Cancel takes them back by one more. Where something else is selected
+/// it goes on with that, and OK and Cancel decide what was done before, too. Where something else changes the strokes
+/// that it is about, it goes on from there; where one of them goes, it closes by itself and keeps what was done.
 class AlongDialog : public QDialog, private GestureSteps {
     Q_OBJECT
 
@@ -49,12 +49,17 @@ public:
     void reject() override;
 
 private:
-    using CurvesSet = std::map<Quantity, CurveAlong>;
+    /// What was set before or after each change, with the quantity that was shown. The last is the next to step to.
+    using Changes = std::vector<std::pair<Quantity, CurvesSet>>;
+    struct BeforeDrag {
+        CurvesSet set;
+        Changes future;
+    };
 
     bool canStep(bool back) const override { return !(back ? m_past : m_future).empty(); }
     void step(bool back) override;
     void handOver(const std::function<bool()> &commit, const std::function<void()> &undo) override;
-    void handOverInDrag(const std::function<bool()> &commit);
+    void goOnFromStep();
     void addChoice();
     void addFields();
     void showQuantity();
@@ -73,23 +78,19 @@ private:
     void showValues();
     void showRuns(const StrokeRuns &runs, const std::map<Quantity, ValueAlong> &values);
     void giveUpDrag();
-    const StrokeRuns &runsToSet();
     void documentChanged(const Change &change);
     void follow();
     void showSubject();
 
     Editor &m_editor;
-    StrokeRuns m_runs;
-    StrokeRuns m_earlier; ///< what was selected before and is changed, as it was when the dialog came to it first
-    std::optional<StrokeRuns> m_refined; ///< the runs with shorter segments, made once something varies
-    Gesture m_gesture;                   ///< open from the first change until the dialog closes
+    AlongState m_state;
+    AlongStates m_states; ///< that were shown so far
+    Gesture m_gesture;    ///< open from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
     ValueAxis m_axis;
-    std::optional<PlaceCurve> m_from;      ///< belongs to the curve that is shown, as in CurveAlong
-    CurvesSet m_set;                       ///< the curves that were set in this dialog
-    std::optional<CurvesSet> m_beforeDrag; ///< what was set when the drag of the curve began
-    /// What was set before and after each change, with the quantity that was shown. The last is the next to step to.
-    std::vector<std::pair<Quantity, CurvesSet>> m_past, m_future;
+    std::optional<PlaceCurve> m_from;       ///< belongs to the curve that is shown, as in CurveAlong
+    std::optional<BeforeDrag> m_beforeDrag; ///< when the drag of the curve began, or was saved last
+    Changes m_past, m_future;
     bool m_applying = false;
     bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 

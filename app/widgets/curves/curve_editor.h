@@ -33,6 +33,8 @@ public:
     using CurveField::CurveField;
 
     void setCurve(const PlaceCurve &curve);
+    /// Who gives the drag up from now on comes back to the curve as it is.
+    void keepDragSoFar() { m_before = m_curve; }
     const PlaceCurve &curve() const { return m_curve; }
     /// Shows the present values as dots: place and value, both in [0, 1].
     void setPresent(std::vector<QPointF> dots);

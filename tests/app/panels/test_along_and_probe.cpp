@@ -494,7 +494,9 @@ private slots:
             QVERIFY(*now() == *later);
         }
         QVERIFY(!bench.editor.canRedo());
-        dialog->reject();
+        dialog->reject(); // all that was done in the window, however often it was saved and redone
+        QVERIFY(*now() == *before);
+        bench.editor.undo();
         QVERIFY(*now() == *second);
     }
 
@@ -562,6 +564,106 @@ private slots:
         while (bench.editor.canUndo())
             bench.editor.undo();
         QVERIFY(*now() == *before);
+    }
+
+    /// Esc gives up what came after it was saved, as on the canvas.
+    void escGivesUpWhatADragDidAfterItWasSaved()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const auto now = [&] { return bench.editor.document().painting(); };
+        const PaintingPtr before = now();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        CurveEditor &curve = *dialog->curve();
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "7");
+        dragCurve(curve, {0.5, curve.curve().at(0.5)}, {0.5, 0.9}, false);
+        const PaintingPtr saved = now();
+        const PlaceCurve asSaved = curve.curve();
+        for (const bool moves : {true, false}) {
+            save(bench.editor);
+            if (moves) {
+                QVERIFY(curve.isDragging());
+                QTest::mouseMove(&curve, curve.toWidget({0.5, 0.3}).toPoint());
+                QVERIFY(*now() != *saved);
+                QVERIFY(bench.editor.isModified());
+                QTest::keyClick(&curve, Qt::Key_Escape);
+                QTest::mouseMove(&curve, curve.toWidget({0.5, 0.2}).toPoint());
+                QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget({0.5, 0.2}).toPoint());
+            } else {
+                dragCurve(curve, {0.5, 0.9}, {0.5, 0.9}, false);
+                save(bench.editor);
+                QTest::keyClick(&curve, Qt::Key_Escape); // before it moves on
+            }
+            QVERIFY(dialog && dialog->isVisible());
+            QVERIFY(*now() == *saved && !bench.editor.isModified());
+            QCOMPARE(curve.curve(), asSaved);
+            QCOMPARE(bench.steps(), 2);
+        }
+        bench.editor.undo();
+        bench.editor.undo();
+        QVERIFY(*now() == *before);
+        dialog->reject();
+        QVERIFY(*now() == *before);
+    }
+
+    /// What the window shows of a painting, undo and redo bring back with it.
+    void undoAndRedoBringBackTheCurveAsItWas_data()
+    {
+        QTest::addColumn<bool>("saves");
+        QTest::newRow("in the window") << false;
+        QTest::newRow("of steps that were saved") << true;
+    }
+    void undoAndRedoBringBackTheCurveAsItWas()
+    {
+        QFETCH(bool, saves);
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.editor.push(changeStrokes(bench.editor.document(), {1},
+                                        [value = 7.3f](Stroke &s) mutable {
+                                            for (Segment &segment : s.segments)
+                                                segment.density = value *= 1.7f;
+                                        }),
+                          "density");
+        bench.select({1}, {{1, 1}, {1, 2}, {1, 3}});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        struct Shown {
+            Painting painting;
+            PlaceCurve curve;
+            QString start, end;
+            bool operator==(const Shown &) const = default;
+        };
+        const auto shown = [&] {
+            return Shown{*bench.editor.document().painting(), dialog->curve()->curve(), dialog->start()->text(),
+                         dialog->end()->text()};
+        };
+        std::vector<Shown> states{shown()};
+        type(*dialog->start(), "21.27");
+        states.push_back(shown());
+        dragCurve(*dialog->curve(), {0.4, dialog->curve()->curve().at(0.4)}, {0.43, 0.2});
+        states.push_back(shown());
+        dragCurve(*dialog->curve(), {1, dialog->curve()->curve().at(1)}, {1, 0.7});
+        states.push_back(shown());
+        if (saves)
+            save(bench.editor);
+        QVERIFY(shown() == states.back());
+        for (int times = 0; times < 2; ++times) {
+            for (std::size_t k = states.size() - 1; k-- > 0;) {
+                bench.editor.undo();
+                QVERIFY(shown() == states[k]);
+            }
+            for (std::size_t k = 1; k < states.size(); ++k) {
+                bench.editor.redo();
+                QVERIFY(shown() == states[k]);
+            }
+        }
+        dialog->reject();
+        QVERIFY(*bench.editor.document().painting() == states.front().painting);
     }
 
     /// Undo goes on to what was done before the window, and redo comes back through all that was done in it.
