@@ -196,12 +196,12 @@ void Editor::redo()
     m_undoStack.redo();
 }
 
-/// Commits what is in hand, and the changes within it one by one. Where it shows nothing any more, steps that could be
-/// redone before it began still can be, instead of the changes.
+/// Commits what is in hand, and the changes within it one by one, also those that were taken back and can be redone.
+/// Where it is back at its start by itself, steps that could be redone before it began still can be.
 void Editor::commitChanges()
 {
     GestureSteps *steps = m_gestures.open() ? m_gestures.open()->steps() : nullptr;
-    if (!steps || (!undecided() && m_undoStack.canRedo()))
+    if (!steps || (!undecided() && !steps->canStep(false) && m_undoStack.canRedo()))
         return commit();
     const auto commitOne = [this] {
         const int before = m_undoStack.index();

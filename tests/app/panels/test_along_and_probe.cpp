@@ -8,6 +8,7 @@
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
 #include "render/probe.h"
+#include "tests/app/along_walk.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
@@ -664,6 +665,19 @@ private slots:
         }
         dialog->reject();
         QVERIFY(*bench.editor.document().painting() == states.front().painting);
+    }
+
+    void whateverIsDoneInItComesBack()
+    {
+        for (unsigned seed = 0; seed < 200; ++seed) {
+            AlongWalk walk(seed, m_folder.filePath("walk.suffuse"));
+            QString wrong;
+            for (int k = 0; k < 12 && wrong.isEmpty(); ++k)
+                wrong = walk.act();
+            if (wrong.isEmpty())
+                wrong = walk.close(seed % 2 == 0);
+            QVERIFY2(wrong.isEmpty(), qPrintable(QString("%1: %2: %3").arg(seed).arg(walk.trail(), wrong)));
+        }
     }
 
     /// Undo goes on to what was done before the window, and redo comes back through all that was done in it.
