@@ -5024,6 +5024,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Umriss</translation>
     </message>
     <message>
+        <source>What was drawn encloses no area: nothing was added.</source>
+        <translation>Was gezeichnet wurde, umschließt keine Fläche: Es kam nichts hinzu.</translation>
+    </message>
+    <message>
         <source>Fill</source>
         <translation>Füllung</translation>
     </message>

@@ -5007,6 +5007,10 @@ Arrow keys work too.</source>
         <translation>轮廓</translation>
     </message>
     <message>
+        <source>What was drawn encloses no area: nothing was added.</source>
+        <translation>所画的线没有围成区域：未添加任何内容。</translation>
+    </message>
+    <message>
         <source>Fill</source>
         <translation>填充</translation>
     </message>

@@ -4,7 +4,9 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "model/shaping/nodes/node_path.h"
+#include "undo/edits.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -81,6 +83,7 @@ void DrawingTool::setPaint(ShapePaint paint)
 
 void DrawingTool::begin(Microseconds born)
 {
+    say({});
     m_id = m_editor.document().takeStrokeId();
     m_born = born;
 }
@@ -109,6 +112,23 @@ void DrawingTool::cancel()
     m_editor.clock().hold(false);
     m_canvas.updateOverlay();
     emit hintChanged();
+}
+
+void DrawingTool::addOrSay(const StrokePtr &stroke, const QString &name)
+{
+    if (stroke)
+        m_editor.push(addStrokes(m_editor.document(), {stroke}, true), name);
+    else
+        say(tr("What was drawn encloses no area: nothing was added."));
+}
+
+void DrawingTool::say(const QString &text)
+{
+    if (std::exchange(m_said, text) == text)
+        return;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 Point DrawingTool::snapped(const PointerEvent &event) const

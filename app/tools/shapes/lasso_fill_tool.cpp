@@ -28,7 +28,8 @@ LassoFillTool::LassoFillTool(CanvasWidget &canvas, QObject *parent)
 QString LassoFillTool::hint() const
 {
     return isBusy() ? tr("Click: straight line. First point, double click or Return: close. Shift: steps of 15°.")
-                    : tr("Draw around what is to be filled. Alt at the end, or clicks: straight lines.");
+           : !said().isEmpty() ? said()
+                               : tr("Draw around what is to be filled. Alt at the end, or clicks: straight lines.");
 }
 
 bool LassoFillTool::closesAt(Point pixel) const
@@ -136,8 +137,8 @@ void LassoFillTool::finish()
     // Two points enclose nothing.
     const StrokePtr stroke = curves.size() > 2 || !isClick(m_parts.back()) ? painted(curves) : nullptr;
     cancel();
-    if (stroke)
-        m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Lasso fill"));
+    if (stroke || curves.size() > 1) // A click alone is given up without a word.
+        addOrSay(stroke, tr("Lasso fill"));
 }
 
 bool LassoFillTool::takeBack()

@@ -22,6 +22,8 @@ QString PenTool::hint() const
     if (isBusy())
         return tr(
             "Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.");
+    if (!said().isEmpty())
+        return said();
     if (m_nearEnd)
         return tr("Click or drag to go on with the selected stroke from its end.");
     return tr("Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.");
@@ -217,14 +219,12 @@ void PenTool::finish(bool isClosed)
         return;
     const StrokePtr stroke = strokeInHand(isClosed);
     const std::optional<NodeRef> end = m_extended;
+    const bool isLine = m_nodes.size() > 1; // A click alone is given up without a word.
     cancel();
-    if (!stroke)
-        return;
-    if (end) {
+    if (stroke && end)
         m_editor.push(extendStroke(m_editor.document(), *end, *stroke), tr("Extend outline"));
-        return;
-    }
-    m_editor.push(addStrokes(m_editor.document(), {stroke}, true), tr("Outline"));
+    else if (isLine && !end)
+        addOrSay(stroke, tr("Outline"));
 }
 
 void PenTool::forget()

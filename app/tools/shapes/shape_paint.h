@@ -14,7 +14,7 @@ inline constexpr double leastShapeDrag = 3;
 inline constexpr double closingReach = 8;
 
 /// A stroke along curves with the values of a brush at full pressure; what is within spreads by at most half of the
-/// width that there is. Null where nothing could be painted.
+/// width that there is. Null where nothing could be painted, as within a straight line.
 StrokePtr paintedAlong(const std::vector<Cubic> &curves, const Brush &brush, StrokeId id, Microseconds born,
                        ShapePaint paint);
 

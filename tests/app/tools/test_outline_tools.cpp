@@ -252,6 +252,33 @@ private slots:
         QCOMPARE(s.last().segments.size(), std::size_t(2));
     }
 
+    /// It would be a stroke that nobody sees.
+    void aFillWithoutAnAreaIsNotAdded()
+    {
+        for (const Command tool : {Command::OutlinePen, Command::LassoFill})
+            for (const bool byReturn : {true, false}) {
+                Drawing s(tool);
+                static_cast<DrawingTool *>(s.canvas().tool())->setPaint(ShapePaint::Fill);
+                s.click({200, 200});
+                s.click({300, 260});
+                if (byReturn)
+                    s.key(Qt::Key_Return);
+                else
+                    s.use(Command::Select);
+                QVERIFY(s.painting().strokes.empty());
+                QVERIFY(!s.editor().undoStack().canUndo());
+                if (byReturn) {
+                    QVERIFY2(s.canvas().tool()->hint().contains("no area"), qPrintable(s.canvas().tool()->hint()));
+                    s.click({200, 200});
+                    QVERIFY(!s.canvas().tool()->hint().contains("no area"));
+                    s.click({300, 260});
+                    s.click({300, 360});
+                    s.key(Qt::Key_Return);
+                    QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+                }
+            }
+    }
+
     /// Its first press closes the outline, and its second one begins no other.
     void aDoubleClickOnTheFirstPointOnlyCloses()
     {
@@ -354,6 +381,7 @@ private slots:
         QCOMPARE(s.steps(), 1);
         s.press({300, 300});
         s.move({400, 400}, Qt::LeftButton);
+        s.move({300, 400}, Qt::LeftButton);
         QVERIFY(s.editor().document().draft());
         s.key(Qt::Key_Escape);
         s.release({400, 400});
@@ -366,7 +394,7 @@ private slots:
         for (const Command tool : {Command::OutlinePen, Command::LassoFill}) {
             Drawing s(tool);
             const auto drawn = [&s] { return s.editor().document().draft(); };
-            for (const Point at : {Point{200, 200}, Point{300, 220}, Point{260, 320}, Point{220, 300}})
+            for (const Point at : {Point{200, 200}, Point{300, 220}, Point{320, 280}, Point{260, 320}, Point{220, 300}})
                 s.click(at);
             const Stroke whole = *drawn();
             s.use(Command::Undo);
