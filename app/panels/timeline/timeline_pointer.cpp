@@ -94,6 +94,7 @@ void TimelinePointer::press(const QMouseEvent &event, const TimelineAxes &axes)
     m_selectionBefore = m_editor.document().selection();
     if (m_hit.part == Part::Ruler) {
         m_drag = Drag::Scrub;
+        m_timeBefore = m_editor.clock().time();
         scrubTo(m_pressed.x(), axes);
     } else if (m_hit.part == Part::None) {
         m_drag = Drag::Band;
@@ -235,6 +236,8 @@ void TimelinePointer::giveUp()
         endRetiming();
     } else if (m_drag == Drag::Band) {
         m_editor.document().setSelection(m_selectionBefore);
+    } else if (m_drag == Drag::Scrub) {
+        m_playback.seek(m_timeBefore);
     }
     m_drag = Drag::None;
     m_viewport.update();

@@ -85,7 +85,8 @@ private:
     QPointF m_pressed, m_pointer;
     Qt::KeyboardModifiers m_pressedWith;
     Hit m_hit;
-    Selection m_selectionBefore; ///< the selection at the press
+    Selection m_selectionBefore;   ///< the selection at the press
+    Microseconds m_timeBefore = 0; ///< the moment that was looked at then
     std::optional<Retiming> m_retiming;
 };
 

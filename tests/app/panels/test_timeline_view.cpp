@@ -35,6 +35,22 @@ private slots:
         QCOMPARE(s.steps(), 0);
     }
 
+    void aScrubIsGivenUp()
+    {
+        Timed s;
+        for (const Microseconds before : {s.painting().end(), 2 * second}) {
+            s.playback().seek(before);
+            const bool inPast = s.editor().clock().isInPast();
+            s.press(s.onRuler(3 * second));
+            s.moveTo(s.onRuler(1'500'000));
+            QTest::keyClick(&s.view(), Qt::Key_Escape);
+            QCOMPARE(s.editor().clock().time(), before);
+            QCOMPARE(s.editor().clock().isInPast(), inPast);
+            s.release(s.onRuler(1'500'000));
+            QCOMPARE(s.editor().clock().time(), before);
+        }
+    }
+
     void labelsMakeWayForThePlayhead()
     {
         QCOMPARE(TimelinePicture::labelLeft(100, 30, 500, 1000), 104.0);
