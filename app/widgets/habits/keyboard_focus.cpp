@@ -16,6 +16,7 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QShortcutEvent>
 #include <QStatusBar>
@@ -190,6 +191,30 @@ bool takesFocus(const QWidget &widget)
     return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
 }
 
+/// Does with Return what Qt does with Space alone.
+void press(QAbstractButton &button)
+{
+    auto *tool = qobject_cast<QToolButton *>(&button);
+    if (tool && tool->popupMode() == QToolButton::InstantPopup)
+        tool->showMenu();
+    else
+        button.click();
+}
+
+/// Whether an arrow key would lead from a button to another panel, as Qt lets it, where the next one would do something
+/// that nobody means.
+bool leadsOutOf(const QWidget &panel, QWidget &button, const QKeyEvent &key)
+{
+    const bool forward = key.key() == Qt::Key_Right || key.key() == Qt::Key_Down;
+    if (!forward && key.key() != Qt::Key_Left && key.key() != Qt::Key_Up)
+        return false;
+    QWidget *next = &button;
+    do
+        next = forward ? next->nextInFocusChain() : next->previousInFocusChain();
+    while (next != &button && !(takesFocus(*next) && next->isVisible()));
+    return !panel.isAncestorOf(next);
+}
+
 } // namespace
 
 KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
@@ -290,12 +315,16 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
     }
     if (!widget.hasFocus())
         return false;
-    // Qt has Space alone for that. Who takes a tool goes on with it.
-    if (auto *button = qobject_cast<QToolButton *>(&widget);
-        button && qobject_cast<QToolBar *>(panel) && key.key() != Qt::Key_Escape && leaves) {
-        button->click();
-        toCanvas();
-        return true;
+    if (auto *button = qobject_cast<QAbstractButton *>(&widget)) {
+        const bool isPushed = qobject_cast<QToolButton *>(button) || qobject_cast<QPushButton *>(button);
+        if (leaves && isPushed && key.key() != Qt::Key_Escape) {
+            press(*button);
+            if (qobject_cast<QToolBar *>(panel)) // Who takes a tool goes on with it.
+                toCanvas();
+            return true;
+        }
+        if (leadsOutOf(*panel, widget, key))
+            return true;
     }
     if (!searchesFor(widget, key))
         return false;

@@ -559,6 +559,27 @@ private slots:
         QVERIFY(s.canvas().hasFocus());
     }
 
+    /// Qt would take the keyboard to the next panel, whose arrows do something else: those of the timeline change the
+    /// moment, for example.
+    void arrowsStayInThePanel()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        int buttons = 0;
+        for (QToolBar *bar : s.window.findChildren<QToolBar *>())
+            for (QToolButton *button : bar->findChildren<QToolButton *>()) {
+                if (!button->isVisible() || !button->isEnabled() || !(button->focusPolicy() & Qt::TabFocus))
+                    continue;
+                ++buttons;
+                for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Left, Qt::Key_Down, Qt::Key_Right}) {
+                    button->setFocus(Qt::TabFocusReason);
+                    QTest::keyClick(button, key);
+                    QVERIFY2(bar->isAncestorOf(QApplication::focusWidget()), qPrintable(button->text()));
+                }
+            }
+        QVERIFY(buttons > 10);
+    }
+
     void f6ReturnsToWhereItWas()
     {
         WaveSession s;
