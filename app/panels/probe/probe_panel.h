@@ -37,6 +37,10 @@ public:
     /// To be called when the pointer leaves the canvas.
     void leaveCanvas();
 
+    /// The place that is shown, canvas units, and where the pointer rested last.
+    const std::optional<Point> &point() const { return m_point; }
+    const std::optional<Point> &rested() const { return m_rested; }
+
     QTreeWidget *view() const { return m_view; }
     AgePlot *plot() const { return m_plot; }
     /// Whether the numbers that are shown belong to the present place and painting.

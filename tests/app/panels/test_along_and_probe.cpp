@@ -906,11 +906,13 @@ private slots:
         QTRY_VERIFY(panel->isVisible());
         session.editor().clock().setTime(5'000'000);
         panel->setPoint({80, 100});
-        QTest::qWait(400);
+        QTRY_VERIFY(panel->rested() == (Point{80, 100}));
         panel->setPoint({700, 600}); // on the way to the dock
-        QTRY_COMPARE(panel->view()->topLevelItemCount(), 1);
+        QVERIFY(panel->point() == (Point{700, 600}));
         panel->leaveCanvas();
-        QTRY_COMPARE(panel->view()->topLevelItemCount(), 2);
+        QVERIFY(panel->point() == (Point{80, 100}));
+        QTRY_VERIFY(panel->isUpToDate());
+        QCOMPARE(panel->view()->topLevelItemCount(), 2);
     }
 
 private:
