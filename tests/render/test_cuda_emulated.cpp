@@ -45,7 +45,7 @@ private slots:
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 1); }
-    void heavyFills() { checkHeavyTiles(open, test::heavyFills(30), 1); }
+    void heavyFills() { checkHeavyTiles(open, test::heavyFills(15), 1); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 
