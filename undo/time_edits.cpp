@@ -7,7 +7,6 @@
 
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 namespace suffuse {
 
@@ -493,9 +492,9 @@ Edit placedInTime(const Document &document, Edit edit)
     }
     // The last ones come first, so that the places of those before them stay right.
     std::ranges::stable_sort(places, {}, [](const auto &p) { return p.first.index; });
-    for (const auto &[place, added] : places | std::views::reverse)
-        edit.order->insert(edit.order->begin() + std::ptrdiff_t(place.index), added->strokes.begin(),
-                           added->strokes.end());
+    for (auto it = places.rbegin(); it != places.rend(); ++it)
+        edit.order->insert(edit.order->begin() + std::ptrdiff_t(it->first.index), it->second->strokes.begin(),
+                           it->second->strokes.end());
     return edit;
 }
 
