@@ -28,10 +28,15 @@ bool contains(const std::array<Point, 4> &corners, Point p)
     return left == 4 || right == 4;
 }
 
-/// Whether a point lies in what the letters take up; canvas units before the text's place.
-bool covers(const LaidText &laid, Point p)
+/// Whether a point lies in what the letters take up or, of lines that are no curves, between two of them; canvas units
+/// before the text's place.
+bool covers(const LaidText &laid, const Text &text, Point p)
 {
-    return std::ranges::any_of(laid.clusters, [p](const LaidCluster &c) { return contains(c.corners(), p); });
+    const auto isIn = [p](const LaidLine &line) {
+        return contains(std::array{line.start[0], line.end[0], line.end[1], line.start[1]}, p);
+    };
+    return std::ranges::any_of(laid.clusters, [p](const LaidCluster &c) { return contains(c.corners(), p); }) ||
+           (text.curve.empty() && std::ranges::any_of(laid.lines, isIn));
 }
 
 } // namespace
@@ -156,7 +161,7 @@ bool TextTool::isOver(Point point) const
     if (!back)
         return false;
     const Point p = (*back)(point);
-    if (covers(m_entry.laid(), p))
+    if (covers(m_entry.laid(), m_entry.text(), p))
         return true;
     // A little beside the lines is meant for them, too.
     const CaretLine caret = m_entry.laid().caretAt(m_entry.laid().positionAt(p, m_entry.text().string));
@@ -181,7 +186,7 @@ GroupId TextTool::textAt(const PointerEvent &event) const
             continue;
         const SharedText text = textOf(painting, stroke.group);
         const std::optional<Affine> back = text ? text->place.inverse() : std::nullopt;
-        if (back && covers(m_layout.lay(*text), (*back)(event.point)))
+        if (back && covers(m_layout.lay(*text), *text, (*back)(event.point)))
             return stroke.group;
     }
     return 0;

@@ -817,6 +817,24 @@ private slots:
         QVERIFY(s.painting().groups[0].text);
     }
 
+    /// Where letters stand wide apart a click between them means the text, and begins no other one there.
+    void aClickBetweenLettersThatStandWideApart()
+    {
+        Typing s;
+        s.write("ab");
+        const Text text = *textOf(s.painting(), s.group());
+        Text wide = text;
+        wide.letterSpacing = 1;
+        const LaidText before = TextLayout().lay(text), after = TextLayout().lay(wide);
+        s.editor().push(setText(s.editor().document(), s.group(), wide, &before, after, {}), "wide");
+        const std::array<Point, 4> b = after.clusters[1].corners();
+        const double left = std::min({b[0].x, b[1].x, b[2].x, b[3].x}), middle = 0.5 * (b[0].y + b[2].y);
+        s.click(wide.place(Point{left - 0.5 * double(wide.size), middle}));
+        s.type("x");
+        QCOMPARE(s.painting().groups.size(), std::size_t(1));
+        QCOMPARE(s.string(), QString("axb"));
+    }
+
     void copiedAndPasted()
     {
         Typing s;
