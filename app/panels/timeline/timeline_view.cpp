@@ -327,6 +327,7 @@ void TimelineView::keyPressEvent(QKeyEvent *event)
         fit();
         break;
     case Qt::Key_Escape:
+    case Qt::Key_Delete:
         if (m_pointer.isBusy()) {
             m_pointer.giveUp();
             break;
