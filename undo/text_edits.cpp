@@ -127,6 +127,35 @@ std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std:
     return others;
 }
 
+/// The order in which the strokes of a text lie: its letters as they follow each other, and what else stands in the
+/// group above the letter that it lies above now, or above all letters where it lies above all that stay.
+std::vector<StrokeId> orderOfText(const Painting &painting, const std::vector<StrokeId> &letters,
+                                  const std::vector<StrokePtr> &others)
+{
+    const std::unordered_set<StrokeId> kept(letters.begin(), letters.end());
+    std::unordered_set<StrokeId> otherIds;
+    for (const StrokePtr &other : others)
+        otherIds.insert(other->id);
+    std::unordered_map<StrokeId, std::vector<StrokeId>> above; // by the letter below them; 0: none
+    StrokeId top = 0;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (kept.contains(stroke->id))
+            top = stroke->id;
+        else if (otherIds.contains(stroke->id))
+            above[top].push_back(stroke->id);
+    std::vector<StrokeId> order;
+    const auto add = [&](StrokeId letter) { order.insert(order.end(), above[letter].begin(), above[letter].end()); };
+    if (top != 0)
+        add(0);
+    for (const StrokeId letter : letters) {
+        order.push_back(letter);
+        if (letter != top)
+            add(letter);
+    }
+    add(top);
+    return order;
+}
+
 /// For each new letter the old one that it goes on with, or −1.
 std::vector<int> stayingLetters(const std::vector<Letter> &old, const QString &oldString,
                                 const std::vector<Letter> &now, const QString &string, std::optional<qsizetype> at)
@@ -406,9 +435,8 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
     const auto put = [&] {
         if (std::exchange(isPut, true))
             return;
-        order.insert(order.end(), letters.begin(), letters.end());
-        for (const StrokePtr &other : others)
-            order.push_back(other->id);
+        const std::vector<StrokeId> together = orderOfText(painting, letters, others);
+        order.insert(order.end(), together.begin(), together.end());
     };
     std::unordered_set<StrokeId> own;
     for (const Letter &letter : old)

@@ -28,7 +28,7 @@ struct TextChange {
 /// Makes a group what a text is when it is set. A letter that stays keeps its stroke, with all its values; where its
 /// outline and its size are those of `before`, it is moved alone, by as much as its place has changed. Otherwise it
 /// gets the outline that `after` has for it. Letters that are new are strokes of their own. What else stands in the
-/// group stays, above the letters.
+/// group stays above the letter that it lies above, or above all of them.
 ///
 /// `before` is how the text of the group is set now, or null for a group that there is not yet: it is put on top.
 /// A text of which no letter has ink is no group. Locked texts, and those in which a stroke is locked, stay as they

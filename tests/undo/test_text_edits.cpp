@@ -228,6 +228,28 @@ private slots:
         QCOMPARE(page.names(), QStringLiteral("flourish"));
     }
 
+    /// A stroke that was put between two letters stays there, whatever is typed around it.
+    void whatStandsBetweenLettersStaysThere()
+    {
+        for (const std::size_t place : {0u, 1u, 2u}) {
+            Page page;
+            const GroupId group = page.put(plain(QStringLiteral("ab")));
+            auto stroke = std::make_shared<Stroke>(*page.letter(0));
+            stroke->id = page.document.takeStrokeId();
+            stroke->name = QStringLiteral("-");
+            Edit edit = addStrokes(page.document, {stroke}, false);
+            edit.order->pop_back();
+            edit.order->insert(edit.order->begin() + std::ptrdiff_t(place), stroke->id);
+            page.push(std::move(edit));
+            page.retype(group, QStringLiteral("abc"));
+            QCOMPARE(page.names(), place == 0 ? "-abc" : place == 1 ? "a-bc" : "abc-");
+            page.retype(group, QStringLiteral("xabc"));
+            QCOMPARE(page.names(), place == 0 ? "-xabc" : place == 1 ? "xa-bc" : "xabc-");
+            page.retype(group, QStringLiteral("xbc"));
+            QCOMPARE(page.names(), place == 0 ? "-xbc" : place == 1 ? "x-bc" : "xbc-");
+        }
+    }
+
     void deletedLettersStayDeleted()
     {
         Page page;
