@@ -14,8 +14,16 @@ public:
     explicit CanvasTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
 protected:
+    /// Says something in place of the tool's hint until the painting changes, or until something else is said; an empty
+    /// text brings the hint back. The tool's `hint` has to return it.
+    void say(const QString &text);
+    const QString &said() const { return m_said; }
+
     CanvasWidget &m_canvas;
     Editor &m_editor;
+
+private:
+    QString m_said;
 };
 
 } // namespace suffuse

@@ -4,7 +4,6 @@
 #include "app/session/editor.h"
 #include "app/tools/brush/wish_fields.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "app/widgets/numbers/quantity.h"
 #include "model/area/outline.h"
 #include "undo/edits.h"
@@ -37,8 +36,8 @@ AttributeBrushTool::AttributeBrushTool(CanvasWidget &canvas, QObject *parent)
 
 QString AttributeBrushTool::hint() const
 {
-    if (!m_said.isEmpty())
-        return m_said;
+    if (!said().isEmpty())
+        return said();
     return m_editor.document().selection().isEmpty()
                ? tr("Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.")
                : tr("Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.");
@@ -188,17 +187,8 @@ void AttributeBrushTool::release(const PointerEvent &)
     const bool onlyFills = m_metFill && m_touched.empty();
     finish();
     if (onlyFills)
-        say(tr("A fill has a density of its own, ρ, which the inspector shows. It can be painted relative to what it is."));
-}
-
-void AttributeBrushTool::say(const QString &text)
-{
-    if (text == m_said)
-        return;
-    m_said = text;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
+        say(tr("A fill has a density of its own, ρ, which the inspector shows. It can be painted relative to what it "
+               "is."));
 }
 
 void AttributeBrushTool::cancel()

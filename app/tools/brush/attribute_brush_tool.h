@@ -56,8 +56,6 @@ private:
         double left = 1;
     };
 
-    /// Says in the status bar why nothing was painted, until something else happens.
-    void say(const QString &text);
     void gatherTargets();
     void dabAt(Point point, double pressure);
     void show();
@@ -73,7 +71,6 @@ private:
     std::vector<FillTarget> m_fills;
     std::set<StrokeId> m_touched;
     bool m_metFill = false; ///< that cannot have what is painted
-    QString m_said;
     Gesture m_gesture;
     QBasicTimer m_timer; ///< lays down more dabs while the pointer stays
 };

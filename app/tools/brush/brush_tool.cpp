@@ -6,7 +6,6 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/brush/brush_tool_options.h"
 #include "app/tools/stroke_ends.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "model/brush/brush_dynamics.h"
 #include "model/brush/brush_width.h"
 #include "model/paint/half_width.h"
@@ -96,8 +95,8 @@ BrushTool::~BrushTool() = default;
 
 QString BrushTool::hint() const
 {
-    if (!m_said.isEmpty())
-        return m_said;
+    if (!said().isEmpty())
+        return said();
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
     return tr(
@@ -217,15 +216,6 @@ void BrushTool::tellAbout(const Stroke &stroke)
         say(tr("This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it."));
     else if (m_editor.document().painting()->strokes.size() >= firstStrokes && !settings::hasSelected())
         say(tr("All that you paint stays editable: press V and click paint to move, scale or recolour it."));
-}
-
-void BrushTool::say(const QString &text)
-{
-    if (std::exchange(m_said, text) == text)
-        return;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void BrushTool::cancel()

@@ -54,7 +54,6 @@ private:
     /// Says it where nothing of a new stroke can be seen, and, until a stroke was ever selected, how that is done;
     /// until something else is done.
     void tellAbout(const Stroke &stroke);
-    void say(const QString &text);
     void showOutlineAt(Point pixel);
     QRectF outlineBox() const;
 
@@ -65,7 +64,6 @@ private:
     std::optional<NodeRef> m_extended; ///< the end that the stroke in hand continues
     std::optional<NodeRef> m_nearEnd;  ///< the end under the pointer that could be continued
     ColourPicker m_picker;
-    QString m_said; ///< what is said about the last stroke; empty: nothing
     bool m_hovering = false;
     Point m_pixel; ///< where the outline of the brush is
     QPointer<QWidget> m_options;

@@ -5,7 +5,6 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/shapes/shape_paint.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
 #include "model/shaping/area_strokes.h"
@@ -39,8 +38,8 @@ BucketTool::BucketTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canva
 
 QString BucketTool::hint() const
 {
-    return m_said.isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.")
-                            : m_said;
+    return said().isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.")
+                            : said();
 }
 
 QWidget *BucketTool::options()
@@ -135,15 +134,6 @@ void BucketTool::cancel()
 {
     m_isPressed = false;
     say({});
-}
-
-void BucketTool::say(const QString &text)
-{
-    if (std::exchange(m_said, text) == text)
-        return;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 } // namespace suffuse

@@ -32,12 +32,10 @@ public:
 
 private:
     void fill(const PointerEvent &event);
-    void say(const QString &text);
 
     RegionWish m_wish;
     bool m_isUnder = false;
     bool m_isPressed = false;
-    QString m_said; ///< why nothing was filled
     QPointer<QWidget> m_options;
 };
 

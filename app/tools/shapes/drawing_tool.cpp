@@ -4,7 +4,6 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "model/shaping/nodes/node_path.h"
 #include "undo/edits.h"
 
@@ -120,15 +119,6 @@ void DrawingTool::addOrSay(const StrokePtr &stroke, const QString &name)
         m_editor.push(addStrokes(m_editor.document(), {stroke}, true), name);
     else
         say(tr("What was drawn encloses no area: nothing was added."));
-}
-
-void DrawingTool::say(const QString &text)
-{
-    if (std::exchange(m_said, text) == text)
-        return;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 Point DrawingTool::snapped(const PointerEvent &event) const

@@ -51,17 +51,13 @@ protected:
     StrokePtr painted(const std::vector<Cubic> &curves) const;
     /// Adds a stroke as a step of this name. Where it is null, the status bar says that there is no area.
     void addOrSay(const StrokePtr &stroke, const QString &name);
-    /// Why nothing was painted, until something else happens; to be shown as the tool's hint.
-    const QString &said() const { return m_said; }
 
     StrokeId m_id = 0; ///< of the stroke in hand; 0: none
     Microseconds m_born = 0;
     QPointer<QWidget> m_options;
 
 private:
-    void say(const QString &text);
-
-    QString m_name, m_said;
+    QString m_name;
     ShapePaint m_paint;
     Snapping m_snapping;
 };

@@ -3,7 +3,6 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "model/paint/fill_density.h"
 #include "model/paint/style_function.h"
 #include "undo/node_edits.h"
@@ -92,8 +91,8 @@ void EraserTool::followSelection()
 
 QString EraserTool::hint() const
 {
-    if (!m_said.isEmpty())
-        return m_said;
+    if (!said().isEmpty())
+        return said();
     const bool selected = m_choice.scope == EraserScope::Selected && !m_editor.document().selection().isEmpty();
     const bool group = m_choice.scope == EraserScope::Group;
     if (m_mode == EraserMode::Lift)
@@ -314,16 +313,6 @@ QString EraserTool::whyNoGap() const
                       "its paint away.");
     }
     return {};
-}
-
-void EraserTool::say(const QString &text)
-{
-    if (text == m_said)
-        return;
-    m_said = text;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void EraserTool::paint(QPainter &painter, const View &view, double dpr) const

@@ -48,7 +48,6 @@ private:
     QString whyNothing() const;
     /// Why no gap is seen where fills were cut; empty if one is.
     QString whyNoGap() const;
-    void say(const QString &text);
 
     QPointer<QWidget> m_options;
     QPointer<EraserFields> m_fields; ///< in the options
@@ -63,7 +62,6 @@ private:
     PaintingPtr m_before;     ///< when this drag began
     std::set<StrokeId> m_cut; ///< what it has cut
     StrokeBoxes m_boxes;
-    QString m_said;
 };
 
 } // namespace suffuse

@@ -2,7 +2,6 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "model/shaping/erasing/erase.h"
 #include "model/shaping/erasing/fill_cut.h"
 
@@ -22,8 +21,8 @@ KnifeTool::KnifeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas,
 
 QString KnifeTool::hint() const
 {
-    if (!m_said.isEmpty())
-        return m_said;
+    if (!said().isEmpty())
+        return said();
     return tr(
         "Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.");
 }
@@ -97,16 +96,6 @@ void KnifeTool::cut()
             : crossed > 0        ? tr("There are nodes already where the line crosses strokes.")
             : m_selected.empty() ? tr("The line crosses no stroke.")
                                  : tr("The line crosses no selected stroke."));
-}
-
-void KnifeTool::say(const QString &text)
-{
-    if (text == m_said)
-        return;
-    m_said = text;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void KnifeTool::cancel()

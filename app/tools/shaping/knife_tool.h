@@ -23,8 +23,6 @@ public:
 
 private:
     void cut();
-    /// Says in the status bar what the last cut did, until something else happens.
-    void say(const QString &text);
     void aim(const PointerEvent &event);
     PlacesOfStrokes cuts(bool *endsWithin = nullptr) const;
 
@@ -32,7 +30,6 @@ private:
     std::set<StrokeId> m_selected; ///< when the drag began: what a command selects meanwhile is not meant
     Point m_from, m_to;            ///< canvas units
     bool m_splits = false;
-    QString m_said;
 };
 
 } // namespace suffuse

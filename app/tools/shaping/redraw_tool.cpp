@@ -3,7 +3,6 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/habits/at_next_change.h"
 #include "undo/run_edits.h"
 
 #include <QComboBox>
@@ -26,8 +25,8 @@ RedrawTool::~RedrawTool() = default;
 
 QString RedrawTool::hint() const
 {
-    if (!m_said.isEmpty())
-        return m_said;
+    if (!said().isEmpty())
+        return said();
     return m_editor.selection().isEmpty() ? tr("Draw from a stroke and back to it: the part between follows the line.")
                                           : tr("Draw from a selected stroke and back to it: the part between follows.");
 }
@@ -135,16 +134,6 @@ void RedrawTool::release(const PointerEvent &event)
     else
         say(m_editor.selection().isEmpty() ? tr("The line begins and ends at no stroke that can be changed.")
                                            : tr("The line begins and ends at no selected stroke that can be changed."));
-}
-
-void RedrawTool::say(const QString &text)
-{
-    if (text == m_said)
-        return;
-    m_said = text;
-    emit hintChanged();
-    if (!text.isEmpty())
-        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void RedrawTool::cancel()

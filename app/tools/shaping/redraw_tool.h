@@ -39,14 +39,11 @@ private:
     /// The stroke that the line would redraw; 0 if there is none.
     StrokeId strokeUnder(const std::vector<Point> &line) const;
     double reach() const; ///< canvas units
-    /// Says in the status bar what the last line did, until something else happens.
-    void say(const QString &text);
 
     std::unique_ptr<StrokeBuilder> m_builder;
     std::vector<Point> m_line; ///< canvas units
     Microseconds m_lastTime = 0;
     RedrawValues m_values = RedrawValues::Kept;
-    QString m_said;
     QPointer<QWidget> m_options;
     QPointer<QComboBox> m_choice; ///< one of the fields of the options
 };
