@@ -15,6 +15,16 @@
 
 namespace suffuse {
 
+/// Drags in the curve editor from one place and value to another, in ten reports.
+inline void dragCurve(CurveEditor &curve, QPointF from, QPointF to, bool release = true)
+{
+    QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget(from).toPoint());
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(&curve, curve.toWidget(from + (i / 10.0) * (to - from)).toPoint());
+    if (release)
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget(to).toPoint());
+}
+
 class AlongWalk {
 public:
     AlongWalk(unsigned seed, const QString &file) : m_random(seed), m_file(file)

@@ -12,13 +12,9 @@
 #include <set>
 
 using namespace suffuse;
+using test::svg;
 
 namespace {
-
-QByteArray svg(const QByteArray &root, const QByteArray &content)
-{
-    return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + root + ">" + content + "</svg>";
-}
 
 /// A fill between circles around (100, 100).
 struct RoundFill {
@@ -359,3 +355,4 @@ private slots:
 
 QTEST_GUILESS_MAIN(TestSvgGradients)
 #include "test_svg_gradients.moc"
+#include "tests/model/formats/svg_text.h"
