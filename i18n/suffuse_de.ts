@@ -6776,6 +6776,52 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::NextNodeFields</name>
+    <message>
+        <source>X</source>
+        <extracomment>of the next node of an outline</extracomment>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von links, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <extracomment>of the next node of an outline</extracomment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von oben, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
+        <translation>Vom letzten Knoten bis zum nächsten, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Direction from the last node to the next one, clockwise from the right. Return sets it, and so does a click</source>
+        <translation>Richtung vom letzten Knoten zum nächsten, im Uhrzeigersinn von rechts. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <extracomment>closes an outline</extracomment>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the outline at its first node (Shift+Return)</source>
+        <translation>Schließt den Umriss an seinem ersten Knoten (Umschalt+Eingabe)</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::NodeCommands</name>
     <message>
         <source>The joined stroke has the upper one&apos;s fill. Undo brings the other back.</source>

@@ -6732,6 +6732,52 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::NextNodeFields</name>
+    <message>
+        <source>X</source>
+        <extracomment>of the next node of an outline</extracomment>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从左边起，画布单位。回车或单击放置节点</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <extracomment>of the next node of an outline</extracomment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从上边起，画布单位。回车或单击放置节点</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
+        <translation>从上一个节点到下一个节点，画布单位。回车或单击放置节点</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Direction from the last node to the next one, clockwise from the right. Return sets it, and so does a click</source>
+        <translation>从上一个节点到下一个节点的方向，从右侧起顺时针。回车或单击放置节点</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <extracomment>closes an outline</extracomment>
+        <translation>闭合</translation>
+    </message>
+    <message>
+        <source>Closes the outline at its first node (Shift+Return)</source>
+        <translation>在首节点处闭合轮廓（Shift+回车）</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::NodeCommands</name>
     <message>
         <source>The joined stroke has the upper one&apos;s fill. Undo brings the other back.</source>

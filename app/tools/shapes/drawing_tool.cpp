@@ -94,11 +94,16 @@ void DrawingTool::begin(const PointerEvent &event)
     m_editor.clock().hold(true, event.late);
 }
 
-void DrawingTool::resume()
+void DrawingTool::beginWithoutPointer(Microseconds born)
 {
     m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
-    begin(m_born);
+    begin(born);
     m_editor.clock().hold(true);
+}
+
+void DrawingTool::resume()
+{
+    beginWithoutPointer(m_born);
 }
 
 void DrawingTool::cancel()

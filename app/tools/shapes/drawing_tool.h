@@ -41,6 +41,8 @@ protected:
     void begin(Microseconds born);
     /// The same by the pointer; time stands still until it is finished.
     void begin(const PointerEvent &event);
+    /// The same by keys alone.
+    void beginWithoutPointer(Microseconds born);
     /// Takes in hand again what was given up last, as long as nothing else has happened since.
     void resume();
     /// Where the pointer is, or what it snaps to.

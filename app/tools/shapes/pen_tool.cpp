@@ -4,6 +4,7 @@
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/commands/keys.h"
 #include "app/session/editor.h"
+#include "app/tools/shapes/next_node_fields.h"
 #include "app/tools/stroke_ends.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
@@ -16,6 +17,77 @@
 namespace suffuse {
 
 PenTool::PenTool(CanvasWidget &canvas, QObject *parent) : DrawingTool(canvas, QStringLiteral("pen"), parent) {}
+
+void PenTool::addFields(QHBoxLayout &row)
+{
+    DrawingTool::addFields(row);
+    row.addSpacing(10);
+    m_fields = new NextNodeFields(row);
+    connect(m_fields, &NextNodeFields::changed, this, [this] {
+        showNumbers();
+        m_canvas.updateOverlay();
+    });
+    connect(m_fields, &NextNodeFields::placed, this, &PenTool::setTyped);
+    const auto finishAtCanvas = [this](bool isClosed) {
+        m_canvas.setFocus(Qt::OtherFocusReason);
+        finish(isClosed);
+    };
+    connect(m_fields, &NextNodeFields::ended, this, [finishAtCanvas] { finishAtCanvas(false); });
+    connect(m_fields, &NextNodeFields::closed, this, [finishAtCanvas] { finishAtCanvas(true); });
+    showNumbers();
+}
+
+bool PenTool::isTyped() const
+{
+    return m_fields && m_fields->typed().isAnyTyped();
+}
+
+std::optional<Point> PenTool::lastPlace() const
+{
+    return m_nodes.empty() ? std::nullopt : std::optional(m_nodes.back().at);
+}
+
+Point PenTool::placeFor(Point pointed) const
+{
+    return isTyped() ? m_fields->typed().place(pointed, lastPlace()) : pointed;
+}
+
+std::optional<Point> PenTool::nextPlace() const
+{
+    if (m_nodes.empty() || (!m_pointed && !isTyped()))
+        return std::nullopt;
+    return placeFor(m_pointed.value_or(m_nodes.back().at));
+}
+
+bool PenTool::isFirstNode(Point place) const
+{
+    constexpr double least = 1e-6; // canvas units
+    return canClose() && length(place - m_nodes.front().at) < least;
+}
+
+void PenTool::showNumbers()
+{
+    if (m_fields)
+        m_fields->show(lastPlace(), nextPlace().value_or(lastPlace().value_or(Point{})), canClose());
+}
+
+/// Sets the node where the row says that it is.
+void PenTool::setTyped()
+{
+    const Point place = placeFor(lastPlace().value_or(Point{}));
+    m_fields->clear();
+    m_takenBack.clear();
+    m_pointed.reset();
+    if (isFirstNode(place)) {
+        m_canvas.setFocus(Qt::OtherFocusReason);
+        return finish(true);
+    }
+    if (!isBusy())
+        beginWithoutPointer(m_editor.clock().time());
+    m_nodes.push_back(cornerAt(place));
+    show();
+    emit hintChanged();
+}
 
 QString PenTool::hint() const
 {
@@ -51,10 +123,11 @@ bool PenTool::closesAt(Point pixel) const
 void PenTool::setFirst(const PointerEvent &event)
 {
     begin(event);
-    m_extended = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
+    if (!isTyped())
+        m_extended = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
     const Point from = m_extended
                            ? nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node)
-                           : snapped(event);
+                           : placeFor(snapped(event));
     m_nodes.push_back(cornerAt(from));
 }
 
@@ -66,10 +139,14 @@ void PenTool::press(const PointerEvent &event)
     }
     if (!isBusy() && event.doubleClick) // The click before it has closed the outline.
         return;
+    if (m_fields)
+        m_fields->takeEdited();
     m_isPressed = true;
     m_takenBack.clear();
     m_pressPixel = event.pixel;
-    m_isClosing = isBusy() && closesAt(event.pixel);
+    const bool wasTyped = isTyped();
+    const Point next = isBusy() ? placeFor(placeOf(event, m_nodes.back().at)) : Point{};
+    m_isClosing = isBusy() && (wasTyped ? isFirstNode(next) : closesAt(event.pixel));
     if (!isBusy())
         setFirst(event);
     else if (m_isClosing && m_extended)
@@ -77,8 +154,11 @@ void PenTool::press(const PointerEvent &event)
             cornerAt(nodePosition(*m_editor.document().painting()->find(m_extended->stroke),
                                   selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel)->node)));
     else if (!m_isClosing)
-        m_nodes.push_back(cornerAt(placeOf(event, m_nodes.back().at)));
-    m_next.reset();
+        m_nodes.push_back(cornerAt(next));
+    m_handleShift = wasTyped ? (m_isClosing ? m_nodes.front() : m_nodes.back()).at - event.point : Point{};
+    m_pointed.reset();
+    if (m_fields)
+        m_fields->clear();
     show();
     emit hintChanged();
 }
@@ -88,7 +168,8 @@ void PenTool::dragHandle(const PointerEvent &event)
     if (length(event.pixel - m_pressPixel) < leastShapeDrag * m_canvas.devicePixelRatioF())
         return;
     PathNode &node = m_isClosing && !m_extended ? m_nodes.front() : m_nodes.back();
-    const Point to = event.modifiers & Qt::ShiftModifier ? inSteps(node.at, event.point) : event.point;
+    const Point handle = event.point + m_handleShift;
+    const Point to = event.modifiers & Qt::ShiftModifier ? inSteps(node.at, handle) : handle;
     const Point opposite = 2 * node.at - to;
     const bool isBroken = event.modifiers & Qt::AltModifier;
     if (m_isClosing) { // The curve arrives against the drag; the other handle is there already.
@@ -125,7 +206,8 @@ void PenTool::release(const PointerEvent &event)
 void PenTool::hover(const PointerEvent &event)
 {
     if (isBusy()) {
-        m_next = closesAt(event.pixel) && !m_extended ? m_nodes.front().at : placeOf(event, m_nodes.back().at);
+        m_pointed = closesAt(event.pixel) && !m_extended ? m_nodes.front().at : placeOf(event, m_nodes.back().at);
+        showNumbers();
         m_canvas.updateOverlay();
         return;
     }
@@ -138,8 +220,9 @@ void PenTool::hover(const PointerEvent &event)
 
 void PenTool::leave()
 {
-    m_next.reset();
+    m_pointed.reset();
     m_nearEnd.reset();
+    showNumbers();
     m_canvas.updateOverlay();
 }
 
@@ -210,6 +293,7 @@ StrokePtr PenTool::strokeInHand(bool isClosed) const
 void PenTool::show()
 {
     m_editor.document().setDraft(strokeInHand(m_isClosing));
+    showNumbers();
     m_canvas.updateOverlay();
 }
 
@@ -232,8 +316,11 @@ void PenTool::forget()
     m_nodes.clear();
     m_takenBack.clear();
     m_extended.reset();
-    m_next.reset();
+    m_pointed.reset();
     m_isPressed = m_isClosing = false;
+    if (m_fields)
+        m_fields->clear();
+    showNumbers();
 }
 
 bool PenTool::wantsKey(const QKeyEvent &event) const
@@ -241,7 +328,9 @@ bool PenTool::wantsKey(const QKeyEvent &event) const
     const int key = event.key();
     if (meansRedo(event))
         return !m_takenBack.empty();
-    return isBusy() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace);
+    const bool isReturn = key == Qt::Key_Return || key == Qt::Key_Enter;
+    return isBusy() ? isReturn || key == Qt::Key_Backspace
+                    : isReturn && m_fields && !m_fields->typed().needsPointer(true);
 }
 
 bool PenTool::keyPress(QKeyEvent *event)
@@ -252,6 +341,10 @@ bool PenTool::keyPress(QKeyEvent *event)
         takeBackNode();
     else if (meansRedo(*event))
         bringBackNode();
+    else if (event->modifiers() & Qt::ShiftModifier && canClose())
+        finish(true);
+    else if (isTyped())
+        setTyped();
     else
         finish(false);
     return true;
@@ -274,11 +367,12 @@ void PenTool::paint(QPainter &painter, const View &view, double dpr) const
     for (const Cubic &curve : curvesThrough(m_nodes, m_isClosing && !m_extended))
         addCurve(path, curve, view);
     strokeTwoTone(painter, path, colours.accent, dpr);
-    if (m_next && !m_isPressed) {
-        QPainterPath next;
+    const std::optional<Point> next = nextPlace();
+    if (next && !m_isPressed) {
+        QPainterPath line;
         const PathNode &last = m_nodes.back();
-        addCurve(next, curvesThrough({last, cornerAt(*m_next)}, false).front(), view);
-        strokeTwoTone(painter, next, colours.accent, dpr, Qt::DashLine);
+        addCurve(line, curvesThrough({last, cornerAt(*next)}, false).front(), view);
+        strokeTwoTone(painter, line, colours.accent, dpr, Qt::DashLine);
     }
     for (const PathNode &node : m_nodes) {
         for (const Point handle : {node.in, node.out})
@@ -290,7 +384,7 @@ void PenTool::paint(QPainter &painter, const View &view, double dpr) const
             }
         paintNode(painter, view.toPixels(node.at), colours, dpr);
     }
-    if (m_nodes.size() > 1 && !m_extended && m_next && *m_next == m_nodes.front().at)
+    if (next && isFirstNode(*next))
         paintSnapMark(painter, view.toPixels(m_nodes.front().at), colours, dpr);
 }
 

@@ -8,10 +8,12 @@
 
 namespace suffuse {
 
+class NextNodeFields;
+
 /// Draws an outline node by node: a click sets a corner, a drag a smooth node with its handles. A press on the first
-/// node closes the outline; Return or a double click ends it open. It begins anew, or goes on from an end of a selected
-/// stroke, whose values it then takes. Between the presses the outline is in hand: it shows as paint, and is no undo
-/// step yet.
+/// node closes the outline; Return or a double click ends it open. The row takes the next node by numbers. It begins
+/// anew, or goes on from an end of a selected stroke, whose values it then takes. Between the presses the outline is in
+/// hand: it shows as paint, and is no undo step yet.
 class PenTool : public DrawingTool {
     Q_OBJECT
 
@@ -27,17 +29,30 @@ public:
     void settle() override { finish(false); }
     /// The last node.
     bool takeBack() override;
-    /// Return ends the outline open, Backspace takes back the last node, and a key that redoes brings it back.
+    /// Return sets the node that is typed in the row, else it ends the outline open, or closes it with Shift; Backspace
+    /// takes back the last node, and a key that redoes brings it back.
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
 protected:
+    void addFields(QHBoxLayout &row) override;
     void show() override;
     void forget() override;
 
 private:
     void setFirst(const PointerEvent &event);
+    /// Whether the row says, at least in part, where the next node is.
+    bool isTyped() const;
+    /// Where the next node would be, for what is typed and where the pointer is.
+    Point placeFor(Point pointed) const;
+    std::optional<Point> lastPlace() const;
+    /// The same for where the pointer was last seen; none if neither that nor the row says anything.
+    std::optional<Point> nextPlace() const;
+    bool isFirstNode(Point place) const;
+    bool canClose() const { return m_nodes.size() > 1 && !m_extended; }
+    void setTyped();
+    void showNumbers();
     bool isNear(Point place, Point pixel) const;
     /// Whether a press there closes the outline.
     bool closesAt(Point pixel) const;
@@ -53,8 +68,10 @@ private:
     bool m_isPressed = false;
     bool m_isClosing = false; ///< the press is on the first node
     Point m_pressPixel;
-    std::optional<Point> m_next;      ///< where the next node would be, canvas units
+    Point m_handleShift;              ///< from the pointer to the handle: a node that was typed is not where it is
+    std::optional<Point> m_pointed;   ///< where the pointer would set the next node, canvas units
     std::optional<NodeRef> m_nearEnd; ///< the end under the pointer with which the outline could go on
+    QPointer<NextNodeFields> m_fields;
 };
 
 } // namespace suffuse

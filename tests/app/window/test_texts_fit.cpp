@@ -5,6 +5,7 @@
 #include "app/session/translation.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/habits/place_beside.h"
+#include "app/widgets/look/row_scroll.h"
 #include "app/widgets/numbers/bar_slider.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "app/window/layout/window_layout.h"
@@ -21,6 +22,7 @@
 #include <QRadioButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionDockWidget>
 #include <QTabBar>
@@ -239,6 +241,12 @@ private slots:
               Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
             s.use(tool);
             look("with a tool: ");
+            const bool scrolls = tool == Command::Text; // that of texts is longer than others
+            for (const auto *row : s.window.findChildren<RowScroll *>())
+                if (!scrolls && row->isVisible() && row->horizontalScrollBar()->maximum() > 0)
+                    cut << QString("the row over the canvas of %1, by %2")
+                               .arg(plain(s.window.action(tool).text()))
+                               .arg(row->horizontalScrollBar()->maximum());
         }
         for (auto *dock : s.window.findChildren<QDockWidget *>()) {
             dock->raise();
