@@ -9531,6 +9531,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Bucket fill</source>
         <translation>Farbeimer</translation>
     </message>
+    <message>
+        <source>Looking for what the paint bounds there. Esc gives it up.</source>
+        <translation>Sucht, was die Farbe dort begrenzt. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile: nothing was filled.</source>
+        <translation>Das Gemälde hat sich inzwischen geändert: Es wurde nichts gefüllt.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TextEntry</name>

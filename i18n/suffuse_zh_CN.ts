@@ -9479,6 +9479,14 @@ Arrow keys work too.</source>
         <source>Bucket fill</source>
         <translation>油漆桶填充</translation>
     </message>
+    <message>
+        <source>Looking for what the paint bounds there. Esc gives it up.</source>
+        <translation>正在查找颜料围住的区域。按 Esc 放弃。</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile: nothing was filled.</source>
+        <translation>画作在此期间已改变：没有填充任何内容。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TextEntry</name>

@@ -148,10 +148,15 @@ void CanvasWidget::setTool(Tool *next)
     if (next == tool())
         return;
     if (tool())
-        disconnect(tool(), &Tool::typingChanged, this, nullptr);
+        disconnect(tool(), nullptr, this, nullptr);
     m_input.hand().setTool(next);
     if (next)
         connect(next, &Tool::typingChanged, this, &CanvasWidget::followTyping);
+    if (next)
+        connect(next, &Tool::asideChanged, this, [this] {
+            refreshCursor();
+            m_input.noteBusy();
+        });
     followTyping();
     if (next)
         m_editor.colourTarget().useTool(next->colourUse());

@@ -89,6 +89,9 @@ public:
 signals:
     /// Emitted when `hint` returns another line than before.
     void hintChanged();
+    /// Emitted when `isBusy` and `cursor` may be other ones without an event or a command: what was worked on aside is
+    /// done.
+    void asideChanged();
     /// Emitted when `takesText` or what input methods ask for has changed.
     void typingChanged();
     /// A text is to be typed in, with the caret at the pointer.

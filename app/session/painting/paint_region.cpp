@@ -37,8 +37,9 @@ double growthOf(double units, double pixelsPerUnit)
 } // namespace
 
 std::vector<std::vector<Cubic>> paintRegion(const PaintingPtr &painting, Microseconds T, Point at,
-                                            const RegionWish &wish, double scale)
+                                            const RegionWish &wish, double scale, const std::atomic<bool> *cancel)
 {
+    const auto isCancelled = [cancel] { return cancel && *cancel; };
     const Rect sheet = painting->canvas.area();
     scale = std::min(std::max(scale, leastScale), std::sqrt(mostPixels / (sheet.width() * sheet.height())));
     const int width = std::max(1, int(std::lround(sheet.width() * scale)));
@@ -51,11 +52,17 @@ std::vector<std::vector<Cubic>> paintRegion(const PaintingPtr &painting, Microse
     const int x = int(std::floor(pixel.x)), y = int(std::floor(pixel.y));
     auto renderer = makeRenderer({.backend = Backend::Cpu});
     Picture8 picture;
-    if (x < 0 || y < 0 || x >= width || y >= height || !renderer || !(*renderer)->render(request, picture))
+    if (x < 0 || y < 0 || x >= width || y >= height || !renderer || !(*renderer)->render(request, picture, cancel) ||
+        isCancelled())
         return {};
     const double pixels = request.view.scale; // a unit
     const Mask like = pixelsLike(picture, x, y, int(std::lround(255 * wish.tolerance)));
-    const Mask region = grown(regionAround(like, x, y, wish.gap * pixels), growthOf(wish.grow, pixels));
+    Mask region = regionAround(like, x, y, wish.gap * pixels);
+    if (isCancelled())
+        return {};
+    region = grown(region, growthOf(wish.grow, pixels));
+    if (isCancelled())
+        return {};
     std::vector<std::vector<Cubic>> outlines = outlinesOf(region);
     for (std::vector<Cubic> &loop : outlines)
         for (Cubic &curve : loop)

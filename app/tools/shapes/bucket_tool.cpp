@@ -3,11 +3,9 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/tools/shapes/shape_paint.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
-#include "model/shaping/area_strokes.h"
 #include "undo/edits.h"
 
 #include <QComboBox>
@@ -34,10 +32,13 @@ BucketTool::BucketTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canva
     m_wish.gap = storedNumber("tools/bucket/gap", m_wish.gap, 0, mostUnits);
     m_wish.grow = storedNumber("tools/bucket/grow", m_wish.grow, -mostUnits, mostUnits);
     m_isUnder = settings::store().value("tools/bucket/under", false).toBool();
+    connect(&m_job, &BucketJob::done, this, &BucketTool::take);
 }
 
 QString BucketTool::hint() const
 {
+    if (m_job.isRunning())
+        return tr("Looking for what the paint bounds there. Esc gives it up.");
     return said().isEmpty() ? tr("Click: fill what the paint around that place bounds, with the brush in hand.")
                             : said();
 }
@@ -88,52 +89,70 @@ void BucketTool::setWish(const RegionWish &wish, bool isUnder)
         m_options->findChild<QComboBox *>("place")->setCurrentIndex(isUnder);
 }
 
-void BucketTool::press(const PointerEvent &)
+void BucketTool::press(const PointerEvent &event)
 {
     say({});
-    m_isPressed = true;
+    m_isPressed = !event.doubleClick; // Its first click has filled what is there.
 }
 
 void BucketTool::release(const PointerEvent &event)
 {
     if (!std::exchange(m_isPressed, false))
         return;
-    fill(event);
+    m_waiting.push_back(
+        {nullptr, event.time, event.point, m_wish, m_canvas.view().scale, m_isUnder, m_editor.brush(), 0});
+    if (!m_job.isRunning())
+        startNext();
 }
 
-void BucketTool::fill(const PointerEvent &event)
+void BucketTool::startNext()
+{
+    if (!m_waiting.empty()) {
+        BucketOrder order = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        order.painting = m_editor.document().painting();
+        order.id = m_editor.document().takeStrokeId();
+        m_job.start(order);
+    }
+    emit hintChanged();
+    emit asideChanged();
+}
+
+void BucketTool::take(const BucketOrder &order, const StrokePtr &stroke)
 {
     const Document &document = m_editor.document();
-    const std::vector<std::vector<Cubic>> outlines =
-        paintRegion(document.painting(), event.time, event.point, m_wish, m_canvas.view().scale);
-    const StrokePtr first = outlines.empty()
-                                ? nullptr
-                                : paintedAlong(outlines.front(), m_editor.brush(), m_editor.document().takeStrokeId(),
-                                               event.time, ShapePaint::Fill);
-    if (!first) {
-        const bool isBeyond = !document.painting()->canvas.area().contains(event.point);
-        return say(isBeyond ? tr("Only what lies on the canvas is filled.") : tr("There is nothing to fill here."));
+    if (document.painting() != order.painting) {
+        say(tr("The painting has changed meanwhile: nothing was filled."));
+    } else if (stroke) {
+        Edit edit = addStrokes(document, {stroke}, true);
+        if (order.isUnder && edit.order) {
+            edit.order->pop_back();
+            edit.order->insert(edit.order->begin(), stroke->id);
+        }
+        m_editor.push(std::move(edit), tr("Bucket fill"));
+    } else {
+        const bool isBeyond = !order.painting->canvas.area().contains(order.at);
+        say(isBeyond ? tr("Only what lies on the canvas is filled.") : tr("There is nothing to fill here."));
     }
-    Area area{outlines};
-    for (std::vector<Cubic> &loop : area.loops)
-        for (Cubic &curve : loop)
-            for (Point &p : curve.p)
-                p = p - first->origin;
-    const std::optional<Stroke> stroke = withArea(*first, area);
-    if (!stroke)
-        return say(tr("There is nothing to fill here."));
-    Edit edit = addStrokes(document, {std::make_shared<const Stroke>(*stroke)}, true);
-    if (m_isUnder && edit.order) {
-        edit.order->pop_back();
-        edit.order->insert(edit.order->begin(), stroke->id);
-    }
-    m_editor.push(std::move(edit), tr("Bucket fill"));
+    startNext();
 }
 
 void BucketTool::cancel()
 {
     m_isPressed = false;
+    m_waiting.clear();
+    m_job.cancel();
     say({});
+    emit hintChanged();
+    emit asideChanged();
+}
+
+bool BucketTool::takeBack()
+{
+    if (m_isPressed || m_waiting.empty())
+        return false; // The only one is given up.
+    m_waiting.pop_back();
+    return true;
 }
 
 } // namespace suffuse
