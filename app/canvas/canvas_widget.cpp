@@ -85,7 +85,8 @@ void CanvasWidget::follow(const Change &change)
     }
     if (change.canvas || change.reset)
         wantUnderlay();
-    if (change.canvas || change.reset || m_aids.showErasures)
+    const bool altersFrame = change.texts && !m_editor.selection().isEmpty(); // around a text that is selected
+    if (change.canvas || change.reset || altersFrame || m_aids.showErasures)
         updateOverlay();
     else if (change.selection || !m_editor.selection().isEmpty())
         m_repaint.follow(change);
@@ -93,7 +94,7 @@ void CanvasWidget::follow(const Change &change)
         m_worker.setCoarseWanted(wantsCoarse());
     if (change.selection && change.strokes.empty()) // No frame comes for a change of the selection alone.
         m_repaint.flush();
-    if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
+    if (!change.strokes.empty() || change.order || change.canvas || change.texts || change.draft || change.reset)
         scheduleRender(); // A selection is in no picture.
 }
 

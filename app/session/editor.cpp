@@ -31,7 +31,7 @@ bool canBeSavedAs(FileFormat format)
 /// More than what is selected, and than the stroke in hand.
 bool altersPainting(const Change &change)
 {
-    return change.order || change.canvas || change.reset || !change.strokes.empty();
+    return change.order || change.canvas || change.texts || change.reset || !change.strokes.empty();
 }
 
 /// The moment by which all segments of these strokes are born.

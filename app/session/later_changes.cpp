@@ -19,6 +19,7 @@ void add(Change &to, const Change &change)
     to.strokes.erase(std::unique(to.strokes.begin(), to.strokes.end()), to.strokes.end());
     to.order = to.order || change.order;
     to.canvas = to.canvas || change.canvas;
+    to.texts = to.texts || change.texts;
     to.selection = to.selection || change.selection;
     to.draft = to.draft || change.draft;
     to.reset = to.reset || change.reset;
@@ -38,7 +39,7 @@ bool LaterChanges::waits(const Change &change) const
 {
     if (!m_canvasShown || change.canvas || change.draft || change.reset || (change.order && !m_gestureOpen))
         return false;
-    return change.selection || !change.strokes.empty();
+    return change.selection || change.texts || !change.strokes.empty();
 }
 
 void LaterChanges::take(const Change &change)

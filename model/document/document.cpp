@@ -84,6 +84,18 @@ void swapStrokesAndOrder(Painting &painting, Edit &edit)
     edit.places = orderDifference(after, before);
 }
 
+/// Whether groups are the same, but for what those of them say that are texts.
+bool sameButForTexts(const std::vector<Group> &a, const std::vector<Group> &b)
+{
+    return std::ranges::equal(a, b, [](const Group &x, const Group &y) {
+        if (!x.text || !y.text)
+            return x == y;
+        Group other = y;
+        other.text = x.text;
+        return x == other;
+    });
+}
+
 } // namespace
 
 Document::Document(QObject *parent) : QObject(parent), m_painting(std::make_shared<const Painting>()) {}
@@ -119,9 +131,10 @@ void Document::exchange(Edit &edit)
         m_nextStroke = std::max(m_nextStroke, id + 1);
     }
     change.order = edit.reorders();
-    change.canvas = edit.touchesTheRest();
+    change.texts = edit.groups && sameButForTexts(*edit.groups, m_painting->groups);
+    change.canvas = edit.canvas || edit.swatches || edit.underlay || (edit.groups && !change.texts);
 
-    if (change.canvas || change.order || !edit.strokes.empty()) {
+    if (edit.touchesTheRest() || change.order || !edit.strokes.empty()) {
         auto painting = std::make_shared<Painting>(*m_painting);
         if (edit.reorders())
             swapStrokesAndOrder(*painting, edit);

@@ -39,7 +39,8 @@ std::vector<StrokeId> orderWanted(const Edit &edit, const std::vector<StrokeId> 
 struct Change {
     std::vector<StrokeId> strokes; ///< replaced, added or removed
     bool order = false;            ///< whether strokes were added, removed or moved
-    bool canvas = false;           ///< whether canvas, groups, swatches or underlay changed
+    bool canvas = false;           ///< whether canvas, groups, swatches or underlay changed, more than `texts` tells
+    bool texts = false;            ///< whether groups that are texts are other texts, as at each key that is typed
     bool selection = false;
     bool draft = false; ///< whether the stroke that is being drawn changed
     bool reset = false; ///< whether it is another painting altogether

@@ -395,7 +395,7 @@ void TextEntry::follow(const Change &change)
 {
     if (!m_isOpen || m_shows)
         return;
-    if (change.strokes.empty() && !change.order && !change.canvas && !change.reset)
+    if (change.strokes.empty() && !change.order && !change.canvas && !change.texts && !change.reset)
         return;
     m_emptied.reset();
     m_past.clear(); // They would take back what somebody else has changed, too.

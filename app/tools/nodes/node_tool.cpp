@@ -157,7 +157,8 @@ void NodeTool::followDocument(const Change &change)
 bool NodeTool::isOfDrag(const Change &change) const
 {
     constexpr std::size_t few = 32;
-    return !change.selection && !change.order && !change.canvas && !change.reset && change.strokes.size() <= few &&
+    return !change.selection && !change.order && !change.canvas && !change.texts && !change.reset &&
+           change.strokes.size() <= few &&
            std::all_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_drag.holds(id); });
 }
 

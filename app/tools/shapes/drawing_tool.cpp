@@ -42,7 +42,7 @@ DrawingTool::DrawingTool(CanvasWidget &canvas, const QString &name, QObject *par
     };
     connect(&canvas, &CanvasWidget::toolChanged, this, forgetTakenBack);
     connect(&m_editor.document(), &Document::changed, this, [forgetTakenBack](const Change &change) {
-        if (!change.strokes.empty() || change.order || change.canvas || change.reset)
+        if (!change.strokes.empty() || change.order || change.canvas || change.texts || change.reset)
             forgetTakenBack();
     });
 }

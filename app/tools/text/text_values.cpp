@@ -47,7 +47,7 @@ TextValues::TextValues(CanvasWidget &canvas, TextEntry &entry, QObject *parent)
     : QObject(parent), m_canvas(canvas), m_editor(canvas.editor()), m_entry(entry), m_style(storedTextStyle())
 {
     connect(&m_editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
-        if (change.selection || change.canvas || change.reset)
+        if (change.selection || change.canvas || change.texts || change.reset)
             showRow();
     });
 }

@@ -159,6 +159,22 @@ bool actsOnPanels(QEvent::Type type)
     }
 }
 
+/// Whether an event types a character into a text on the canvas, which no panel has a part in. Panels that followed
+/// each of them would hold the letters up.
+bool typesIntoCanvas(const QObject &watched, const QEvent &event, const QWidget &canvas)
+{
+    if (!canvas.testAttribute(Qt::WA_InputMethodEnabled) || // no text is in hand
+        (&watched != &canvas && QApplication::focusWidget() != &canvas))
+        return false;
+    if (event.type() == QEvent::InputMethod)
+        return true;
+    if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride)
+        return false;
+    const auto &key = static_cast<const QKeyEvent &>(event);
+    return isTypedKey(QKeyCombination(key.modifiers(), Qt::Key(key.key()))) && !key.text().isEmpty() &&
+           key.text()[0].isPrint();
+}
+
 /// The property of widgets that leave the keyboard after clicks.
 constexpr char leavesProperty[] = "leavesKeyboardAfterClicks";
 
@@ -411,7 +427,7 @@ void KeyboardFocus::takeTypedBefore(const QObject &watched, QEvent::Type type)
 bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
 {
     takeTypedBefore(*watched, event->type());
-    if (actsOnPanels(event->type()))
+    if (actsOnPanels(event->type()) && !typesIntoCanvas(*watched, *event, m_canvas))
         emit acting();
     auto *widget = qobject_cast<QWidget *>(watched);
     switch (event->type()) {

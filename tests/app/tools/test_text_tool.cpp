@@ -1,4 +1,6 @@
 // The Text tool by real events: keys, mouse, input methods, its row.
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_panel.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/text/text_row.h"
 #include "app/tools/text/text_tool.h"
@@ -10,6 +12,10 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QInputMethodEvent>
+#include <QPaintEvent>
+#include <QScopeGuard>
+#include <QScreen>
+#include <QStyleHints>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -81,6 +87,15 @@ QVariant asked(QWidget &widget, Qt::InputMethodQuery query)
     return event.value(query);
 }
 
+int darkPixels(const QImage &image)
+{
+    int dark = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            dark += image.pixelColor(x, y).green() < 128;
+    return dark;
+}
+
 void recolour(Typing &s, int letter)
 {
     const StrokeId id = s.letter(letter)->id;
@@ -136,6 +151,104 @@ private slots:
         QVERIFY(s.painting().strokes.empty() && s.painting().groups.empty());
         s.use(Command::Redo);
         QCOMPARE(s.names(), QString("Tabovx"));
+    }
+
+    /// A key has the picture painted where it differs, and the caret; the screen shows what painting all would show.
+    void keysPaintWhatDiffers()
+    {
+        const int flash = QGuiApplication::styleHints()->cursorFlashTime();
+        QGuiApplication::styleHints()->setCursorFlashTime(0); // the caret stays as it is between two looks
+        const auto restore = qScopeGuard([flash] { QGuiApplication::styleHints()->setCursorFlashTime(flash); });
+        Typing s;
+        s.click({200, 300});
+        s.type("first line");
+        s.key(Qt::Key_Return);
+        s.type("second line");
+        const auto settle = [&s] {
+            s.advance(20'000'000); // paint comes with time
+            QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs);
+            QTest::qWait(50); // what lies over the picture is painted up to a frame later
+        };
+        const auto shown = [&s] {
+            return s.window.screen()
+                ->grabWindow(s.window.winId())
+                .toImage()
+                .copy(QRect(s.canvas().mapTo(&s.window, QPoint()), s.canvas().size()));
+        };
+        settle();
+        QVERIFY(darkPixels(shown()) > 500);
+        struct Watch : QObject {
+            QRegion painted;
+            bool eventFilter(QObject *, QEvent *event) override
+            {
+                if (event->type() == QEvent::Paint)
+                    painted += static_cast<QPaintEvent *>(event)->region();
+                return false;
+            }
+        } watch;
+        for (QWidget *child : s.canvas().findChildren<QWidget *>())
+            child->installEventFilter(&watch);
+        s.canvas().installEventFilter(&watch);
+        const auto check = [&](const char *what) {
+            settle();
+            const QImage before = shown();
+            s.canvas().update();
+            for (QWidget *child : s.canvas().findChildren<QWidget *>())
+                child->update();
+            QCoreApplication::processEvents();
+            QVERIFY2(shown() == before, what);
+        };
+        check("before");
+        watch.painted = {};
+        s.type("x");
+        settle();
+        QVERIFY(!watch.painted.isEmpty());
+        qint64 pixels = 0;
+        for (const QRect &part : watch.painted)
+            pixels += qint64(part.width()) * part.height();
+        QVERIFY2(4 * pixels < qint64(s.canvas().width()) * s.canvas().height(), qPrintable(QString::number(pixels)));
+        check("a letter");
+        s.type("  ");
+        check("spaces");
+        s.key(Qt::Key_Home);
+        s.type("y");
+        check("at the start of a line");
+        s.key(Qt::Key_Up);
+        s.key(Qt::Key_Backspace);
+        s.key(Qt::Key_Return);
+        check("lines that move");
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        check("a selected place");
+        s.type("z");
+        check("typed over");
+        QVERIFY(s.tool().takeBack());
+        check("taken back");
+        s.key(Qt::Key_Escape);
+        check("left");
+        s.row().findChild<QCheckBox *>("vertical")->click(); // the frame around it is another one
+        check("the row");
+        s.use(Command::Undo);
+        check("undone");
+    }
+
+    /// Panels follow when the letters are on the screen, and before anything is done that they have a part in.
+    void panelsFollowLater()
+    {
+        Typing s;
+        StrokesModel &model = *s.window.findChild<StrokesPanel *>()->model();
+        const auto title = [&model] { return model.index(0, StrokesModel::NameColumn).data().toString(); };
+        s.click({200, 300});
+        s.type("abc");
+        QTRY_VERIFY_WITH_TIMEOUT(title().contains("abc"), waitMs);
+        s.type("d");
+        QTRY_VERIFY_WITH_TIMEOUT(title().contains("abcd"), waitMs);
+        s.type("e");
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({210, 300}));
+        QVERIFY(title().contains("abcde"));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({210, 300}));
+        s.type("f");
+        s.key(Qt::Key_Escape); // types nothing
+        QTRY_VERIFY_WITH_TIMEOUT(title().size() > 4 && s.string().contains('f') && title().contains('f'), waitMs);
     }
 
     void keysTypeOnlyThen()

@@ -93,6 +93,48 @@ private slots:
         QCOMPARE(spy.count(), 0);
     }
 
+    /// What is typed is told apart from other changes of groups, which more of the program has to follow.
+    void anotherTextIsToldAsThat()
+    {
+        Document d;
+        d.reset(makePainting(2));
+        std::vector<Change> told;
+        connect(&d, &Document::changed, this, [&told](const Change &change) { told.push_back(change); });
+        const auto exchange = [&d](std::vector<Group> groups) {
+            Edit edit;
+            edit.groups = std::move(groups);
+            d.exchange(edit);
+        };
+        Text text;
+        text.string = QStringLiteral("a");
+        const Group plain{1, QStringLiteral("plain")};
+        Group of{2, QStringLiteral("text")};
+        exchange({plain, of});
+        QVERIFY(told.back().canvas && !told.back().texts);
+        of.text = text;
+        exchange({plain, of}); // it becomes a text
+        QVERIFY(told.back().canvas && !told.back().texts);
+        text.string = QStringLiteral("ab");
+        of.text = text;
+        exchange({plain, of});
+        QVERIFY(!told.back().canvas && told.back().texts);
+        QCOMPARE(d.painting()->groups.back().text->string, text.string);
+        text.string = QStringLiteral("abc");
+        of.text = text;
+        of.visible = false;
+        exchange({plain, of});
+        QVERIFY(told.back().canvas && !told.back().texts);
+        exchange({of, plain});
+        QVERIFY(told.back().canvas && !told.back().texts);
+        of.text = {};
+        exchange({of, plain});
+        QVERIFY(told.back().canvas && !told.back().texts);
+        Edit edit;
+        edit.canvas = d.painting()->canvas;
+        d.exchange(edit);
+        QVERIFY(told.back().canvas && !told.back().texts);
+    }
+
     void selectionStaysValid()
     {
         Document d;
