@@ -20,33 +20,50 @@ const Group *groupOf(const Painting &painting, GroupId id)
     return at == painting.groups.end() ? nullptr : &*at;
 }
 
-bool isWithin(const Painting &painting, GroupId inner, GroupId outer)
-{
-    const std::vector<GroupId> around = groupsAround(painting, inner);
-    return std::ranges::find(around, outer) != around.end();
-}
+/// Tells strokes of a group, and of those within it. Most often neighbours are of one group, of which it is asked once.
+class Within {
+public:
+    Within(const Painting &painting, GroupId outer) : m_painting(painting), m_outer(outer) {}
+
+    bool operator()(const Stroke &stroke)
+    {
+        if (stroke.group != m_asked) {
+            m_asked = stroke.group;
+            const std::vector<GroupId> around = groupsAround(m_painting, m_asked);
+            m_is = std::ranges::find(around, m_outer) != around.end();
+        }
+        return m_is;
+    }
+
+private:
+    const Painting &m_painting;
+    GroupId m_outer, m_asked = 0;
+    bool m_is = false;
+};
 
 /// What stands where in a text, for comparing two states of it.
 struct Letter {
     const LaidCluster *cluster = nullptr;
-    QString characters;
-    Affine place; ///< from ems to the canvas
+    QStringView characters; ///< of the text, which must live on
+    Affine place;           ///< from ems to the canvas
     StrokePtr stroke;
 };
 
 std::vector<Letter> lettersIn(const LaidText &laid, const Text &text)
 {
     std::vector<Letter> letters;
+    letters.reserve(laid.clusters.size());
+    const QStringView string = text.string;
     for (const LaidCluster &cluster : laid.clusters)
         if (cluster.hasInk())
-            letters.push_back({&cluster, text.string.mid(cluster.from, cluster.to - cluster.from),
-                               text.place * cluster.place, nullptr});
+            letters.push_back(
+                {&cluster, string.mid(cluster.from, cluster.to - cluster.from), text.place * cluster.place, nullptr});
     return letters;
 }
 
 /// For each of some texts its partner among others, −1: none. Partners stand in the same order in both, and as many as
 /// possible have one. Where that would take long, only the ends are looked at.
-std::vector<int> partners(const std::vector<QString> &of, const std::vector<QString> &among)
+std::vector<int> partners(const std::vector<QStringView> &of, const std::vector<QStringView> &among)
 {
     std::vector<int> out(of.size(), -1);
     std::size_t head = 0, tail = 0;
@@ -75,9 +92,9 @@ std::vector<int> partners(const std::vector<QString> &of, const std::vector<QStr
     return out;
 }
 
-std::vector<QString> namesOf(const std::vector<Letter> &letters)
+std::vector<QStringView> namesOf(const std::vector<Letter> &letters)
 {
-    std::vector<QString> names;
+    std::vector<QStringView> names;
     for (const Letter &letter : letters)
         names.push_back(letter.characters);
     return names;
@@ -88,18 +105,20 @@ std::vector<QString> namesOf(const std::vector<Letter> &letters)
 std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std::vector<Letter> &letters)
 {
     std::vector<StrokePtr> own, others;
+    own.reserve(letters.size());
+    Within within(painting, group);
     for (const StrokePtr &stroke : painting.strokes)
         if (stroke->group == group)
             own.push_back(stroke);
-        else if (stroke->group != 0 && isWithin(painting, stroke->group, group))
+        else if (within(*stroke))
             others.push_back(stroke);
     std::vector<int> found(letters.size(), -1);
     if (own.size() == letters.size()) {
         std::iota(found.begin(), found.end(), 0);
     } else {
-        std::vector<QString> names;
+        std::vector<QStringView> names;
         for (const StrokePtr &stroke : own)
-            names.push_back(stroke->name);
+            names.emplace_back(stroke->name);
         found = partners(namesOf(letters), names);
     }
     std::vector<bool> isLetter(own.size());
@@ -121,8 +140,7 @@ std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std:
             letterIds.insert(own[k]->id);
     others.clear();
     for (const StrokePtr &stroke : painting.strokes)
-        if (!letterIds.contains(stroke->id) &&
-            (stroke->group == group || (stroke->group != 0 && isWithin(painting, stroke->group, group))))
+        if (!letterIds.contains(stroke->id) && within(*stroke))
             others.push_back(stroke);
     return others;
 }
@@ -132,6 +150,8 @@ std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std:
 std::vector<StrokeId> orderOfText(const Painting &painting, const std::vector<StrokeId> &letters,
                                   const std::vector<StrokePtr> &others)
 {
+    if (others.empty())
+        return letters;
     const std::unordered_set<StrokeId> kept(letters.begin(), letters.end());
     std::unordered_set<StrokeId> otherIds;
     for (const StrokePtr &other : others)
@@ -183,7 +203,7 @@ std::vector<int> stayingLetters(const std::vector<Letter> &old, const QString &o
         out[j] = int(i);
         ++last;
     }
-    std::vector<QString> before, after;
+    std::vector<QStringView> before, after;
     for (std::size_t i = first; i < old.size() - last; ++i)
         before.push_back(old[i].characters);
     for (std::size_t j = first; j < now.size() - last; ++j)
@@ -232,7 +252,7 @@ bool hasSameLinearPart(const Affine &a, const Affine &b)
 StrokePtr asLetter(const Stroke &values, const Letter &letter, const Affine &map = {})
 {
     auto stroke = std::make_shared<Stroke>(values);
-    stroke->name = letter.characters;
+    stroke->name = letter.characters.toString();
     setOutline(*stroke, letter);
     Stroke erased = values;
     std::erase_if(erased.segments, [](const Segment &segment) { return !segment.lift; });
@@ -330,14 +350,10 @@ GroupId textAround(const Painting &painting, const Stroke &stroke)
 std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group)
 {
     std::set<StrokeId> ids;
-    std::unordered_map<GroupId, bool> known{{0, false}};
-    for (const StrokePtr &stroke : painting.strokes) {
-        const auto [at, isNew] = known.try_emplace(stroke->group, false);
-        if (isNew)
-            at->second = isWithin(painting, stroke->group, group);
-        if (at->second)
-            ids.insert(stroke->id);
-    }
+    Within within(painting, group);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (within(*stroke))
+            ids.insert(ids.end(), stroke->id);
     return ids;
 }
 
@@ -438,14 +454,9 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
         const std::vector<StrokeId> together = orderOfText(painting, letters, others);
         order.insert(order.end(), together.begin(), together.end());
     };
-    std::unordered_set<StrokeId> own;
-    for (const Letter &letter : old)
-        if (letter.stroke)
-            own.insert(letter.stroke->id);
-    for (const StrokePtr &other : others)
-        own.insert(other->id);
+    Within within(painting, group);
     for (const StrokePtr &stroke : painting.strokes)
-        if (own.contains(stroke->id))
+        if (within(*stroke))
             put();
         else
             order.push_back(stroke->id);

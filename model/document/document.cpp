@@ -52,32 +52,38 @@ void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
     Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
 }
 
-/// Swaps strokes and their order. Below the first place that differs, blocks stay shared.
+/// Swaps strokes and their order. Below the first place that differs, blocks stay shared. Only the strokes from there
+/// to the last place that differs are looked up; what lies above them, as the rest of a text above a letter that comes,
+/// moves as it is.
 void swapStrokesAndOrder(Painting &painting, Edit &edit)
 {
     StrokeList &strokes = painting.strokes;
     const std::vector<StrokeId> before = orderOf(painting);
     const std::vector<StrokeId> after = orderWanted(edit, before);
-    const auto first =
-        std::size_t(std::mismatch(before.begin(), before.end(), after.begin(), after.end(),
-                                  [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); })
-                        .first -
-                    before.begin());
+    const auto stays = [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); };
+    const auto [b, a] = std::mismatch(before.begin(), before.end(), after.begin(), after.end(), stays);
+    const auto bEnd = std::mismatch(before.rbegin(), std::make_reverse_iterator(b), after.rbegin(),
+                                    std::make_reverse_iterator(a), stays)
+                          .first.base();
+    const auto first = std::size_t(b - before.begin()), last = std::size_t(bEnd - before.begin());
+    const std::vector<StrokePtr> above(strokes.cbegin() + std::ptrdiff_t(last), strokes.cend());
 
     std::unordered_map<StrokeId, StrokePtr> there;
-    there.reserve(before.size() - first + edit.strokes.size());
-    for (std::size_t i = first; i < before.size(); ++i)
+    there.reserve(last - first + edit.strokes.size());
+    for (std::size_t i = first; i < last; ++i)
         there.emplace(before[i], std::as_const(strokes)[i]);
     for (auto &[id, state] : edit.strokes)
         std::swap(there[id], state);
     strokes.resize(first);
-    for (std::size_t i = first; i < after.size(); ++i) {
+    for (std::size_t i = first; i < after.size() - above.size(); ++i) {
         const auto it = there.find(after[i]);
         const bool known = it != there.end() && it->second;
         Q_ASSERT_X(known, "Document::exchange", "the order names a stroke that is not there, or names it twice");
         if (known)
             strokes.push_back(std::move(it->second));
     }
+    for (const StrokePtr &stroke : above)
+        strokes.push_back(stroke);
     Q_ASSERT_X(std::none_of(there.begin(), there.end(), [](const auto &entry) { return bool(entry.second); }),
                "Document::exchange", "the order leaves out a stroke");
     edit.order.reset();

@@ -69,10 +69,14 @@ void extendBack(Edit &back, Edit newer, const Painting &now)
     if (!holdsAllOf(back.strokes, newer.strokes))
         back.strokes.merge(newer.strokes);
     if (newer.places) { // What was added in between and is gone again is in neither painting.
-        std::unordered_set<StrokeId> present;
-        for (const StrokePtr &stroke : now.strokes)
-            present.insert(stroke->id);
-        std::erase_if(back.strokes, [&](const auto &entry) { return !entry.second && !present.contains(entry.first); });
+        std::unordered_set<StrokeId> gone;
+        for (const auto &[id, stroke] : back.strokes)
+            if (!stroke)
+                gone.insert(id);
+        for (auto at = now.strokes.begin(); at != now.strokes.end() && !gone.empty(); ++at)
+            gone.erase((*at)->id);
+        for (const StrokeId id : gone)
+            back.strokes.erase(id);
     }
     keepOldest(back.canvas, newer.canvas);
     keepOldest(back.groups, newer.groups);

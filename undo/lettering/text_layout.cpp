@@ -75,7 +75,9 @@ class Setter {
 public:
     explicit Setter(const Text &text)
         : m_text(text), m_curve(text.curve), m_isVertical(text.vertical && text.curve.empty())
-    {}
+    {
+        m_out.clusters.reserve(std::size_t(text.string.size()));
+    }
 
     void add(qsizetype from, qsizetype to, std::shared_ptr<const ShapedLine> shaped)
     {

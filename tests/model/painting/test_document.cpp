@@ -135,6 +135,36 @@ private slots:
         QVERIFY(told.back().canvas && !told.back().texts);
     }
 
+    /// Strokes come, go, change and move in the middle of many; what lies below and above stays as it is.
+    void theMiddleOfTheOrderIsExchanged()
+    {
+        Document d;
+        d.reset(makePainting(300));
+        const PaintingPtr before = d.painting();
+        std::vector<StrokeId> order = orderOf(*before);
+        order.insert(order.begin() + 100, {901, 902});
+        std::swap(order[120], order[140]);
+        order.erase(order.begin() + 130);
+        const auto moved = makeStroke(order[125], 7), above = makeStroke(order[200], 8);
+        Edit edit;
+        edit.strokes = {{901, makeStroke(901)}, {902, makeStroke(902)}, {order[125], moved}, {order[200], above}};
+        for (const StrokePtr &stroke : before->strokes)
+            if (std::ranges::find(order, stroke->id) == order.end())
+                edit.strokes.emplace(stroke->id, nullptr);
+        edit.order = order;
+        d.exchange(edit);
+        QCOMPARE(orderOf(*d.painting()), order);
+        QCOMPARE(d.painting()->strokes[125], StrokePtr(moved));
+        QCOMPARE(d.painting()->strokes[200], StrokePtr(above));
+        for (const StrokePtr &stroke : d.painting()->strokes)
+            if (const StrokePtr was = before->find(stroke->id); was && stroke != moved && stroke != above)
+                QCOMPARE(stroke, was);
+        d.exchange(edit);
+        QVERIFY(std::ranges::equal(d.painting()->strokes, before->strokes));
+        d.exchange(edit);
+        QCOMPARE(orderOf(*d.painting()), order);
+    }
+
     void selectionStaysValid()
     {
         Document d;
