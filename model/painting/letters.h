@@ -22,6 +22,7 @@ struct ShapedCluster {
     int visual = 0;   ///< its number from the left
     bool rightToLeft = false;
     std::shared_ptr<const LetterOutline> outline; ///< from its left on the baseline; null: it has no ink
+    bool hasVerticalForm = false; ///< whether width and outline are those of its form for vertical lines
 };
 
 struct ShapedLine {
@@ -39,7 +40,8 @@ struct Face {
     QString family;
     float weight = 400;
     bool italic = false;
-    bool isSpaced = false; ///< whether room is added between letters, so that they make no ligatures
+    bool isSpaced = false;   ///< whether room is added between letters, so that they make no ligatures
+    bool isVertical = false; ///< whether letters take their forms for vertical lines, where the font has them
     friend bool operator==(const Face &, const Face &) = default;
 };
 

@@ -4,6 +4,7 @@
 #include "model/shaping/baseline_curve.h"
 #include "model/shaping/transform.h"
 #include "undo/lettering/text_layout.h"
+#include "undo/lettering/vertical_forms.h"
 
 #include <QFile>
 #include <QFontDatabase>
@@ -11,6 +12,7 @@
 #include <QTest>
 
 #include <numbers>
+#include <set>
 
 using namespace suffuse;
 
@@ -285,6 +287,98 @@ private slots:
         QVERIFY(inkOf(stop).centre().x > middle.x && inkOf(stop).centre().y < middle.y);
         QVERIFY(std::abs(inkOf(laid.clusters[5]).centre().x + 120) < 8);
         QVERIFY(inkOf(laid.clusters[5]).top > -3);
+    }
+
+    /// The forms are those that Unicode's data calls vertical forms of the letter, or of what it is a wide form of.
+    void formsForVerticalLinesAreUnicodes()
+    {
+        const auto plainOf = [](QChar c) {
+            return c.decompositionTag() == QChar::Wide ? c.decomposition() : QString(c);
+        };
+        std::set<char16_t> forms;
+        for (int code = 0; code <= 0xffff; ++code) {
+            const QChar letter{char16_t(code)};
+            const std::optional<QChar> form = verticalFormOf(QStringView(&letter, 1), 1);
+            if (!form)
+                continue;
+            QCOMPARE(form->decompositionTag(), QChar::Vertical);
+            QCOMPARE(form->decomposition(), plainOf(letter));
+            QVERIFY(forms.insert(form->unicode()).second);
+        }
+        // All of them have a letter, but for ︴, a wavy line below others.
+        for (int code = 0xfe10; code <= 0xfe48; ++code)
+            if (QChar(char16_t(code)).decompositionTag() == QChar::Vertical && code != 0xfe34)
+                QVERIFY2(forms.contains(char16_t(code)), qPrintable(QString::number(code, 16)));
+        QCOMPARE(forms.size(), std::size_t(32));
+    }
+
+    void chosenFormsForVerticalLines()
+    {
+        const QString open = QStringLiteral("\u300c"), stop = QStringLiteral("\u3002"),
+                      comma = QStringLiteral("\uff0c"), dash = QStringLiteral("\u2014"),
+                      dots = QStringLiteral("\u2026"), dashes = QStringLiteral("\u2014\u0301");
+        QCOMPARE(verticalFormOf(open, 1), QChar(0xfe41));
+        QCOMPARE(verticalFormOf(open, 0.5), QChar(0xfe41));
+        // Dashes and dots as wide as a square stand in one, others in Latin text.
+        QCOMPARE(verticalFormOf(dash, 1), QChar(0xfe31));
+        QCOMPARE(verticalFormOf(dots, 1), QChar(0xfe19));
+        QVERIFY(!verticalFormOf(dash, 0.5) && !verticalFormOf(dots, 0.8));
+        // Brackets of Latin text are turned with it; what has a mark has no form; letters have none.
+        QVERIFY(!verticalFormOf(QStringLiteral("("), 1) && !verticalFormOf(dashes, 1) && !verticalFormOf(QString(), 1));
+        QVERIFY(!verticalFormOf(QStringLiteral("\u6c34"), 1));
+
+        QCOMPARE(standOf(open, true), Stand::Upright);
+        QCOMPARE(standOf(open, false), Stand::Turned);
+        QCOMPARE(standOf(stop, true), Stand::Upright);
+        QCOMPARE(standOf(stop, false), Stand::OtherCorner);
+        QCOMPARE(standOf(comma, false), Stand::OtherCorner);
+        QCOMPARE(standOf(dash, true), Stand::Upright);
+        for (const QString &turned : {dash, dots, QStringLiteral("\uff08"), QStringLiteral("\u3011"),
+                                      QStringLiteral("\u30fc"), QStringLiteral("a"), QStringLiteral("(")})
+            QCOMPARE(standOf(turned, false), Stand::Turned);
+        for (const QString &upright :
+             {QStringLiteral("\u6c34"), QStringLiteral("\u304b"), QStringLiteral("\uac00"), QStringLiteral("\uff01"),
+              QStringLiteral("\ufe41"), QStringLiteral("\U00020000")})
+            QCOMPARE(standOf(upright, false), Stand::Upright);
+    }
+
+    /// Whether the font has a form or not, what stands in a bracket's square has its ink where it belongs.
+    void bracketsInVerticalLines()
+    {
+        Text text = plain(QStringLiteral("\u300c\u6c34\u300d"));
+        const LaidText across = lay(text);
+        text.vertical = true;
+        const LaidText laid = lay(text);
+        LineShaper shaper;
+        const Face face{text.family, text.weight, text.italic, false, true};
+        const std::shared_ptr<const ShapedLine> line = shaper.shape(text.string, face);
+        const std::vector<ShapedCluster> &shaped = line->clusters;
+        QCOMPARE(shaped.size(), std::size_t(3));
+        QVERIFY(!shaped[1].hasVerticalForm);
+        QCOMPARE(laid.clusters[1].outline, across.clusters[1].outline);
+        for (const std::size_t k : {std::size_t(0), std::size_t(2)}) {
+            const LaidCluster &c = laid.clusters[k];
+            if (shaped[k].hasVerticalForm) {
+                QVERIFY(c.place.a == 100 && c.place.b == 0);
+                QVERIFY(c.outline && c.outline != across.clusters[k].outline);
+            } else {
+                QVERIFY(c.place.a == 0 && c.place.c == 100);
+                QCOMPARE(c.outline, across.clusters[k].outline);
+            }
+        }
+        // Lines across have none of it.
+        for (const ShapedCluster &c : shaper.shape(text.string, {text.family, 400, false, false, false})->clusters)
+            QVERIFY(!c.hasVerticalForm);
+        if (QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty())
+            return;
+        // 「 opens in the right part of the lower half of its square, 」 closes in the left part of the upper half.
+        for (const auto &[k, sign] : {std::pair(std::size_t(0), 1.0), std::pair(std::size_t(2), -1.0)}) {
+            const LaidCluster &c = laid.clusters[k];
+            const Point middle = 0.25 * (c.before[0] + c.before[1] + c.after[0] + c.after[1]);
+            const Point ink = inkOf(c).centre() - middle;
+            QVERIFY2(sign * ink.y > 10, qPrintable(QString::number(ink.y)));
+            QVERIFY(std::abs(ink.x) < 30);
+        }
     }
 
     void alongACircle()

@@ -1,5 +1,7 @@
 #include "undo/lettering/shaped_line.h"
 
+#include "undo/lettering/vertical_forms.h"
+
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QGlyphRun>
@@ -120,6 +122,24 @@ struct LineShaper::Glyphs {
         ++count;
         return of.outlines[key] = made->empty() ? nullptr : std::move(made);
     }
+
+    /// Gives a letter its form for vertical lines, if the font that it is of has one. Qt reaches none of OpenType's
+    /// `vert`, but fonts have most of them under characters of their own, too.
+    void makeVertical(ShapedCluster &cluster, QStringView letter, const QRawFont &font)
+    {
+        const std::optional<QChar> form = verticalFormOf(letter, cluster.width);
+        if (!form || !font.supportsCharacter(*form))
+            return;
+        const QList<quint32> glyphs = font.glyphIndexesForString(QString(*form));
+        if (glyphs.size() != 1)
+            return;
+        const auto made = outline(font, glyphs, {QPointF()}, 0);
+        if (!made)
+            return;
+        cluster.outline = made;
+        cluster.width = font.advancesForGlyphIndexes(glyphs, QRawFont::UseDesignMetrics)[0].x() / shapedEm;
+        cluster.hasVerticalForm = true;
+    }
 };
 
 LineShaper::LineShaper() : m_glyphs(std::make_unique<Glyphs>()) {}
@@ -205,6 +225,8 @@ std::shared_ptr<const ShapedLine> LineShaper::shape(const QString &string, const
                 cluster.width = std::max(0.0, right - left) / shapedEm;
                 cluster.outline = m_glyphs->outline(raw, glyphs, places, left);
                 lastGlyph = {glyphs.front(), places.front()};
+                if (face.isVertical)
+                    m_glyphs->makeVertical(cluster, QStringView(string).sliced(from, to - from), raw);
             }
             out->clusters.push_back(std::move(cluster));
         }

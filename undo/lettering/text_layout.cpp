@@ -1,6 +1,7 @@
 #include "undo/lettering/text_layout.h"
 
 #include "model/shaping/baseline_curve.h"
+#include "undo/lettering/vertical_forms.h"
 
 namespace suffuse {
 
@@ -8,51 +9,6 @@ namespace {
 
 /// The square of an ideographic letter, ems from its baseline.
 constexpr double squareTop = 0.88, squareBottom = 0.12;
-
-/// How a letter stands in a vertical line.
-enum class Stand { Upright, Turned, OtherCorner };
-
-/// After Unicode's report 50, as far as it is about letters that stand in squares.
-Stand standOf(QStringView characters)
-{
-    if (characters.isEmpty())
-        return Stand::Turned;
-    char32_t c = characters[0].unicode();
-    if (characters.size() > 1 && characters[0].isHighSurrogate() && characters[1].isLowSurrogate())
-        c = QChar::surrogateToUcs4(characters[0], characters[1]);
-    switch (c) {
-    case 0x3001: // 、
-    case 0x3002: // 。
-    case 0xff0c: // ，
-    case 0xff0e: // ．
-        return Stand::OtherCorner;
-    case 0x30fc: // ー
-    case 0x301c: // 〜
-    case 0x3030:
-    case 0x30a0:
-    case 0xff5e: // ～
-    case 0xff0d:
-    case 0xff1a: // ：
-    case 0xff1b:
-    case 0xff1d:
-    case 0xffe3:
-    case 0xff3f:
-    case 0xff5c:
-        return Stand::Turned;
-    default:
-        break;
-    }
-    const bool isBracket = (c >= 0x3008 && c <= 0x3011) || (c >= 0x3014 && c <= 0x301f) || c == 0xff08 || c == 0xff09 ||
-                           c == 0xff3b || c == 0xff3d || (c >= 0xff5b && c <= 0xff60) || c == 0xff1c || c == 0xff1e;
-    if (isBracket)
-        return Stand::Turned;
-    const bool isSquare =
-        (c >= 0x1100 && c <= 0x11ff) || (c >= 0x2e80 && c <= 0xa4cf) || (c >= 0xa960 && c <= 0xa97f) ||
-        (c >= 0xac00 && c <= 0xd7ff) || (c >= 0xf900 && c <= 0xfaff) || (c >= 0xfe30 && c <= 0xfe4f) ||
-        (c >= 0xff01 && c <= 0xff60) || (c >= 0xffe0 && c <= 0xffe6) || (c >= 0x1f000 && c <= 0x1faff) ||
-        (c >= 0x1b000 && c <= 0x1b16f) || (c >= 0x20000 && c <= 0x3ffff);
-    return isSquare ? Stand::Upright : Stand::Turned;
-}
 
 /// A line with the places where its letters begin along it, ems from where it begins.
 struct SpacedLine {
@@ -115,8 +71,8 @@ private:
         double at = 0;
         for (std::size_t i = 0; i < visual.size(); ++i) {
             const ShapedCluster &cluster = clusters[visual[i]];
-            const bool upright =
-                m_isVertical && standOf(string.sliced(cluster.from, cluster.to - cluster.from)) != Stand::Turned;
+            const bool upright = m_isVertical && standOf(string.sliced(cluster.from, cluster.to - cluster.from),
+                                                         cluster.hasVerticalForm) != Stand::Turned;
             line.from[visual[i]] = m_isVertical ? at : cluster.left + double(i) * spacing;
             line.room[visual[i]] = upright ? squareTop + squareBottom : cluster.width;
             at += line.room[visual[i]] + spacing;
@@ -184,7 +140,8 @@ private:
     LaidCluster hang(LaidCluster out, const ShapedCluster &shaped, double ascent, double descent, double at) const
     {
         const double s = m_text.size, axis = -beside();
-        const Stand stand = standOf(QStringView(m_text.string).sliced(out.from, out.to - out.from));
+        const Stand stand =
+            standOf(QStringView(m_text.string).sliced(out.from, out.to - out.from), shaped.hasVerticalForm);
         if (stand == Stand::Turned) {
             const bool isSquare = shaped.width > 0.9 && !m_text.string.at(out.from).isSpace();
             const double middle = isSquare ? 0.5 * (squareTop - squareBottom) : 0.5 * (ascent - descent);
@@ -227,7 +184,8 @@ private:
 
 LaidText TextLayout::lay(const Text &text)
 {
-    const Face face{text.family, text.weight, text.italic, text.letterSpacing != 0};
+    const Face face{text.family, text.weight, text.italic, text.letterSpacing != 0,
+                    text.vertical && text.curve.empty()};
     Setter setter(text);
     for (qsizetype from = 0; from <= text.string.size();) {
         const qsizetype end = text.string.indexOf(QLatin1Char('\n'), from), to = end < 0 ? text.string.size() : end;

@@ -10,9 +10,10 @@ namespace suffuse {
 /// where one lacks a letter. It is a pure function of the text and the fonts, and quick where most lines are those of
 /// the text before. It needs a QGuiApplication, and the thread of that.
 ///
-/// Vertical lines have Chinese, Japanese and Korean letters upright, and all others turned by 90°. Qt does not reach
-/// the vertical forms of a font (OpenType's `vert`), so brackets and dashes are turned, too, and commas and full stops
-/// are put into the other corner of their square.
+/// Vertical lines have Chinese, Japanese and Korean letters upright, and all others turned by 90°. Brackets, commas and
+/// the like take the form that the font has for vertical lines, if it has it as a character. Where it has none,
+/// brackets and dashes are turned, too, and commas and full stops are put into the other corner of their square
+/// (vertical_forms.h).
 ///
 /// Along a curve, the middle of each letter stands at its length along the curve, turned as the curve is there. What
 /// runs past its ends goes straight on. Further lines lie beside it.
