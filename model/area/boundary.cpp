@@ -33,6 +33,61 @@ struct Section {
     int enters = 0;
 };
 
+/// The arcs that come into a band of height.
+class Band {
+public:
+    /// An arc that begins or ends in the band.
+    struct Within {
+        double top, bottom, left, right;
+        std::uint32_t arc;
+    };
+    /// An arc that crosses the band from top to bottom.
+    struct Across {
+        double left;
+        std::uint32_t arc;
+        int before = 0; ///< what those further left add to the winding number
+    };
+
+    void addWithin(std::uint32_t k, const RisingArc &arc)
+    {
+        m_within.push_back({arc.top(), arc.bottom(), arc.left(), arc.right(), k});
+    }
+    void addAcross(std::uint32_t k, const RisingArc &arc)
+    {
+        m_across.push_back({arc.left(), k});
+        m_widest = std::max(m_widest, arc.right() - arc.left());
+    }
+    void sort(const std::vector<RisingPart> &parts)
+    {
+        std::sort(m_across.begin(), m_across.end(),
+                  [](const Across &a, const Across &b) { return a.left != b.left ? a.left < b.left : a.arc < b.arc; });
+        for (Across &across : m_across) {
+            across.before = m_sum;
+            m_sum += parts[across.arc].falls ? -1 : 1;
+        }
+    }
+
+    const std::vector<Within> &within() const { return m_within; }
+    /// The first of the arcs across whose right end may be at x or beyond, and the first one that begins beyond `end`.
+    std::pair<std::size_t, std::size_t> acrossAt(double x, double end) const
+    {
+        const auto isLeft = [](const Across &across, double at) { return across.left < at; };
+        const auto isRight = [](double at, const Across &across) { return at < across.left; };
+        const auto from = std::lower_bound(m_across.begin(), m_across.end(), x - m_widest, isLeft);
+        const auto to = std::upper_bound(from, m_across.end(), end, isRight);
+        return {std::size_t(from - m_across.begin()), std::size_t(to - m_across.begin())};
+    }
+    const Across &across(std::size_t i) const { return m_across[i]; }
+    /// What the arcs across before this one add to the winding number.
+    int windingBefore(std::size_t i) const { return i < m_across.size() ? m_across[i].before : m_sum; }
+
+private:
+    std::vector<Within> m_within;
+    std::vector<Across> m_across; ///< by their left ends
+    double m_widest = 0;          ///< of those across
+    int m_sum = 0;                ///< what all of those across add to the winding number
+};
+
 class BoundaryFinder {
 public:
     BoundaryFinder(const std::vector<std::vector<Cubic>> &loops, InsideRule rule, AreaEffort *effort)
@@ -150,11 +205,19 @@ private:
         }
         // An arc is in as many bands as it is high; all in all in a few for each.
         const double each = 1 + heights / (bottom - m_top), count = double(m_parts.size());
-        m_bands.resize(std::size_t(std::clamp(4 * count / each, 1.0, count)));
+        m_bands.resize(std::size_t(std::clamp(8 * count / each, 1.0, count)));
         m_bandHeight = (bottom - m_top) / double(m_bands.size());
-        for (std::uint32_t k = 0; k < m_parts.size(); ++k)
-            for (std::size_t band = bandOf(m_parts[k].arc.top()); band <= bandOf(m_parts[k].arc.bottom()); ++band)
-                m_bands[band].push_back(k);
+        for (std::uint32_t k = 0; k < m_parts.size(); ++k) {
+            const RisingArc &arc = m_parts[k].arc;
+            const std::size_t first = bandOf(arc.top()), last = bandOf(arc.bottom());
+            for (std::size_t band = first + 1; band < last; ++band)
+                m_bands[band].addAcross(k, arc);
+            m_bands[first].addWithin(k, arc);
+            if (last != first)
+                m_bands[last].addWithin(k, arc);
+        }
+        for (Band &band : m_bands)
+            band.sort(m_parts);
     }
     std::size_t bandOf(double y) const
     {
@@ -168,17 +231,23 @@ private:
         const double y = 0.5 * (section.top + section.bottom), t = own.parameterAtY(y), x = own.xAtParameter(t);
         const Point way = own.curve.derivative(t);
         const double near = nearness(way.x, way.y, m_meetings.tolerance);
+        const Band &band = m_bands[bandOf(y)];
         int winding = 0;
-        spend(m_effort, 4 * m_bands[bandOf(y)].size());
-        for (const std::uint32_t k : m_bands[bandOf(y)]) {
-            const RisingArc &arc = m_parts[k].arc;
-            if (k == section.arc || !(arc.top() <= y && y < arc.bottom()) || arc.left() > x + near)
-                continue;
+        const auto add = [&](std::uint32_t k, double right) {
             // Of arcs that lie on each other the first ones count as lying further left, wherever that is asked.
-            const double other = arc.right() < x - near ? arc.right() : arc.xAt(y);
-            if (other < x - near || (other <= x + near && k < section.arc))
+            const double other = right < x - near ? right : m_parts[k].arc.xAt(y);
+            if (k != section.arc && (other < x - near || (other <= x + near && k < section.arc)))
                 winding += m_parts[k].falls ? -1 : 1;
-        }
+        };
+        for (const Band::Within &arc : band.within())
+            if (arc.top <= y && y < arc.bottom && arc.left <= x + near)
+                add(arc.arc, arc.right);
+        // Those that end further left are counted already.
+        const auto [from, to] = band.acrossAt(x - 2 * near, x + near);
+        winding += band.windingBefore(from);
+        for (std::size_t i = from; i < to; ++i)
+            add(band.across(i).arc, m_parts[band.across(i).arc].arc.right());
+        spend(m_effort, 4 * (band.within().size() + to - from));
         return winding;
     }
 
@@ -280,7 +349,7 @@ private:
     Meetings m_meetings;
     std::vector<Section> m_sections;
     std::vector<std::uint32_t> m_firstSection; ///< of each arc, and the end
-    std::vector<std::vector<std::uint32_t>> m_bands;
+    std::vector<Band> m_bands;
     double m_top = 0, m_bandHeight = 0;
 };
 
