@@ -12,6 +12,9 @@ namespace {
 
 /// With so many segments in the view, and with more, lines are thin.
 constexpr std::size_t fineSegments = 600;
+/// And with lines that are so long in the view, all in all, logical pixels: smooth ones that crowd its paint or cross
+/// themselves all over take a tenth of a second to draw, each time.
+constexpr double fineLength = 30'000;
 /// With so many segments in the view, and with more, quick lines are drawn while they move.
 constexpr std::size_t smoothSegments = 120;
 /// The width of a line, logical pixels.
@@ -35,6 +38,25 @@ Rect shownBox(const View &view, double beyond)
                                Point{-beyond, h + beyond}})
         box.include(view.toCanvas(corner));
     return box;
+}
+
+/// About how long the lines of strokes are in the view, logical pixels.
+double lengthInView(const std::vector<OutlinedStroke> &strokes, const View &view, double dpr)
+{
+    const Rect window = shownBox(view, 0);
+    const double most = std::hypot(view.width, view.height);
+    double sum = 0;
+    for (const OutlinedStroke &shown : strokes)
+        for (const Segment &segment : shown.stroke->segments) {
+            const Cubic cubic = shown.stroke->cubicOf(segment);
+            Rect box;
+            for (const Point &p : cubic.p)
+                box.include(p);
+            if (box.grown(1 / view.scale).intersects(window))
+                sum += std::min(most, view.scale * (length(cubic.p[1] - cubic.p[0]) + length(cubic.p[2] - cubic.p[1]) +
+                                                    length(cubic.p[3] - cubic.p[2])));
+        }
+    return sum / dpr;
 }
 
 /// How much of the pixels the lines of paths cover, by squares.
@@ -176,7 +198,7 @@ std::set<int> SelectionOutline::chosenOf(StrokeId id) const
     return chosen;
 }
 
-void SelectionOutline::gather(const View &view, const Painting &painting)
+void SelectionOutline::gather(const View &view, const Painting &painting, double dpr)
 {
     if (!(view == m_shown.view))
         m_lines.clear();
@@ -199,7 +221,7 @@ void SelectionOutline::gather(const View &view, const Painting &painting)
         m_shown.box = m_shown.box.united(m_boxes[place]);
     }
     m_segments = segments;
-    m_thin = segments > fineSegments;
+    m_thin = segments > fineSegments || lengthInView(m_shown.strokes, view, dpr) > fineLength;
     if (m_thin)
         m_lines.clear();
     else
@@ -270,7 +292,7 @@ void SelectionOutline::paint(QPainter &painter, const View &view, const Painting
     if (!follow(view, painting, moving)) {
         const bool mayMend = moving && m_thin && m_thinLines.isDrawn() && view == m_shown.view;
         const std::vector<OutlinedStroke> before = std::exchange(m_shown.strokes, {});
-        gather(view, painting);
+        gather(view, painting, dpr);
         if (mayMend && m_thin)
             m_thinLines.mend(before, m_boxes);
     }

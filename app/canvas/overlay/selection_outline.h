@@ -47,7 +47,7 @@ private:
     void locate(const Painting &painting, const Selection &selection);
     bool follow(const View &view, const Painting &painting, bool moving);
     bool followApart(const StrokeList &strokes, const std::vector<std::size_t> &changed);
-    void gather(const View &view, const Painting &painting);
+    void gather(const View &view, const Painting &painting, double dpr);
     std::set<int> chosenOf(StrokeId id) const;
     const Line &lineOf(const OutlinedStroke &shown);
     void weigh(double dpr);

@@ -1,6 +1,9 @@
 // The outlines of the selected strokes: thinned out where they are many, apart where they move.
 #include "app/canvas/overlay/selection_outline.h"
 #include "app/session/selecting/pick.h"
+#include "model/brush/brush.h"
+#include "model/brush/stroke_fit.h"
+#include "model/shaping/shapes.h"
 #include "tests/app/selecting.h"
 #include "undo/transform_edits.h"
 
@@ -53,6 +56,40 @@ private slots:
         QCOMPARE(marked(draw(beside, all)), 0);
         painting.strokes[0] = line(1, {300, 0}, {310, 390});
         QVERIFY(draw(whole, Selection{{1}, {}}) != one);
+    }
+
+    /// Few segments may be long, and crowd what lies below as many do: the rings of a gradient, and what was scribbled.
+    void longLinesThinOutToo()
+    {
+        const auto circle = [](StrokeId id, double radius) {
+            return strokeAlong(
+                outlineOf({.kind = ShapeKind::Ellipse}, {250 - radius, 200 - radius}, {250 + radius, 200 + radius}),
+                builtinBrushes().front(), id, 0);
+        };
+        Painting painting;
+        std::size_t segments = 0;
+        for (int i = 0; i < 130; ++i) {
+            painting.strokes.push_back(std::make_shared<const Stroke>(circle(StrokeId(i + 1), 20 + i)));
+            segments += painting.strokes[std::size_t(i)]->segments.size();
+        }
+        QVERIFY(segments <= 600);
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
+        SelectionOutline outline;
+        const auto isThin = [&](const View &view, const Selection &selection) {
+            QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, selection, colours, 1);
+            return outline.isThin();
+        };
+        const View whole = View::ofArea(Rect::of(0, 0, 500, 400), 1000, 800);
+        const Selection all{selectableStrokes(painting, painting.end()), {}};
+        QCOMPARE(all.strokes.size(), std::size_t(130));
+        QVERIFY(isThin(whole, all));
+        QVERIFY(!isThin(whole, Selection{{1, 60, 130}, {}}));
+        QVERIFY(!isThin(View::ofArea(Rect::of(0, 0, 4000, 3200), 1000, 800), all)); // from afar they are short
+        // A line that is long only beyond the view is none that crowds it.
+        QVERIFY(!isThin(View::ofArea(Rect::of(398, 199, 1, 1), 1000, 1000), Selection{{130}, {}}));
     }
 
     void whatMovesAmongManyIsOutlinedApart()
