@@ -1,5 +1,5 @@
 // What fills cost: whole pictures, pictures whose fills are prepared anew, and the drag of a node, by all threads.
-// bench_fills [--runs N] [--only TEXT]
+// bench_fills [--runs N] [--only TEXT] [--scribble N]
 #include "render/backends.h"
 #include "render/bench/rows.h"
 #include "tests/bench/filled_shapes.h"
@@ -70,6 +70,7 @@ int main(int argc, char **argv)
     const QCoreApplication app(argc, argv);
     QCommandLineParser parser;
     parser.addOption({"runs", "Runs of each (default 15).", "N", "15"});
+    parser.addOption({"scribble", "Segments of the largest scribble (default 30000).", "N", "30000"});
     parser.addOption({"only", "Paintings whose names contain this.", "TEXT"});
     parser.process(app);
     only() = parser.value("only");
@@ -87,5 +88,8 @@ int main(int argc, char **argv)
     measure(out, {"outline of 100,000 segments, s = 8", coast(100'000, 8)}, std::min(runs, 5));
     measure(out, {"outline of 100,000 segments, crisp", coast(100'000, 1e-4)}, std::min(runs, 5));
     measure(out, {"jagged outline of 100,000 segments, s = 8", coast(100'000, 8, true)}, std::min(runs, 3));
+    for (const int segments : {1'000, 10'000, parser.value("scribble").toInt()})
+        measure(out, {QString("scribble of %1 segments, s = 8").arg(segments), scribble(std::max(segments, 3), 8)},
+                std::min(runs, segments > 1'000 ? 1 : 5));
     return 0;
 }

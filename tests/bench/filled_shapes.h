@@ -93,4 +93,41 @@ inline PaintingPtr coast(int segments, double spread, bool jagged = false)
     return filledPainting({s});
 }
 
+/// The curves of a hand that scribbles all over the sheet, closed at the end: bends of some 40 px that cross what was
+/// drawn before.
+inline std::vector<Cubic> scribbleCurves(int segments)
+{
+    std::mt19937 random(4);
+    std::normal_distribution<double> u(0, 1);
+    constexpr double step = 12;
+    double angle = 0, bend = 0;
+    Point at{512, 384};
+    std::vector<Cubic> curves;
+    for (int k = 0; k < segments; ++k) {
+        bend = 0.9 * bend + 0.1 * u(random);
+        const Point toMiddle = Point{512, 384} - at;
+        const double away = std::remainder(std::atan2(toMiddle.y, toMiddle.x) - angle, 2 * std::numbers::pi);
+        const double next = angle + bend + (length(toMiddle) > 320 ? 0.2 * away : 0);
+        const auto to = [](double a) { return Point{std::cos(a), std::sin(a)}; };
+        Point end = at + step * to(0.5 * (angle + next));
+        if (k + 1 == segments)
+            end = curves.front().p[0];
+        curves.push_back({{at, at + step / 3 * to(angle), end - step / 3 * to(next), end}});
+        at = end, angle = next;
+    }
+    return curves;
+}
+
+/// A filled scribble, which crosses itself all over.
+inline PaintingPtr scribble(int segments, double spread)
+{
+    Stroke s = filled(1, spread);
+    bool start = true;
+    for (const Cubic &curve : scribbleCurves(segments)) {
+        addCurve(s, {curve.p[0], curve.p[1], curve.p[2], curve.p[3]}, start);
+        start = false;
+    }
+    return filledPainting({s});
+}
+
 } // namespace suffuse::baseline
