@@ -47,6 +47,26 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
     }
 
+    /// A stroke that is topmost or lowest already stays there, and no step is made of it.
+    void arrangingSaysWhereNothingChanges()
+    {
+        OpenPainting open;
+        open.editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        addStroke(open.editor);
+        addStroke(open.editor); // which is selected
+        const int steps = open.editor.undoStack().count();
+        QSignalSpy said(&table, &Commands::said);
+        using enum Command;
+        for (const auto &[command, times] : {std::pair(Top, 1), {Raise, 2}, {Bottom, 2}, {Bottom, 3}, {Lower, 4}}) {
+            table[command].trigger();
+            QCOMPARE(int(said.count()), times);
+            QCOMPARE(said.back().front().toString(), QString("Nothing changes."));
+        }
+        QCOMPARE(open.editor.undoStack().count(), steps + 1);
+    }
+
     void commandsRunWithoutAWindow()
     {
         OpenPainting open;

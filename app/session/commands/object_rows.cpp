@@ -28,18 +28,24 @@ void addOrderRows(Commands &table, Editor &editor)
 {
     using enum Command;
     const auto selected = anySelected(editor);
+    const auto arranges = [&table, &editor](Arrange how) {
+        return [&table, &editor, how] {
+            if (const QString why = commands::arrangeSelected(editor, how); !why.isEmpty())
+                emit table.said(why, 5000);
+        };
+    };
     table.add(Raise, "raise", Commands::tr("&Raise"), "raise", {QKeySequence(Qt::Key_PageUp)})
         .when(selected)
-        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Raise); });
+        .runs(arranges(Arrange::Raise));
     table.add(Lower, "lower", Commands::tr("&Lower"), "lower", {QKeySequence(Qt::Key_PageDown)})
         .when(selected)
-        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Lower); });
+        .runs(arranges(Arrange::Lower));
     table.add(Top, "top", Commands::tr("Raise to &Top"), "top", {QKeySequence(Qt::Key_Home)})
         .when(selected)
-        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Top); });
+        .runs(arranges(Arrange::Top));
     table.add(Bottom, "bottom", Commands::tr("Lower to &Bottom"), "bottom", {QKeySequence(Qt::Key_End)})
         .when(selected)
-        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Bottom); });
+        .runs(arranges(Arrange::Bottom));
 }
 
 void addSelectingRows(Commands &table, Editor &editor)

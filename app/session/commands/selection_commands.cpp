@@ -40,12 +40,16 @@ void duplicateSelected(Editor &editor)
     editor.push(duplicateSelection(editor.document(), {0, 0}), QCoreApplication::translate("Commands", "Duplicate"));
 }
 
-void arrangeSelected(Editor &editor, Arrange how)
+QString arrangeSelected(Editor &editor, Arrange how)
 {
     const char *names[] = {QT_TRANSLATE_NOOP("Commands", "Raise"), QT_TRANSLATE_NOOP("Commands", "Lower"),
                            QT_TRANSLATE_NOOP("Commands", "Raise to top"),
                            QT_TRANSLATE_NOOP("Commands", "Lower to bottom")};
-    editor.push(arrangeSelection(editor.document(), how), tr(names[int(how)]));
+    Edit edit = arrangeSelection(editor.document(), how);
+    if (edit.isEmpty())
+        return QCoreApplication::translate("Commands", "Nothing changes.");
+    editor.push(std::move(edit), tr(names[int(how)]));
+    return {};
 }
 
 void selectAll(Editor &editor)

@@ -12,7 +12,8 @@ QString deleteSelected(Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
 /// their stroke. Then the copies are selected.
 void duplicateSelected(Editor &editor);
-void arrangeSelected(Editor &editor, Arrange how);
+/// Raises or lowers the selected strokes. Returns what to say where nothing changes, or an empty text.
+QString arrangeSelected(Editor &editor, Arrange how);
 void selectAll(Editor &editor);
 /// Selects all strokes that can be selected and are not.
 void invertSelection(Editor &editor);
