@@ -127,6 +127,14 @@ Edit Editor::placed(Edit edit)
     return edit;
 }
 
+void Editor::noteComing(const Edit &edit)
+{
+    const bool driesLater = std::ranges::any_of(
+        edit.strokes, [end = m_clock.end()](const auto &put) { return put.second && put.second->driesAt() > end; });
+    if (driesLater)
+        m_clock.forgetUndone();
+}
+
 void Editor::push(Edit edit, const QString &text, ValueEntry *entry)
 {
     if (edit.isEmpty())
@@ -139,6 +147,7 @@ void Editor::push(Edit edit, const QString &text, ValueEntry *entry)
     }
     commit();
     edit = placed(std::move(edit));
+    noteComing(edit);
     if (entry && goesOn(*entry)) {
         m_sinceStep.start();
         goOnWithStep(m_undoStack, m_document, std::move(edit));

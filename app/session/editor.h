@@ -58,6 +58,9 @@ public:
     /// leaves the steps to be redone as they were. With an entry it is part of the entry's drag, or goes on with its
     /// step.
     void push(Edit edit, const QString &text, ValueEntry *entry = nullptr);
+    /// Call it before an edit of a gesture that brings new paint; `push` does it by itself. Where that dries after all
+    /// that there is, the clock forgets what was undone.
+    void noteComing(const Edit &edit);
     /// Begins something that is not decided yet; `name` is its step's, translated. What was open is committed.
     /// With `steps`, which must outlive it, undo and redo go through the changes within it first.
     Gesture begin(const QString &name, GestureSteps *steps = nullptr);

@@ -73,6 +73,14 @@ void PaintingClock::setEnd(Microseconds end)
         setInPast(false);
 }
 
+void PaintingClock::forgetUndone()
+{
+    if (m_drawing || m_manual || reached() <= m_end)
+        return;
+    m_time = m_end;
+    m_since.start();
+}
+
 void PaintingClock::runFrom(Microseconds earliest)
 {
     m_time = std::max(time(), earliest);

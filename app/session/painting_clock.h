@@ -57,6 +57,10 @@ public:
     void setEnd(Microseconds end);
     /// Call it for the stroke in hand: its paint has dried by `end`.
     void setDraftEnd(Microseconds end) { m_draftEnd = end; }
+    /// Call it before paint comes that dries after the end and is no redo: the clock goes on from the moment that is
+    /// looked at, and forgets how far it was before something was undone. Otherwise it would have seen the new paint
+    /// dry already, and jump to its end.
+    void forgetUndone();
     /// Runs until all has dried, from now on or, if that is later, from `earliest`.
     void runFrom(Microseconds earliest);
     /// Call it for a segment that was painted into the past: the clock runs until it has dried.

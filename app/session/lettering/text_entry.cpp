@@ -385,6 +385,7 @@ void TextEntry::show(std::optional<qsizetype> at)
         change.letter = letterWith(m_editor.brush(), shown.size * scaleOf(shown.place), m_editor.clock().time());
         change.likeNeighbours = !m_usesBrush;
         Edit edit = setText(m_editor.document(), m_group, shown, &m_laid, laid, change);
+        m_editor.noteComing(edit);
         m_laid = std::move(laid);
         put(std::move(edit), std::move(shown));
     }

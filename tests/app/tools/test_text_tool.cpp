@@ -948,6 +948,74 @@ private slots:
         QCOMPARE(s.string(), QString("axb"));
     }
 
+    /// Also where the painting ended later before something was undone or taken away.
+    void lettersAreBornWhenTheyAreTyped_data()
+    {
+        QTest::addColumn<QString>("before");
+        QTest::newRow("after an undo") << "undo";
+        QTest::newRow("in a text that was emptied") << "delete";
+        QTest::newRow("over a text") << "over";
+        QTest::newRow("after a step of typing was taken back") << "back";
+    }
+    void lettersAreBornWhenTheyAreTyped()
+    {
+        QFETCH(QString, before);
+        Typing s;
+        Brush slow = s.editor().brush();
+        slow.maxAge = 30;
+        s.editor().setBrush(slow);
+        if (before == "undo") {
+            s.use(Command::Brush);
+            s.paintLine({200, 100}, {400, 100});
+            s.advance(60'000'000);
+            s.editor().clock().setManual(false);
+            s.use(Command::Undo);
+            s.use(Command::Text);
+            s.click({200, 300});
+        } else {
+            s.click({200, 300});
+            s.type("ab");
+            s.advance(60'000'000);
+            s.editor().clock().setManual(false);
+            if (before == "back")
+                s.key(Qt::Key_Z, Qt::ControlModifier);
+            else
+                s.key(Qt::Key_A, Qt::ControlModifier);
+            if (before == "delete")
+                s.key(Qt::Key_Delete);
+        }
+        QElapsedTimer typing;
+        typing.start();
+        for (const QString letter : {"r", "s", "t", "u", "v"}) {
+            s.type(letter);
+            QTest::qWait(30);
+        }
+        QCOMPARE(s.names(), QString("rstuv"));
+        for (int k = 1; k < 5; ++k)
+            QVERIFY(s.letter(k)->born() > s.letter(k - 1)->born());
+        QVERIFY(s.letter(4)->born() - s.letter(0)->born() <= typing.nsecsElapsed() / 1000);
+    }
+
+    void takenBackLettersAreDry()
+    {
+        Typing s;
+        s.click({200, 300});
+        s.type("abc");
+        PaintingClock &clock = s.editor().clock();
+        clock.setTime(s.painting().end());
+        clock.setManual(false);
+        QTRY_VERIFY(!clock.isRunning());
+        s.key(Qt::Key_Backspace);
+        s.key(Qt::Key_End); // another step
+        s.key(Qt::Key_Backspace);
+        QCOMPARE(s.names(), QString("a"));
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(s.names(), QString("abc"));
+        QVERIFY(!clock.isRunning());
+        QCOMPARE(clock.time(), s.painting().end());
+    }
+
     void copiedAndPasted()
     {
         Typing s;

@@ -257,6 +257,50 @@ private slots:
         QVERIFY(!clock.isInPast());
     }
 
+    /// Paint that comes after something was undone takes the time that the hand takes, whoever lays it.
+    void whatFollowsAnUndoIsAsFarApartAsItWasDone()
+    {
+        Session s;
+        Brush slow = s.editor().brush();
+        slow.maxAge = 30;
+        s.editor().setBrush(slow);
+        PaintingClock &clock = s.editor().clock();
+        for (const Command tool : {Command::Brush, Command::Shapes, Command::Bucket}) {
+            s.use(Command::Brush);
+            clock.setManual(true);
+            s.paintLine({200, 300}, {700, 300});
+            s.advance(60'000'000);
+            clock.setManual(false);
+            s.use(Command::Undo);
+            s.use(tool);
+            const std::size_t before = s.painting().strokes.size();
+            QElapsedTimer painting;
+            painting.start();
+            for (int k = 0; k < 3; ++k) {
+                const Point at{100.0 + 200 * k, 100};
+                if (tool == Command::Bucket) {
+                    s.editor().setColour({k == 1 ? 1.0f : 0.0f, 0, k == 1 ? 0.0f : 1.0f, 1}); // each fills anew
+                    s.click(at);
+                } else {
+                    QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(at));
+                    QTest::mouseMove(&s.canvas(), s.at(at + Point{50, 20}));
+                    QTest::mouseMove(&s.canvas(), s.at(at + Point{100, 60}));
+                    QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(at + Point{100, 60}));
+                }
+                QTRY_COMPARE(s.painting().strokes.size(), before + std::size_t(k) + 1);
+                QTest::qWait(30);
+            }
+            const Microseconds took = painting.nsecsElapsed() / 1000;
+            Microseconds first = std::numeric_limits<Microseconds>::max(), last = 0;
+            for (const StrokePtr &stroke : s.painting().strokes)
+                if (stroke->id > s.painting().strokes.back()->id - 3) {
+                    first = std::min(first, stroke->born());
+                    last = std::max(last, stroke->born());
+                }
+            QVERIFY2(last - first <= took, qPrintable(QString::number((last - first) / 1e6)));
+        }
+    }
+
     void undoGivesUpEvenTheFirstStroke()
     {
         Session s;
