@@ -259,6 +259,28 @@ private slots:
             }
     }
 
+    /// The middle of a letter divides what means before it from what means behind it, however far apart letters stand.
+    void theHalfOfALetterIsItsOwnSide()
+    {
+        for (const QString &string : {QStringLiteral("abcd"), QStringLiteral("\u05d0\u05d1\u05d2\u05d3")})
+            for (const float spacing : {0.0f, 0.3f, 1.2f, 4.0f})
+                for (const bool vertical : {false, true})
+                    for (const bool onCurve : {false, true}) {
+                        Text text = plain(string);
+                        text.letterSpacing = spacing;
+                        text.vertical = vertical;
+                        text.curve = onCurve ? circle(900) : std::vector<Cubic>();
+                        const LaidText laid = lay(text);
+                        for (const LaidCluster &c : laid.clusters) {
+                            const Point from = 0.5 * (c.before[0] + c.before[1]), to = 0.5 * (c.after[0] + c.after[1]);
+                            QCOMPARE(laid.positionAt(from + 0.35 * (to - from), string), c.from);
+                            QCOMPARE(laid.positionAt(from + 0.65 * (to - from), string), c.to);
+                            const Point gap = (double(spacing) * text.size / length(to - from)) * (to - from);
+                            QCOMPARE(laid.positionAt(to + 0.4 * gap, string), c.to);
+                        }
+                    }
+    }
+
     void vertical()
     {
         Text text = plain(QStringLiteral("\u6c34\u58a8ab\u3002\n\u8336"));

@@ -21,6 +21,20 @@ double fromCaret(Point p, const CaretLine &line)
     return length(p - (line[0] + t * way));
 }
 
+Point middleOf(const CaretLine &line)
+{
+    return 0.5 * (line[0] + line[1]);
+}
+
+/// Whether letters that follow each other stand apart, so that the first one ends before the place of the caret between
+/// them. Where the direction of writing turns, the next letter stands somewhere else.
+bool standApart(const LaidCluster &cluster, const LaidCluster &next)
+{
+    const Point end = middleOf(cluster.after);
+    return cluster.rightToLeft == next.rightToLeft &&
+           dot(middleOf(next.before) - end, end - middleOf(cluster.before)) > 0;
+}
+
 /// Whether what follows a boundary between words is a word: marks that follow each other are one, and blanks are none.
 bool beginsWord(const QString &string, qsizetype boundary)
 {
@@ -72,14 +86,23 @@ qsizetype LaidText::positionInLine(int index, Point point, const QString &string
     finder.setPosition(line.from);
     qsizetype best = line.from;
     double least = fromCaret(point, caretAt(line.from));
+    const auto consider = [&](const CaretLine &caret, qsizetype position) {
+        if (const double far = fromCaret(point, caret); far < least) {
+            least = far;
+            best = position;
+        }
+    };
     while (finder.position() < line.to) {
         const qsizetype next = finder.toNextBoundary();
         if (next < 0 || next > line.to)
             break;
-        if (const double far = fromCaret(point, caretAt(next)); far < least) {
-            least = far;
-            best = next;
-        }
+        consider(caretAt(next), next);
+    }
+    // The caret stands at the next letter; but the half of a letter that is nearer to its end means behind it, too.
+    for (std::size_t k = line.firstCluster; k + 1 < line.endCluster; ++k) {
+        finder.setPosition(clusters[k].to);
+        if (standApart(clusters[k], clusters[k + 1]) && finder.isAtBoundary())
+            consider(clusters[k].after, clusters[k].to);
     }
     return best;
 }

@@ -45,7 +45,8 @@ struct LaidText {
 
     /// Where the caret stands before a character, or at the end for the length of the text.
     CaretLine caretAt(qsizetype position) const;
-    /// The place between two characters that is nearest to a point. `string` must be that of the text.
+    /// The place between two characters that is nearest to a point, by the letters themselves: from the middle of a
+    /// letter on it is the one behind it, also where the next one stands far apart. `string` must be that of the text.
     qsizetype positionAt(Point point, const QString &string) const;
     /// The line in which a place is.
     int lineOf(qsizetype position) const;

@@ -164,8 +164,12 @@ bool TextTool::isOver(Point point) const
     if (covers(m_entry.laid(), m_entry.text(), p))
         return true;
     // A little beside the lines is meant for them, too.
-    const CaretLine caret = m_entry.laid().caretAt(m_entry.laid().positionAt(p, m_entry.text().string));
-    return length(p - 0.5 * (caret[0] + caret[1])) <= 0.75 * length(caret[1] - caret[0]);
+    const auto isBeside = [p](const CaretLine &caret) {
+        return length(p - 0.5 * (caret[0] + caret[1])) <= 0.75 * length(caret[1] - caret[0]);
+    };
+    const LaidText &laid = m_entry.laid();
+    return isBeside(laid.caretAt(laid.positionAt(p, m_entry.text().string))) ||
+           std::ranges::any_of(laid.clusters, [&](const LaidCluster &c) { return isBeside(c.before); });
 }
 
 GroupId TextTool::textAt(const PointerEvent &event) const

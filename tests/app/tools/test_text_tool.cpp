@@ -948,6 +948,36 @@ private slots:
         QCOMPARE(s.string(), QString("axb"));
     }
 
+    /// The gap behind a letter belongs to it, as the half of it does that is nearer to the gap.
+    void aClickOnTheHalfOfALetterThatStandsApart_data()
+    {
+        QTest::addColumn<double>("share"); // of the letter's own width, from its left
+        QTest::addColumn<QString>("string");
+        QTest::newRow("left half") << 0.3 << "xab";
+        QTest::newRow("right half") << 0.7 << "axb";
+        QTest::newRow("right of it") << 1.2 << "axb";
+        QTest::newRow("left of the next one") << 2.4 << "axb";
+    }
+    void aClickOnTheHalfOfALetterThatStandsApart()
+    {
+        QFETCH(double, share);
+        QFETCH(QString, string);
+        Typing s;
+        s.write("ab");
+        const Text text = *textOf(s.painting(), s.group());
+        Text wide = text;
+        wide.letterSpacing = 1.2f;
+        const LaidText before = TextLayout().lay(text), after = TextLayout().lay(wide);
+        s.editor().push(setText(s.editor().document(), s.group(), wide, &before, after, {}), "wide");
+        s.click(s.placeOf(2));
+        QVERIFY(s.tool().takesText());
+        QTest::qWait(QApplication::doubleClickInterval() + 20);
+        const std::array<Point, 4> a = after.clusters[0].corners();
+        s.click(wide.place(a[0] + share * (a[1] - a[0]) + 0.5 * (a[3] - a[0])));
+        s.type("x");
+        QCOMPARE(s.string(), string);
+    }
+
     /// Also where the painting ended later before something was undone or taken away.
     void lettersAreBornWhenTheyAreTyped_data()
     {
