@@ -491,12 +491,7 @@ QList<QWidget *> KeyboardFocus::stops() const
             panels << dock;
     // Docks that lie behind another one have no place of their own. They count as standing where the shown one stands.
     const auto place = [this](QWidget *panel) {
-        const QWidget *shown = panel;
-        auto *dock = qobject_cast<QDockWidget *>(panel);
-        if (dock && dock->visibleRegion().isEmpty())
-            for (const QDockWidget *other : m_window.tabifiedDockWidgets(dock))
-                if (!other->visibleRegion().isEmpty())
-                    shown = other;
+        const QWidget *front = inFrontOf(*panel), *shown = front ? front : panel;
         const QPoint at = shown->mapToGlobal(QPoint());
         return std::tuple(at.x(), at.y(), tabOf(m_window, panel->windowTitle()));
     };
@@ -510,10 +505,28 @@ void KeyboardFocus::walk(bool forward)
     QWidget *focus = QApplication::focusWidget();
     const qsizetype count = all.size(), here = std::max<qsizetype>(0, all.indexOf(panelOf(focus)));
     for (qsizetype i = 1; i <= count; ++i)
-        if (QWidget *stop = all[(here + (forward ? i : count - i)) % count]; enter(*stop)) {
-            putBack(*stop);
-            return;
+        if (QWidget *stop = all[(here + (forward ? i : count - i)) % count]) {
+            QDockWidget *front = inFrontOf(*stop);
+            if (enter(*stop)) {
+                putBack(*stop);
+                if (!m_front)
+                    m_front = front;
+                return;
+            }
+            if (front)
+                front->raise();
         }
+}
+
+/// The dock behind which another one stands; null if it stands behind none.
+QDockWidget *KeyboardFocus::inFrontOf(QWidget &stop) const
+{
+    auto *dock = qobject_cast<QDockWidget *>(&stop);
+    if (dock && dock->visibleRegion().isEmpty())
+        for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
+            if (!other->visibleRegion().isEmpty())
+                return other;
+    return nullptr;
 }
 
 /// Docks that the walk has brought to the front, and in which nothing was done, go back behind the one that stood
@@ -533,12 +546,8 @@ bool KeyboardFocus::enter(QWidget &stop)
 {
     QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
     QWidget *last = stop.focusWidget(); // the widget that had the keyboard when it was here last
-    if (auto *dock = qobject_cast<QDockWidget *>(&stop)) {
-        for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
-            if (!m_front && !other->visibleRegion().isEmpty() && dock->visibleRegion().isEmpty())
-                m_front = other;
+    if (auto *dock = qobject_cast<QDockWidget *>(&stop))
         dock->raise();
-    }
     // In a row of fields one types: its buttons come by Tab.
     if (qobject_cast<QToolBar *>(&stop) && !qobject_cast<QLineEdit *>(last))
         for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())

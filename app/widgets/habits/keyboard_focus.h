@@ -61,6 +61,7 @@ private:
     void say(QWidget &panel);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
     QList<QWidget *> stops() const;
+    QDockWidget *inFrontOf(QWidget &stop) const;
     bool enter(QWidget &stop);
     void noteKey(const QWidget *widget, const QKeyEvent &key);
     void tabbed(QWidget &to, bool forward);

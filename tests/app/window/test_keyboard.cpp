@@ -319,6 +319,33 @@ private slots:
         QTRY_VERIFY(isInFront(history));
     }
 
+    /// Each place with tabs for itself, whichever dock is in front there.
+    void aRoundOfF6LeavesTabsAsTheyStood()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        const auto docks = colourBeforeHistory(s.window);
+        for (const QString name : {"brushesDock", "inspectorDock", "strokesDock"})
+            for (const Qt::KeyboardModifiers back : {Qt::NoModifier, Qt::ShiftModifier}) {
+                auto *shown = s.window.findChild<QDockWidget *>(name);
+                QVERIFY(!s.window.tabifiedDockWidgets(shown).isEmpty());
+                shown->raise();
+                QTRY_VERIFY(isInFront(shown) && isInFront(docks.first));
+                s.canvas().setFocus();
+                bool wasBehind = false;
+                for (int i = 0; i < 20; ++i) {
+                    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, back);
+                    wasBehind = wasBehind || !isInFront(shown);
+                    if (QApplication::focusWidget() == &s.canvas())
+                        break;
+                }
+                QCOMPARE(QApplication::focusWidget(), &s.canvas());
+                QVERIFY(wasBehind);
+                QTRY_VERIFY2(isInFront(shown), qPrintable(name));
+                QTRY_VERIFY(isInFront(docks.first));
+            }
+    }
+
     /// What lies behind another dock cannot be seen, so Tab does not go there; where it goes it says so.
     void tabPassesHiddenDocksBy()
     {
