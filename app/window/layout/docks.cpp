@@ -124,7 +124,11 @@ void Docks::makeDocks()
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     stack();
     shareRoom();
-    connect(&m_place.canvas, &CanvasWidget::toolChanged, this, &Docks::followTool);
+    connect(&m_place.canvas, &CanvasWidget::toolChanged, this, [this] {
+        if (!m_place.commands[Command::Brush].isChecked()) // a brush that is chosen by its key brings the tool, too
+            followTool();
+    });
+    connect(&commands[Command::Brush], &QAction::triggered, this, &Docks::followTool);
 }
 
 /// Colour and brushes stand together on any screen, and the canvas gets what room there is. What has no place of its
@@ -182,7 +186,7 @@ void Docks::arrangeAnew()
 }
 
 /// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought
-/// something else to the front there keeps it.
+/// something else to the front there keeps it, and so does who takes a brush by a key or at the pointer.
 void Docks::followTool()
 {
     const Commands &table = m_place.commands;

@@ -380,6 +380,13 @@ private slots:
         QVERIFY(!seen("brushesDock") && seen("inspectorDock") && seen("colourDock"));
         s.use(Command::Brush);
         QVERIFY(seen("brushesDock") && !seen("inspectorDock"));
+        // Who takes a brush by its key leaves the docks as they stand, and its tool brings them.
+        s.use(Command::Select);
+        QTest::keyClick(&s.canvas(), Qt::Key_2);
+        QVERIFY(s.window.action(Command::Brush).isChecked());
+        QVERIFY(!seen("brushesDock") && seen("inspectorDock"));
+        QTest::keyClick(&s.canvas(), Qt::Key_B);
+        QVERIFY(seen("brushesDock") && !seen("inspectorDock"));
         s.window.findChild<QDockWidget *>("strokesDock")->raise(); // somebody wants to see this
         s.use(Command::Select);
         s.use(Command::Brush);
