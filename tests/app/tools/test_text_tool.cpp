@@ -1030,7 +1030,10 @@ private slots:
     {
         Typing s;
         s.click({200, 300});
-        s.type("abc");
+        for (const QString letter : {"a", "b", "c"}) {
+            s.type(letter);
+            s.advance(100'000);
+        }
         PaintingClock &clock = s.editor().clock();
         clock.setTime(s.painting().end());
         clock.setManual(false);
