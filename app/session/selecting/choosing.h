@@ -15,6 +15,14 @@ Selection toggled(Selection selection, StrokeId clicked, const std::set<StrokeId
 Selection without(Selection selection, const std::set<StrokeId> &strokes);
 /// Of hits from the top down, at least one: the one below the lowest that is selected; from the lowest, the topmost.
 std::size_t nextBelow(const std::vector<SegmentRef> &hits, const Selection &selection);
+/// How much of a group must be found for the group to be meant.
+enum class GroupShare { All, Any };
+
+/// What a band means that has found strokes at T: a stroke in no group, and the outermost group as a whole, as a click
+/// does (`withGroup`), where all of its strokes that can be selected at T were found, or any of them. Of a group of
+/// which only a part is selected, what stands in it is meant one by one.
+std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, const std::set<StrokeId> &found,
+                                   const std::set<StrokeId> &selected, GroupShare share);
 /// The stroke that can be selected at T and follows those that are selected, upwards by 1 or downwards by -1, and round
 /// the end. 0: there is none.
 StrokeId nextStroke(const Painting &painting, Microseconds T, const Selection &selection, int step);

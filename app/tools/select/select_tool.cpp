@@ -3,7 +3,6 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
-#include "app/session/selecting/choosing.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
@@ -192,7 +191,8 @@ BandShape SelectTool::bandShape(const PointerEvent &event) const
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
 {
-    combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), m_canvas.view(), band), event);
+    combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), m_canvas.view(), band),
+            GroupShare::All, event);
 }
 
 void SelectTool::tracing(Point point, BandShape shape)
@@ -209,14 +209,18 @@ void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const P
 {
     const std::optional<PathTouch> touch = std::exchange(m_touch, std::nullopt);
     if (shape == BandShape::Touch && touch)
-        combine(touch->touched(), event);
+        combine(touch->touched(), GroupShare::Any, event);
     else
-        combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), path), event);
+        combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), path), GroupShare::All, event);
 }
 
-void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)
+void SelectTool::combine(std::set<StrokeId> found, GroupShare share, const PointerEvent &event)
 {
-    if (takesAway(event) || takesAway(start()))
+    const bool away = takesAway(event) || takesAway(start());
+    if (away || !((event.modifiers | start().modifiers) & Qt::ControlModifier)) // which means strokes within groups
+        found = withWholeGroups(*m_editor.document().painting(), m_editor.clock().time(), found, selection().strokes,
+                                share);
+    if (away)
         return select(without(selection(), found));
     Selection chosen;
     if ((event.modifiers | start().modifiers) & Qt::ShiftModifier)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/gesture.h"
+#include "app/session/selecting/choosing.h"
 #include "app/session/selecting/pick.h"
 #include "app/session/selecting/pick_text.h"
 #include "app/tools/select/transform_handles.h"
@@ -56,7 +57,7 @@ private:
     void clickedBelow(const PointerEvent &event);
     void clickedStroke(const PointerEvent &event);
     /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.
-    void combine(std::set<StrokeId> found, const PointerEvent &event);
+    void combine(std::set<StrokeId> found, GroupShare share, const PointerEvent &event);
     void selectNext(int step);
 
     /// Whether a drag that begins there moves the selection.

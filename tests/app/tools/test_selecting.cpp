@@ -263,6 +263,84 @@ private slots:
         QVERIFY(s.painting().groups.empty());
     }
 
+    /// As a click, a band means groups as wholes: those that it goes around, which is all that is seen of them.
+    void bandsTakeWholeGroups()
+    {
+        Selecting s({line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300}), line(3, {200, 400}, {400, 400}),
+                     line(4, {500, 300}, {600, 300})});
+        const std::set<StrokeId> group{1, 2, 3};
+        s.select(group);
+        s.use(Command::GroupStrokes);
+        const std::vector<Point> aroundTwo{{150, 150}, {450, 350}}, aroundAll{{150, 150}, {450, 450}},
+            aroundFour{{150, 250}, {650, 350}};
+        s.click({50, 50});
+        s.drag(aroundTwo);
+        QVERIFY(s.selected().empty());
+        s.drag(aroundFour);
+        QCOMPARE(s.selected(), std::set<StrokeId>{4});
+        s.drag(aroundAll, shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3, 4}));
+        s.drag(aroundTwo, shift | ctrl);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3, 4}));
+        s.drag(aroundAll, shift | ctrl);
+        QCOMPARE(s.selected(), std::set<StrokeId>{4});
+        s.drag(aroundTwo, ctrl);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.click({50, 50});
+        s.drag({{300, 150}, {300, 250}}, alt);
+        QCOMPARE(s.selected(), group);
+        s.use(Command::Lasso);
+        s.drag({{150, 150}, {450, 150}, {450, 350}, {150, 350}, {150, 155}});
+        QVERIFY(s.selected().empty());
+        s.drag({{150, 150}, {450, 150}, {450, 450}, {150, 450}, {150, 155}});
+        QCOMPARE(s.selected(), group);
+        s.use(Command::Lasso);
+        // What is hidden or locked does not count, as for a click.
+        for (const bool locks : {false, true}) {
+            Stroke changed = s.stroke(3);
+            changed.visible = locks;
+            changed.locked = locks;
+            Edit edit;
+            edit.strokes.emplace(3, std::make_shared<const Stroke>(changed));
+            s.editor().push(std::move(edit), "one less");
+            s.select({});
+            s.drag(aroundTwo);
+            QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        }
+    }
+
+    /// A double click goes into a group. Groups within it are wholes there.
+    void bandsWithinAGroup()
+    {
+        Selecting s({line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300}), line(3, {200, 400}, {400, 400}),
+                     line(4, {200, 500}, {400, 500})});
+        s.select({3, 4});
+        s.use(Command::GroupStrokes);
+        s.select({1, 2, 3, 4});
+        s.use(Command::GroupStrokes);
+        const std::vector<Point> aroundThree{{150, 150}, {450, 450}}, aroundAll{{150, 150}, {450, 550}};
+        s.click({50, 50});
+        s.drag(aroundThree);
+        QVERIFY(s.selected().empty());
+        const auto goInto = [&s](Point at) {
+            s.click(at);
+            s.send(QEvent::MouseButtonDblClick, s.logical(s.canvas().view().toPixels(at)), none);
+            s.send(QEvent::MouseButtonRelease, s.logical(s.canvas().view().toPixels(at)), none);
+        };
+        goInto({300, 200});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.drag(aroundThree);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.drag(aroundAll);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3, 4}));
+        s.drag(aroundThree);
+        QVERIFY(s.selected().empty());
+        goInto({300, 400});
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        s.drag(aroundThree);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+    }
+
     void selectSameFindsItsLike()
     {
         auto red = std::make_shared<Stroke>(*line(2, {200, 300}, {600, 300}));
