@@ -72,6 +72,8 @@ struct FieldTraits {
     /// whether it is averaged by length where segments become one; other numbers have rules of their own
     bool averages = true;
     bool nullable = false; ///< whether 0 means "none"
+    /// whether a reader of documents that does not know it may leave it out, since the picture is the same without it
+    bool mayBeSkipped = false;
 };
 
 /// One member of a struct.
@@ -136,6 +138,14 @@ struct WordsOf<FillRule> {
 template <>
 struct WordsOf<TextAlignment> {
     static constexpr std::array<std::string_view, 3> list{"start", "centre", "end"};
+};
+/// The names of W3C Compositing and Blending.
+template <>
+struct WordsOf<BlendMode> {
+    static constexpr std::array<std::string_view, 20> list{
+        "normal",     "multiply",   "screen",     "overlay",        "darken",          "lighten",    "color-dodge",
+        "color-burn", "hard-light", "soft-light", "difference",     "exclusion",       "hue",        "saturation",
+        "color",      "luminosity", "plus",       "destination-in", "destination-out", "source-atop"};
 };
 template <>
 struct WordsOf<PaperKind> {
@@ -291,12 +301,17 @@ struct FieldsOf<Text> {
 
 template <>
 struct FieldsOf<Group> {
-    static constexpr std::tuple list{field("id", &Group::id, {.domain = identity, .presence = Presence::Required}),
-                                     field("name", &Group::name),
-                                     field("parent", &Group::parent, {.nullable = true}),
-                                     field("visible", &Group::visible),
-                                     field("locked", &Group::locked),
-                                     field("text", &Group::text, {.presence = Presence::Unusual, .since = 2})};
+    static constexpr std::tuple list{
+        field("id", &Group::id, {.domain = identity, .presence = Presence::Required}),
+        field("name", &Group::name),
+        field("parent", &Group::parent, {.nullable = true}),
+        field("visible", &Group::visible),
+        field("locked", &Group::locked),
+        field("text", &Group::text, {.presence = Presence::Unusual, .since = 2, .mayBeSkipped = true}),
+        field("opacity", &Group::opacity,
+              {.unit = Unit::Share, .domain = share, .presence = Presence::Unusual, .since = 3}),
+        field("blend", &Group::blend, {.presence = Presence::Unusual, .since = 3}),
+        field("isolated", &Group::isolated, {.presence = Presence::Unusual, .since = 3})};
 };
 
 template <>
@@ -411,14 +426,14 @@ void setMeanNumbers(Owner &result, const std::vector<const Owner *> &of, const s
 }
 
 /// The least version of files that can hold a value: the greatest version that brought a field which differs from its
-/// default.
+/// default. `skips`: fields that readers may skip do not count.
 template <HasFields T>
-int versionNeededBy(const T &value)
+int versionNeededBy(const T &value, bool skips = false)
 {
     static const T usual;
     int version = 1;
     forEachField(value, [&](const auto &field, const auto &member) {
-        if (field.traits.since > version && member != usual.*field.member)
+        if (field.traits.since > version && !(skips && field.traits.mayBeSkipped) && member != usual.*field.member)
             version = field.traits.since;
     });
     return version;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/painting/blend.h"
 #include "model/painting/stroke_list.h"
 #include "model/painting/text.h"
 
@@ -41,6 +42,9 @@ struct Canvas {
 };
 
 /// A group of strokes, which stand together in the order.
+///
+/// Its strokes mix with what lies below as if there were no group, unless it is isolated: then they mix among
+/// themselves, and their picture is put on what lies below (docs/solver.md, "Layers").
 struct Group {
     GroupId id = 0;      ///< 1 or more, and unique
     QString name;        ///< as it was typed; it may be empty, and two groups may have one name
@@ -48,6 +52,11 @@ struct Group {
     bool visible = true; ///< whether it and all in it are visible
     bool locked = false; ///< whether it and all in it are locked: seen, but not changed by tools
     SharedText text{};   ///< what its strokes, a letter each, were made from; none: they are no text
+    float opacity = 1;   ///< with which its picture is put on what lies below, [0, 1]; below 1 it is isolated
+    BlendMode blend = BlendMode::Normal; ///< how it is put there; any other one isolates it
+    bool isolated = false;               ///< whether it is isolated in any case
+    /// Whether its strokes mix among themselves.
+    bool isIsolated() const { return isolated || opacity < 1 || blend != BlendMode::Normal; }
     friend bool operator==(const Group &, const Group &) = default;
 };
 

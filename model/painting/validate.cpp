@@ -112,6 +112,11 @@ const char *DomainCheck::noSuch(PaperGrain)
     return QT_TRANSLATE_NOOP("Validate", "there is no such grain of paper");
 }
 
+const char *DomainCheck::noSuch(BlendMode)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such blend mode");
+}
+
 const char *DomainCheck::noSuch(TextAlignment)
 {
     return QT_TRANSLATE_NOOP("Validate", "there is no such alignment");

@@ -104,11 +104,11 @@ struct Shaded {
     alignas(64) float colour[3][blockSize];
 };
 
-/// A block of the picture while strokes are mixed into it: RYB backdrop, and coverage where the picture is transparent.
+/// A block of the picture while strokes are mixed into it: RYB backdrop, and coverage if it is asked for.
 struct Backdrop {
     alignas(64) float ryb[3][blockSize];
     alignas(64) float coverage[blockSize];
-    bool transparent = false;
+    bool hasCoverage = false; ///< whether the coverage counts: in transparent pictures, and where there are layers
 };
 
 /// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps can

@@ -87,9 +87,11 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
                 job.plan.haveUnder = !layers.under.empty();
                 job.from = job.plan.haveUnder ? layers.below : 0;
                 job.plan.storeUnder = !job.plan.haveUnder || layers.below < m_history.edited();
+                const bool isFlat = m_history.scene().composition().isFlat();
                 layers.under.resize(blocks);
+                layers.open.resize(isFlat ? 0 : blocks);
                 layers.below = m_history.edited();
-                if (interactive && m_history.oneEdited()) {
+                if (interactive && m_history.oneEdited() && isFlat) { // What is put on it is no affine map.
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
                     layers.over.resize(blocks);
@@ -156,7 +158,8 @@ void CpuRenderer::paint(const Job &job, Target &target)
     strokes.begin(*m_frame.kernels, tile, m_frame.grid.window);
     cpu::TilePlan plan = job.plan;
     for (const std::uint32_t i : job.strokes)
-        plan.below += strokes.add(*scene[i], prefixOf(job, i, strokes)) && first != FrameHistory::noEdit && i < first;
+        plan.below +=
+            strokes.add(*scene[i], i, prefixOf(job, i, strokes)) && first != FrameHistory::noEdit && i < first;
     thread_local std::vector<float> rgba;
     rgba.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
     cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data());
@@ -182,7 +185,12 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     const DirtyRegion &region = m_history.region();
     m_paper.begin(cpu::kernels(), grid, request.painting->canvas.paper, *paper,
                   std::size_t(region.columns()) * std::size_t(region.rows()));
-    m_frame = {grid, request.painting->canvas, &m_paper, request.transparent, &cpu::kernels()};
+    m_frame = {grid,
+               request.painting->canvas,
+               &m_paper,
+               request.transparent,
+               &cpu::kernels(),
+               &m_history.scene().composition()};
     followEdits(step);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);

@@ -18,8 +18,9 @@
 #include "render/cpu/sums-inl.h"
 #include "render/cpu/told-inl.h"
 #include "render/cpu/fill-inl.h"
-// It has templates over the lanes, which must be declared before.
+// These have templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
+#include "render/math/blend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +144,7 @@ HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep,
 {
     for (int c = 0; c < 3; ++c)
         store(mixed(load(backdrop.ryb[c] + at), colour[c], w, Lanes(keep)), backdrop.ryb[c] + at);
-    if (backdrop.transparent)
+    if (backdrop.hasCoverage)
         store(mulAdd_(Lanes(1) - w, load(backdrop.coverage + at), w), backdrop.coverage + at);
 }
 
@@ -249,6 +250,22 @@ void apply(const OverMap &map, Backdrop &backdrop)
     }
 }
 
+void putLayer(const LayerPut &how, const Backdrop &layer, Backdrop &below)
+{
+    const LayerPut own = how; // A copy cannot alias what is stored.
+    const auto pixel = [](const Backdrop &from, int at) {
+        return Pixel<Lanes>{load(from.ryb[0] + at), load(from.ryb[1] + at), load(from.ryb[2] + at),
+                            load(from.coverage + at)};
+    };
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Pixel<Lanes> out = put(own, pixel(layer, at), pixel(below, at));
+        store(out.red, below.ryb[0] + at);
+        store(out.yellow, below.ryb[1] + at);
+        store(out.blue, below.ryb[2] + at);
+        store(out.coverage, below.coverage + at);
+    }
+}
+
 void finish(const Backdrop &backdrop, bool transparent, float *rgba, int stride)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
@@ -306,6 +323,7 @@ Kernels table()
             mix,
             compose,
             apply,
+            putLayer,
             finish,
             toArgb,
             paper};

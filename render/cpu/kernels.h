@@ -3,6 +3,7 @@
 
 #include "render/cpu/blocks.h"
 #include "render/cpu/paper_plan.h"
+#include "render/math/layer_put.h"
 
 namespace suffuse::cpu {
 
@@ -43,6 +44,8 @@ struct Kernels {
     /// Puts one stroke on top of a map.
     void (*compose)(const Shaded &stroke, float keep, OverMap &map);
     void (*apply)(const OverMap &map, Backdrop &backdrop);
+    /// Puts the picture of a layer on what lies below it.
+    void (*put)(const LayerPut &how, const Backdrop &layer, Backdrop &below);
     /// Converts to straight RGBA, in rows that are `stride` pixels apart. `transparent` removes the white background
     /// from the colour.
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);

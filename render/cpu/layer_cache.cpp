@@ -47,7 +47,10 @@ void LayerCache::keep(const std::vector<std::size_t> &usedNow)
         std::size_t sums = 0;
         for (const StrokePrefix &prefix : t.prefixes)
             sums += bytesOf(prefix);
-        return t.under.size() * sizeof(Backdrop) + t.over.size() * sizeof(OverMap) + sums;
+        std::size_t open = 0;
+        for (const OpenLayers &layers : t.open)
+            open += layers.below.size();
+        return (t.under.size() + open) * sizeof(Backdrop) + t.over.size() * sizeof(OverMap) + sums;
     };
     std::size_t bytes = 0;
     for (const auto &[tile, layers] : m_tiles)

@@ -2,6 +2,7 @@
 // strokes.
 #pragma once
 
+#include "render/composition/composition.h"
 #include "render/cpu/kernels.h"
 #include "render/cpu/prefix_sums.h"
 
@@ -12,10 +13,17 @@
 
 namespace suffuse::cpu {
 
+/// The layers that have begun in a block and not ended.
+struct OpenLayers {
+    LayerPlace place;
+    std::vector<Backdrop> below; ///< what lies below each of them, from the outermost on
+};
+
 /// The layers of one tile, by block.
 struct TileLayers {
-    std::vector<Backdrop> under; ///< the picture before the first edited stroke: a prefix of the order, exact
-    std::size_t below = 0;       ///< how many of the scene's strokes are in it
+    std::vector<Backdrop> under;  ///< the picture before the first edited stroke: a prefix of the order, exact
+    std::vector<OpenLayers> open; ///< those around that stroke; empty if the painting has none
+    std::size_t below = 0;        ///< how many of the scene's strokes are in it
     /// all strokes above it as one affine map: exact in arithmetic, but not in its last bits
     std::vector<OverMap> over;
     std::list<StrokePrefix> prefixes; ///< for strokes that grow: what of them has dried, exact

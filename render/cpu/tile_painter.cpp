@@ -2,6 +2,9 @@
 
 #include "render/cpu/deep.h"
 #include "render/cpu/pixel_levels.h"
+#include "render/math/scalar.h"
+// It has templates over the numbers, which must be declared before.
+#include "render/math/colour.h"
 
 #include <algorithm>
 
@@ -15,6 +18,7 @@ struct Scratch {
     Shaded shaded;
     Shaded samples;
     Backdrop backdrop;
+    std::vector<Backdrop> below; ///< what lies below each layer that is open, from the outermost on
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
@@ -30,26 +34,44 @@ struct Scratch {
 
 class BlockPainter {
 public:
-    /// The block is the `index`-th one of tile `tile`. `under` is the picture to start from; null for the background.
-    BlockPainter(const Frame &frame, std::size_t tile, std::size_t index, int x, int y, const Backdrop *under,
+    /// The block is the `index`-th one of tile `tile`. `layers` have what to start from; null for the background.
+    BlockPainter(const Frame &frame, std::size_t tile, std::size_t index, int x, int y, const TileLayers *layers,
                  Scratch &scratch)
-        : m_frame(frame), m_tile(tile), m_index(index), m_x(x), m_y(y), m_s(scratch)
+        : m_frame(frame), m_tile(tile), m_index(index), m_x(x), m_y(y), m_s(scratch),
+          m_walk(*frame.composition, layers && !layers->open.empty() ? layers->open[index].place : LayerPlace())
     {
         m_s.levels.begin(frame.grid.view, x, y);
-        if (under) {
-            m_s.backdrop = *under;
+        m_s.below.clear();
+        if (layers) {
+            m_s.backdrop = layers->under[index];
+            if (!layers->open.empty())
+                m_s.below = layers->open[index].below;
             return;
         }
-        const Colour &b = frame.canvas.background;
-        // A background that is not opaque lies on white, RYB (0, 0, 0).
-        const float ryb[3] = {b.red * b.opacity, b.yellow * b.opacity, b.blue * b.opacity};
-        for (int c = 0; c < 3; ++c)
-            std::fill_n(m_s.backdrop.ryb[c], blockSize, frame.transparent ? 0.0f : ryb[c]);
-        std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
-        m_s.backdrop.transparent = frame.transparent;
+        clear(bareRyb(frame));
+        m_s.backdrop.hasCoverage = frame.transparent || !frame.composition->isFlat();
     }
 
+    /// Keeps what was painted so far.
+    void storeUnder(TileLayers &layers) const
+    {
+        layers.under[m_index] = m_s.backdrop;
+        if (!layers.open.empty())
+            layers.open[m_index] = {m_walk.place(), m_s.below};
+    }
     Backdrop &backdrop() { return m_s.backdrop; }
+
+    /// Begins and ends the layers between the stroke before and this one, which has this place among all.
+    void goTo(std::size_t place)
+    {
+        m_walk.toStroke(
+            place, [this](int) { beginLayer(); }, [this](int layer) { endLayer(layer); });
+    }
+    /// Ends all layers.
+    void goToEnd()
+    {
+        m_walk.toEnd([this](int) { beginLayer(); }, [this](int layer) { endLayer(layer); });
+    }
 
     /// Begins a map of the strokes that follow; null ends it.
     void record(OverMap *map)
@@ -114,6 +136,43 @@ public:
     }
 
 private:
+    /// RYB where there is no paint. A background that is not opaque lies on white, RYB (0, 0, 0).
+    static std::array<float, 3> bareRyb(const Frame &frame)
+    {
+        const Colour &b = frame.canvas.background;
+        if (frame.transparent)
+            return {};
+        return {b.red * b.opacity, b.yellow * b.opacity, b.blue * b.opacity};
+    }
+
+    void clear(const std::array<float, 3> &ryb)
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+            std::fill_n(m_s.backdrop.ryb[c], blockSize, ryb[c]);
+        std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
+    }
+
+    void beginLayer()
+    {
+        m_s.below.push_back(m_s.backdrop);
+        clear({});
+    }
+
+    void endLayer(int number)
+    {
+        const Layer &layer = m_frame.composition->layers[std::size_t(number)];
+        const bool onCanvas = layer.parent == Layer::none;
+        LayerPut how{layer.blend, layer.opacity, onCanvas && !m_frame.transparent, {1, 1, 1}};
+        if (onCanvas) {
+            const std::array<float, 3> ryb = bareRyb(m_frame);
+            const math::Triple<float> rgb = math::rgbFromRyb(ryb[0], ryb[1], ryb[2]);
+            how.bare[0] = rgb.x, how.bare[1] = rgb.y, how.bare[2] = rgb.z;
+        }
+        m_frame.kernels->put(how, m_s.backdrop, m_s.below.back());
+        m_s.backdrop = m_s.below.back();
+        m_s.below.pop_back();
+    }
+
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
     {
         m_s.sums.take(prefix);
@@ -338,6 +397,7 @@ private:
     int m_x;
     int m_y;
     Scratch &m_s;
+    LayerWalk m_walk;
     BlockFill m_fill;                         ///< of the stroke in hand
     bool m_isBare = false, m_isLevel = false; ///< whether it has nothing but its fill in the block, and is level within
     OverMap *m_map = nullptr;
@@ -348,8 +408,10 @@ private:
 void addStrokes(BlockPainter &painter, TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i)
-        if (const auto nodes = strokes.nodesAt(i, block))
+        if (const auto nodes = strokes.nodesAt(i, block)) {
+            painter.goTo(strokes.placeOf(i));
             painter.add(strokes[i], *nodes, strokes.sumsAt(i, block), strokes.fillAt(i, block));
+        }
 }
 
 } // namespace
@@ -364,11 +426,11 @@ void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, 
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            const Backdrop *under = plan.haveUnder ? &plan.layers->under[index] : nullptr;
-            BlockPainter painter(frame, plan.tile, index, tile.x + x, tile.y + y, under, *scratch);
+            const TileLayers *layers = plan.haveUnder ? plan.layers : nullptr;
+            BlockPainter painter(frame, plan.tile, index, tile.x + x, tile.y + y, layers, *scratch);
             addStrokes(painter, strokes, index, 0, plan.below);
             if (plan.storeUnder)
-                plan.layers->under[index] = painter.backdrop();
+                painter.storeUnder(*plan.layers);
             addStrokes(painter, strokes, index, plan.below, above);
             if (plan.applyOver) {
                 frame.kernels->apply(plan.layers->over[index], painter.backdrop());
@@ -376,6 +438,7 @@ void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, 
                 painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
                 addStrokes(painter, strokes, index, above, strokes.size());
             }
+            painter.goToEnd();
             painter.finish(rgba + (std::size_t(y) * tile.width + x) * 4, tile.width,
                            std::min(blockSide, tile.width - x), std::min(blockSide, tile.height - y));
         }

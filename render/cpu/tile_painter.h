@@ -15,6 +15,7 @@ struct Frame {
     PaperTiles *paper = nullptr;
     bool transparent = false;
     const Kernels *kernels = nullptr;
+    const Composition *composition = nullptr;
 };
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
@@ -29,7 +30,8 @@ struct TilePlan {
 };
 
 /// Evaluates `tile`, whose corner lies on the grid's 8-pixel cells, into `rgba`, in rows of tile.width pixels.
-/// `strokes` are in order. With layers, the one at `plan.below` may be the edited one, which `edited` names.
+/// `strokes` are in order, and know their places among those of the composition. With layers, the one at `plan.below`
+/// may be the edited one, which `edited` names.
 void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);
 

@@ -25,8 +25,8 @@ ListedNodes listedOf(const SceneStroke &stroke, NodeList nodes)
     const auto before = [nodes](int index) {
         return int(std::ranges::lower_bound(nodes, std::uint32_t(index)) - nodes.begin());
     };
-    return {stroke.nodes.data(), nodes.data(), before(stroke.laying), before(stroke.separable), int(nodes.size()),
-            stroke.values.data(), stroke.channels, stroke.shade.laidChannel >= 0};
+    return {stroke.nodes.data(), nodes.data(),         before(stroke.laying), before(stroke.separable),
+            int(nodes.size()),   stroke.values.data(), stroke.channels,       stroke.shade.laidChannel >= 0};
 }
 
 int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,
@@ -94,7 +94,7 @@ std::size_t TileStrokes::list(const SceneStroke &stroke, const NodeRange &range,
     return room;
 }
 
-bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
+bool TileStrokes::add(const SceneStroke &stroke, std::size_t place, const StrokePrefix *prefix)
 {
     const NodeRange range{prefix ? prefix->nodes : 0, stroke.nodes.size()};
     Meeting tile;
@@ -109,6 +109,7 @@ bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
     const std::size_t room = list(stroke, range, runs, cells);
     Entry &entry = m_strokes.emplace_back(filled);
     entry.scene = &stroke;
+    entry.place = place;
     entry.prefix = prefix;
     bool shown = false;
     for (std::size_t i = 0; i < blockCount(); ++i) {

@@ -47,13 +47,15 @@ class TileStrokes {
 public:
     /// Begins a tile of at most gridSide × gridSide blocks. It keeps its memory. `window` is that of the strokes' grid.
     void begin(const Kernels &kernels, const PixelRect &tile, const PixelRect &window);
-    /// Adds a stroke. Its sums start from `prefix` if there is one. Returns false if it shows nothing in any block.
-    bool add(const SceneStroke &stroke, const StrokePrefix *prefix = nullptr);
+    /// Adds a stroke, which has this place among all. Its sums start from `prefix` if there is one. Returns false if it
+    /// shows nothing in any block.
+    bool add(const SceneStroke &stroke, std::size_t place, const StrokePrefix *prefix = nullptr);
     /// Extends `prefix`, which belongs to the tile, to the first `steady` nodes of the stroke.
     void settle(const SceneStroke &stroke, std::size_t steady, StrokePrefix &prefix);
 
     std::size_t size() const { return m_strokes.size(); }
     const SceneStroke &operator[](std::size_t i) const { return *m_strokes[i].scene; }
+    std::size_t placeOf(std::size_t i) const { return m_strokes[i].place; }
     /// The nodes of stroke `i` after its prefix that meet a block. No value if it shows nothing there.
     std::optional<NodeList> nodesAt(std::size_t i, std::size_t block) const
     {
@@ -83,6 +85,7 @@ private:
     };
     struct Entry {
         const SceneStroke *scene = nullptr;
+        std::size_t place = 0;
         const StrokePrefix *prefix = nullptr;
         std::array<Run, gridSide * gridSide> blocks;
         int fill = -1; ///< index in m_fills

@@ -40,16 +40,36 @@ const std::vector<float> &BandPainter::draw(int first, int count, const std::ato
     m_stored.clear();
     m_spots.assign(std::size_t(m_scene.view.width) * std::size_t(count),
                    bareSpot(m_scene.background, m_scene.transparent));
-    for (const StrokeSource &stroke : m_scene.strokes) {
-        if (cancel && cancel->load(std::memory_order_relaxed))
-            return m_stored;
-        addStroke(stroke);
-    }
+    const Rgb canvas = rgbOfRyb(bareSpot(m_scene.background, m_scene.transparent).colour);
+    for (Spot &spot : m_spots)
+        spot.coverage = 0;
+    if (!addItems(m_scene.items, m_scene.transparent ? nullptr : &canvas, cancel))
+        return m_stored;
     m_stored.reserve(m_spots.size() * 4);
     for (const Spot &spot : m_spots)
         for (double value : storedColour(spot, m_scene.transparent))
             m_stored.push_back(float(value));
     return m_stored;
+}
+
+bool BandPainter::addItems(const std::vector<Item> &items, const Rgb *canvas, Cancelled cancel)
+{
+    for (const Item &item : items) {
+        if (cancel && cancel->load(std::memory_order_relaxed))
+            return false;
+        if (!item.isGroup) {
+            addStroke(m_scene.strokes[item.stroke]);
+            continue;
+        }
+        std::vector<Spot> below(m_spots.size());
+        m_spots.swap(below);
+        if (!addItems(item.inside, nullptr, cancel))
+            return false;
+        for (std::size_t i = 0; i < below.size(); ++i)
+            put(item, m_spots[i], canvas, below[i]);
+        m_spots.swap(below);
+    }
+    return true;
 }
 
 void BandPainter::addStroke(const StrokeSource &stroke)

@@ -1,6 +1,7 @@
 // Draws a band of rows of the reference's picture.
 #pragma once
 
+#include "render/reference/compositing.h"
 #include "render/reference/paper.h"
 #include "render/reference/sums.h"
 
@@ -10,6 +11,7 @@ namespace suffuse::reference {
 struct Scene {
     View view;
     std::vector<StrokeSource> strokes; ///< the visible strokes, from bottom to top
+    std::vector<Item> items;           ///< these as they are mixed, in isolated groups
     PaperField paper;
     Colour background;
     bool transparent = false;
@@ -25,6 +27,9 @@ public:
     const std::vector<float> &draw(int first, int count, const std::atomic<bool> *cancel);
 
 private:
+    using Cancelled = const std::atomic<bool> *;
+    /// Mixes items into m_spots. `canvas`: as for put. Returns false once `cancel` is set.
+    bool addItems(const std::vector<Item> &items, const Rgb *canvas, Cancelled cancel);
     void addStroke(const StrokeSource &stroke);
     void addFillLevels(const FillSource &fill, const SampleBlock &block, bool &any);
     Paint paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const;

@@ -63,7 +63,12 @@ Result<RenderStats> ReferenceRenderer::render(const RenderRequest &request, Targ
     if (!texture)
         return Error{texture.error()};
 
-    reference::Scene scene{view, {}, {canvas.paper, *texture}, canvas.background, request.transparent};
+    reference::Scene scene{view,
+                           {},
+                           reference::itemsOf(*request.painting),
+                           {canvas.paper, *texture},
+                           canvas.background,
+                           request.transparent};
     const std::vector<StrokePtr> strokes = visibleStrokes(*request.painting);
     scene.strokes.resize(strokes.size());
     onThreads(m_threads, int(strokes.size()), [&](const std::function<int()> &next) {

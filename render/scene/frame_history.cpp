@@ -64,6 +64,11 @@ void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
             markChanged(*r.before, *scene[r.index], m_grid, threads, m_region);
         return;
     }
+    const LayerChanges layers(change.composed, m_scene.composition());
+    if (layers.isEverywhere() || (!m_scene.composition().everywhere.empty() && !movedInOrder(change.places).empty())) {
+        m_region.markAll();
+        return;
+    }
     std::vector<char> stays(change.before.size(), 0);
     for (std::size_t i = 0; i < scene.size(); ++i) {
         const std::size_t place = change.places[i];
@@ -72,7 +77,9 @@ void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
             continue;
         }
         stays[place] = 1;
-        if (change.before[place] != scene[i])
+        if (layers.concerns(place, i))
+            m_region.mark(change.before[place]->bounds), m_region.mark(scene[i]->bounds);
+        else if (change.before[place] != scene[i])
             markChanged(*change.before[place], *scene[i], m_grid, threads, m_region);
     }
     for (std::size_t i = 0; i < stays.size(); ++i)
@@ -89,7 +96,14 @@ std::size_t FrameHistory::firstDifference(const SceneChange &change) const
     // Strokes of a scene are shared while they stay the same, so what both scenes begin with has not changed.
     const auto &scene = m_scene.strokes();
     const auto [before, now] = std::mismatch(change.before.begin(), change.before.end(), scene.begin(), scene.end());
-    return before == change.before.end() && now == scene.end() ? noEdit : std::size_t(now - scene.begin());
+    const auto same = std::size_t(now - scene.begin());
+    const LayerChanges layers(change.composed, m_scene.composition());
+    if (layers.isEverywhere())
+        return 0;
+    for (std::size_t i = 0; i < same; ++i)
+        if (layers.concerns(i, i))
+            return i;
+    return before == change.before.end() && now == scene.end() ? noEdit : same;
 }
 
 void FrameHistory::followEdits(Step &step, bool interactive)
@@ -100,7 +114,8 @@ void FrameHistory::followEdits(Step &step, bool interactive)
         // It is kept a little lower than needed while several strokes change by turns (as when they dry one after
         // another).
         const std::size_t slack = interactive ? 0 : 4;
-        step.keepsUnder = m_edited != noEdit && first >= m_edited;
+        const bool sameKind = !step.scene.reordered || step.scene.composed.isFlat() == m_scene.composition().isFlat();
+        step.keepsUnder = m_edited != noEdit && first >= m_edited && sameKind;
         step.raisesUnder = step.keepsUnder && first > m_edited + slack;
         if (!step.keepsUnder || step.raisesUnder)
             m_edited = first;

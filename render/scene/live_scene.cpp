@@ -48,8 +48,9 @@ bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
     bool inPlace = true;
     painting.strokes.forEachDifference(m_seen, [&](std::size_t i) {
         const Stroke &stroke = *painting.strokes[i];
-        inPlace =
-            inPlace && stroke.id == std::as_const(m_seen)[i]->id && painting.isVisible(stroke) == (m_place[i] >= 0);
+        const Stroke &seen = *std::as_const(m_seen)[i];
+        inPlace = inPlace && stroke.id == seen.id && stroke.group == seen.group &&
+                  painting.isVisible(stroke) == (m_place[i] >= 0);
         differing.push_back(i);
     });
     if (!inPlace)
@@ -241,8 +242,8 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
         const SceneStroke *before = m_strokes[i].get();
         auto fill = makeSceneFill(*m_sources[i], time, grid, before ? before->stroke.get() : nullptr,
                                   before ? before->fill.get() : nullptr);
-        auto stroke = std::make_shared<SceneStroke>(makeSceneStroke(
-            m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr, std::move(fill)));
+        auto stroke = std::make_shared<SceneStroke>(
+            makeSceneStroke(m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr, std::move(fill)));
         if (!m_cull)
             reachEverywhere(*stroke, grid.window);
         if (!dries)
@@ -269,6 +270,8 @@ SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &g
         change.reordered = true;
         if (samePlace)
             change.before = m_strokes;
+        change.composed = std::move(m_composition);
+        m_composition = compositionOf(painting);
         change.places = align(painting);
         stale = staleAfterAlign(request.time, grid);
     }

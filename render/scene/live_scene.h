@@ -2,6 +2,7 @@
 // last one.
 #pragma once
 
+#include "render/composition/composition.h"
 #include "render/nodes/bulk_nodes.h"
 #include "render/nodes/frozen_nodes.h"
 #include "render/scene/scene.h"
@@ -23,11 +24,12 @@ struct SceneChange {
     };
     /// The strokes that were prepared anew, by ascending index, if nothing else changed.
     std::vector<Replaced> replaced;
-    /// Whether strokes were added, removed or moved. Then `before` has all strokes that existed, and `places` says
-    /// where among them each stroke was.
+    /// Whether strokes were added, removed or moved, or groups differ. Then `before` has all strokes that existed, and
+    /// `places` says where among them each stroke was.
     bool reordered = false;
     std::vector<SceneStrokePtr> before;
     std::vector<std::size_t> places;
+    Composition composed; ///< as it was before
     static constexpr std::size_t nowhere = std::size_t(-1);
 };
 
@@ -48,6 +50,8 @@ public:
     /// The bounds of these strokes, in the same order.
     const std::vector<PixelRect> &bounds() const { return m_bounds; }
     std::size_t nodeCount() const { return m_nodeCount; }
+    /// The layers of these strokes.
+    const Composition &composition() const { return m_composition; }
 
 private:
     /// A stroke to be prepared anew, and whether its nodes are still valid.
@@ -89,6 +93,7 @@ private:
     std::vector<Microseconds> m_driesAt;   ///< when each visible stroke dries
     std::vector<PixelRect> m_bounds;       ///< the bounds of each visible stroke
     std::size_t m_nodeCount = 0;
+    Composition m_composition;
     std::unordered_map<StrokeId, FrozenNodes> m_frozen; ///< for strokes that were wet in the last update
 };
 

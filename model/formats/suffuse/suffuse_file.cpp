@@ -47,6 +47,8 @@ Totals totalsOf(const Painting &painting)
             t.reader = std::max(t.reader, versionNeededBy(segment));
         }
     }
+    for (const Group &group : painting.groups)
+        t.reader = std::max(t.reader, versionNeededBy(group, true));
     return t;
 }
 

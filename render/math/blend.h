@@ -1,0 +1,207 @@
+// How the picture of a layer is put on what lies below it: W3C Compositing and Blending Level 1, on sRGB-encoded values
+// (docs/solver.md, "Layers").
+#if defined(SUFFUSE_RENDER_MATH_BLEND_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUFFUSE_RENDER_MATH_BLEND_H
+#undef SUFFUSE_RENDER_MATH_BLEND_H
+#else
+#define SUFFUSE_RENDER_MATH_BLEND_H
+#endif
+
+#include "render/math/colour.h"
+#include "render/math/layer_put.h"
+
+SUFFUSE_MATH_BEGIN
+namespace suffuse::SUFFUSE_MATH {
+
+/// The inverse of rgbFromRyb.
+template <class V>
+SUFFUSE_INLINE Triple<V> rybFromRgb(V red, V green, V blue)
+{
+    const V white = min_(red, min_(green, blue)), black = min_(V(1) - red, min_(V(1) - green, V(1) - blue));
+    const V r = red - white, g = green - white, b = blue - white;
+    const V m = min_(r, g);
+    const V r1 = r - m, y1 = V(0.5) * (g + m), b1 = V(0.5) * (b + g - m);
+    const V before = max_(r, max_(g, b)), after = max_(r1, max_(y1, b1));
+    const V scale = select_(less_(V(0), after), before / max_(after, V(1e-30)), V(1));
+    const V zero(0), one(1);
+    return {min_(one, max_(zero, r1 * scale + black)), min_(one, max_(zero, y1 * scale + black)),
+            min_(one, max_(zero, b1 * scale + black))};
+}
+
+template <class V>
+SUFFUSE_INLINE V hardLight(V below, V above)
+{
+    const V twice = V(2) * above, over = twice - V(1);
+    return select_(less_(V(0.5), above), below + over - below * over, below * twice);
+}
+
+/// Dodging and burning divide by less than this nowhere. The recommendation divides by all but 0, where it jumps from 0
+/// to 1: there rounding would decide between black and white. This is half a level of 8 bits.
+constexpr double leastDivisor = 1.0 / 512;
+
+/// The separable blend functions, of one channel.
+template <class V>
+SUFFUSE_INLINE V blendedChannel(BlendMode mode, V below, V above)
+{
+    const V one(1), least(leastDivisor);
+    switch (mode) {
+    case BlendMode::Multiply:
+        return below * above;
+    case BlendMode::Screen:
+        return below + above - below * above;
+    case BlendMode::Overlay:
+        return hardLight(above, below);
+    case BlendMode::Darken:
+        return min_(below, above);
+    case BlendMode::Lighten:
+        return max_(below, above);
+    case BlendMode::ColourDodge:
+        return min_(one, below / max_(one - above, least));
+    case BlendMode::ColourBurn:
+        return one - min_(one, (one - below) / max_(above, least));
+    case BlendMode::HardLight:
+        return hardLight(below, above);
+    case BlendMode::SoftLight: {
+        const V light =
+            select_(less_(V(0.25), below), sqrt_(below), below * mulAdd_(below, mulAdd_(V(16), below, V(-12)), V(4)));
+        const V slope = mulAdd_(V(2), above, V(-1));
+        return mulAdd_(slope, select_(less_(V(0), slope), light - below, below - below * below), below);
+    }
+    case BlendMode::Difference:
+        return abs_(below - above);
+    case BlendMode::Exclusion:
+        return below + above - V(2) * below * above;
+    default:
+        return above;
+    }
+}
+
+template <class V>
+SUFFUSE_INLINE V luminosity(const Triple<V> &c)
+{
+    return V(0.3) * c.x + V(0.59) * c.y + V(0.11) * c.z;
+}
+
+template <class V>
+SUFFUSE_INLINE V saturation(const Triple<V> &c)
+{
+    return max_(c.x, max_(c.y, c.z)) - min_(c.x, min_(c.y, c.z));
+}
+
+/// A colour moved to another luminosity, and brought into gamut towards grey.
+template <class V>
+SUFFUSE_INLINE Triple<V> withLuminosity(const Triple<V> &colour, V wanted)
+{
+    const V shift = wanted - luminosity(colour);
+    const Triple<V> c{colour.x + shift, colour.y + shift, colour.z + shift};
+    const V least = min_(c.x, min_(c.y, c.z)), most = max_(c.x, max_(c.y, c.z)), tiny(1e-30), one(1);
+    const V darker = select_(less_(least, V(0)), wanted / max_(wanted - least, tiny), one);
+    const V lighter = select_(less_(one, most), (one - wanted) / max_(most - wanted, tiny), one);
+    const V keep = min_(darker, lighter);
+    return {mulAdd_(c.x - wanted, keep, wanted), mulAdd_(c.y - wanted, keep, wanted),
+            mulAdd_(c.z - wanted, keep, wanted)};
+}
+
+/// A colour of the same hue with another saturation. Grey stays black, since it has no hue.
+template <class V>
+SUFFUSE_INLINE Triple<V> withSaturation(const Triple<V> &c, V wanted)
+{
+    const V least = min_(c.x, min_(c.y, c.z)), range = saturation(c);
+    const V scale = select_(less_(V(0), range), wanted / max_(range, V(1e-30)), V(0));
+    return {(c.x - least) * scale, (c.y - least) * scale, (c.z - least) * scale};
+}
+
+/// B(Cb, Cs) of the blend modes; for the operators it is Cs.
+template <class V>
+SUFFUSE_INLINE Triple<V> blendedColour(BlendMode mode, const Triple<V> &below, const Triple<V> &above)
+{
+    switch (mode) {
+    case BlendMode::Hue:
+        return withLuminosity(withSaturation(above, saturation(below)), luminosity(below));
+    case BlendMode::Saturation:
+        return withLuminosity(withSaturation(below, saturation(above)), luminosity(below));
+    case BlendMode::Colour:
+        return withLuminosity(above, luminosity(below));
+    case BlendMode::Luminosity:
+        return withLuminosity(below, luminosity(above));
+    default:
+        return {blendedChannel(mode, below.x, above.x), blendedChannel(mode, below.y, above.y),
+                blendedChannel(mode, below.z, above.z)};
+    }
+}
+
+/// A pixel while strokes are mixed into it: RYB over the canvas, or over white, and the coverage.
+template <class V>
+struct Pixel {
+    V red, yellow, blue, coverage;
+};
+
+/// A straight channel from one over white.
+template <class V>
+SUFFUSE_INLINE V straight(V overWhite, V coverage, V inverse)
+{
+    return min_(V(1), max_(V(0), (overWhite - (V(1) - coverage)) * inverse));
+}
+
+/// What a layer shows at a pixel, put on what lies below. Where it shows nothing, what lies below keeps its bits,
+/// unless the mode acts there, too.
+template <class V>
+SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pixel<V> &below)
+{
+    const V one(1), tiny(1e-30);
+    const V source = layer.coverage * V(how.opacity), ground = below.coverage;
+    const Triple<V> rgb = rgbFromRyb(below.red, below.yellow, below.blue);
+    const V bare[3] = {V(how.bare[0]), V(how.bare[1]), V(how.bare[2])};
+    V out[3] = {rgb.x, rgb.y, rgb.z}, coverage = mulAdd_(one - source, ground, source);
+    if (how.mode == BlendMode::DestinationIn || how.mode == BlendMode::DestinationOut) {
+        const V kept = how.mode == BlendMode::DestinationIn ? source : one - source;
+        for (int c = 0; c < 3; ++c)
+            out[c] = mulAdd_(kept, out[c] - bare[c], bare[c]);
+        coverage = kept * ground;
+        const auto stays = not_(less_(kept, one));
+        const Triple<V> ryb = rybFromRgb(out[0], out[1], out[2]);
+        return {select_(stays, below.red, ryb.x), select_(stays, below.yellow, ryb.y),
+                select_(stays, below.blue, ryb.z), select_(stays, below.coverage, coverage)};
+    }
+    const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
+    const V inverse = one / max_(layer.coverage, tiny);
+    const Triple<V> cs{straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
+                       straight(over.z, layer.coverage, inverse)};
+    const V groundInverse = one / max_(ground, tiny);
+    const Triple<V> cb = how.opaque
+                             ? rgb
+                             : Triple<V>{straight(rgb.x, ground, groundInverse), straight(rgb.y, ground, groundInverse),
+                                         straight(rgb.z, ground, groundInverse)};
+    const V s[3] = {cs.x, cs.y, cs.z}, b[3] = {cb.x, cb.y, cb.z};
+    if (how.mode == BlendMode::Plus) {
+        const V sum = source + ground;
+        coverage = min_(one, sum);
+        // Over white both leave as much of it as is not covered, which is counted twice where they overlap.
+        const V spare = how.opaque ? V(0) : sum - coverage - source;
+        for (int c = 0; c < 3; ++c)
+            out[c] = min_(one, mulAdd_(source, s[c], out[c]) + spare);
+    } else if (how.mode == BlendMode::SourceAtop) {
+        coverage = ground;
+        for (int c = 0; c < 3; ++c)
+            out[c] = mulAdd_(source * ground, s[c] - b[c], out[c]);
+    } else {
+        const Triple<V> blended = blendedColour(how.mode, cb, cs);
+        const V mixed[3] = {blended.x, blended.y, blended.z};
+        const V share = how.opaque ? one : ground;
+        for (int c = 0; c < 3; ++c) {
+            const V target = how.mode == BlendMode::Normal ? s[c] : mulAdd_(share, mixed[c] - s[c], s[c]);
+            out[c] = mulAdd_(source, target - out[c], out[c]);
+        }
+    }
+    const auto shows = less_(V(0), source);
+    for (V &c : out)
+        c = min_(one, max_(V(0), c));
+    const Triple<V> ryb = rybFromRgb(out[0], out[1], out[2]);
+    return {select_(shows, ryb.x, below.red), select_(shows, ryb.y, below.yellow), select_(shows, ryb.z, below.blue),
+            select_(shows, coverage, below.coverage)};
+}
+
+} // namespace suffuse::SUFFUSE_MATH
+SUFFUSE_MATH_END
+
+#endif
