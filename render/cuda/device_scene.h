@@ -26,6 +26,9 @@ public:
     void fill(Frame &frame) const;
     /// Returns where the chunks of the i-th stroke begin. For i ≥ number of strokes it is the end of all chunks.
     std::uint32_t firstChunk(std::size_t i) const;
+    /// Returns the index of the i-th stroke's record, and how many records there are.
+    std::uint32_t slotOf(std::size_t i) const { return m_entries[i].slot; }
+    std::size_t slotCount() const { return m_strokes.host().size(); }
     std::uint32_t chunkCount() const { return std::uint32_t(m_chunks.host().size()); }
     /// Tells whether no stroke near a tile (counted row by row) needs the general kernel.
     bool isPlain(std::size_t tile) const { return m_general[tile] == 0; }

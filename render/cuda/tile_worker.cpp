@@ -1,5 +1,9 @@
 #include "render/cuda/tile_worker.h"
 
+#include "render/math/scalar.h"
+// It has templates over the numbers, which must be declared before.
+#include "render/math/colour.h"
+
 #include <bit>
 #include <numbers>
 #include <utility>
@@ -38,12 +42,12 @@ ToCanvas toCanvasOf(const View &v)
 } // namespace
 
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads, const ApartLimits &apart)
-    : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
-      m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
-      m_deviceMacroJobs(*m_device), m_status(*m_device), m_listCounts(*m_device), m_order(*m_device),
-      m_lists(*m_device), m_apart(*m_device), m_apartJobs(*m_device), m_apartSamples(*m_device), m_apartDone(*m_device),
-      m_eta(*m_device), m_etaKnown(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)},
-      m_bandTiles(mostBandTiles)
+    : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device),
+      m_composition(*m_device), m_layerPixels(*m_device), m_paper(*m_device), m_tileJobs(*m_device),
+      m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device), m_deviceMacroJobs(*m_device),
+      m_status(*m_device), m_listCounts(*m_device), m_order(*m_device), m_lists(*m_device), m_apart(*m_device),
+      m_apartJobs(*m_device), m_apartSamples(*m_device), m_apartDone(*m_device), m_eta(*m_device),
+      m_etaKnown(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
     m_apartLimits = apart;
@@ -54,6 +58,7 @@ void TileWorker::releaseBuffers()
     m_lists.release();
     m_apart.release(), m_apartJobs.release(), m_apartSamples.release(), m_apartDone.release();
     m_apartRoom = 0;
+    m_layerPixels.release();
     for (TileBuffer &buffer : m_buffers)
         buffer.onDevice.release(), buffer.onHost.release();
 }
@@ -115,21 +120,29 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
         m_scene.forget();
         fault = update();
     }
-    const bool edits = history.edited() != FrameHistory::noEdit;
+    // What lies below and above is kept of pictures without layers alone.
+    const bool edits = m_usesLayers =
+        history.edited() != FrameHistory::noEdit && history.scene().composition().isFlat();
     if (!fault && edits)
         fault = m_layers.beginFrame(std::size_t(history.region().columns()) * std::size_t(history.region().rows()));
+    const Colour &ground = canvas.background; // If it is not opaque it lies on white, RYB (0, 0, 0).
+    if (!fault) {
+        const math::Triple<float> rgb =
+            math::rgbFromRyb(ground.red * ground.opacity, ground.yellow * ground.opacity, ground.blue * ground.opacity);
+        const float opaque[3] = {rgb.x, rgb.y, rgb.z};
+        fault = m_composition.update(history.scene().composition(), m_scene, request.transparent ? nullptr : opaque);
+    }
     if (fault)
         return fault;
     m_scene.fill(m_frame);
+    m_composition.fill(m_frame);
     m_frame.editedFrom = edits ? m_scene.firstChunk(history.edited()) : 0xffffffff;
     m_frame.editedTo = edits ? m_scene.firstChunk(history.edited() + 1) : 0xffffffff;
     m_frame.width = request.view.width, m_frame.height = request.view.height;
-    // A background that is not opaque lies on white, RYB (0, 0, 0).
-    const Colour &b = canvas.background;
-    const float opacity = request.transparent ? 0 : b.opacity;
-    m_frame.background[0] = b.red * opacity;
-    m_frame.background[1] = b.yellow * opacity;
-    m_frame.background[2] = b.blue * opacity;
+    const float opacity = request.transparent ? 0 : ground.opacity;
+    m_frame.background[0] = ground.red * opacity;
+    m_frame.background[1] = ground.yellow * opacity;
+    m_frame.background[2] = ground.blue * opacity;
     m_frame.transparent = request.transparent;
     m_frame.toCanvas = toCanvasOf(request.view);
     return keepEta();
@@ -221,7 +234,7 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
 {
     constexpr std::size_t none = SIZE_MAX;
     const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / (m_listRoom * listParts), 1, mostMacros);
-    const bool edits = history.edited() != FrameHistory::noEdit, useOver = interactive && history.oneEdited();
+    const bool edits = m_usesLayers, useOver = interactive && history.oneEdited();
     const bool opaque = !m_frame.transparent;
     const std::uint32_t editedFrom = m_frame.editedFrom, editedTo = m_frame.editedTo, chunks = m_scene.chunkCount();
     MacroJob *const macroJobs = m_macroJobs.data();
@@ -280,6 +293,9 @@ Fault TileWorker::run(const Band &band)
                                m_status.reserve(words), m_order.reserve(band.tiles * weightClasses)})
         if (fault)
             return fault;
+    if (Fault fault = m_layerPixels.reserve(band.tiles * m_frame.layerPlanes * tileSize))
+        return fault;
+    m_frame.layerPixels = m_layerPixels.data();
     if (Fault fault = reserveApart(band.tiles, lists * m_listRoom))
         return fault;
     m_frame.macros = m_deviceMacroJobs.data();

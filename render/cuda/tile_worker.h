@@ -1,6 +1,7 @@
 // A worker evaluates the share of one device in a picture: it uploads what differs, and tiles come back.
 #pragma once
 
+#include "render/cuda/device_composition.h"
 #include "render/cuda/device_layers.h"
 #include "render/cuda/device_scene.h"
 #include "render/scene/frame_history.h"
@@ -82,6 +83,9 @@ private:
     const Threads m_threads;
     DeviceScene m_scene;
     DeviceLayers m_layers;
+    DeviceComposition m_composition;
+    DeviceArray<BackdropPixel> m_layerPixels;
+    bool m_usesLayers = false; ///< whether m_layers keeps what lies below and above edited strokes
     Frame m_frame;
     std::shared_ptr<const PaperTexture> m_paperTexture; ///< the paper that is on the device
     DeviceArray<float> m_paper;

@@ -177,18 +177,25 @@ void EmulatedDevice::paint(Frame frame, Work work)
         counts.haveUnder += (flags & haveUnder) != 0;
         counts.applyOver += (flags & applyOver) != 0;
         counts.plainTiles += (flags & plainTile) != 0;
-        if ((flags & plainTile) && work.plain && frame.apartRoom && frame.fills)
-            paintTile<false, true, true>(warp, frame, job, *plain);
-        else if ((flags & plainTile) && work.plain && frame.fills)
-            paintTile<false, false, true>(warp, frame, job, *plain);
-        else if ((flags & plainTile) && work.plain && frame.apartRoom)
-            paintTile<false, true, false>(warp, frame, job, *plain);
-        else if ((flags & plainTile) && work.plain)
-            paintTile<false, false, false>(warp, frame, job, *plain);
-        else if (!(flags & plainTile) && work.general && !frame.fills)
-            paintTile<true, true, false>(warp, frame, job, *general);
-        else if (!(flags & plainTile) && work.general)
-            paintTile<true, true, true>(warp, frame, job, *general);
+        const bool isPlain = flags & plainTile;
+        if (!(isPlain ? work.plain : work.general))
+            continue;
+        if (isPlain && frame.layers)
+            paintTile<false, true, true, true>(warp, frame, job, *plain);
+        else if (isPlain && frame.apartRoom && frame.fills)
+            paintTile<false, true, true, false>(warp, frame, job, *plain);
+        else if (isPlain && frame.fills)
+            paintTile<false, false, true, false>(warp, frame, job, *plain);
+        else if (isPlain && frame.apartRoom)
+            paintTile<false, true, false, false>(warp, frame, job, *plain);
+        else if (isPlain)
+            paintTile<false, false, false, false>(warp, frame, job, *plain);
+        else if (frame.layers)
+            paintTile<true, true, true, true>(warp, frame, job, *general);
+        else if (!frame.fills)
+            paintTile<true, true, false, false>(warp, frame, job, *general);
+        else
+            paintTile<true, true, true, false>(warp, frame, job, *general);
     }
     ++counts.runs;
     counts.tiles += frame.tileCount;

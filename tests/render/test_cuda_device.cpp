@@ -1,5 +1,5 @@
 // The CUDA renderer on a real GPU; skipped where there is none.
-#include "tests/render/cuda_checks.h"
+#include "tests/render/cuda_blending.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -38,6 +38,8 @@ private slots:
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 34); } // 102 times for each way
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(80), 7); }
+    void blending() { checkBlending(open, 60); }
+    void blendingEdits() { checkBlendingEdits(open, 300); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

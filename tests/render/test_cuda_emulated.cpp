@@ -1,7 +1,7 @@
 // The CUDA renderer on an emulated device: the kernels' programs and all of the host side, without a GPU.
 #include "model/formats/files.h"
 #include "render/image_io/image_io.h"
-#include "tests/render/cuda_checks.h"
+#include "tests/render/cuda_blending.h"
 #include "tests/render/emulated_device.h"
 
 #include <QFile>
@@ -46,6 +46,8 @@ private slots:
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 1); }
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(15), 1); }
+    void blending() { checkBlending(open, 5); }
+    void blendingEdits() { checkBlendingEdits(open, 30); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

@@ -192,7 +192,7 @@ public:
         cudaEventRecord(m_begin, m_stream);
         Frame own = frame;
         own.ordered = frame.tileCount > m_grid.plain; // Otherwise all tiles begin at once.
-        FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered][own.apartRoom != 0];
+        FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered][own.apartRoom != 0][own.layers != nullptr];
         if (const Fault fault = call([&] { return graph.launch(own, work, m_grid, m_stream); }))
             return fault;
         return call([&] { return cudaEventRecord(m_end, m_stream); });
@@ -235,7 +235,7 @@ private:
     bool m_timed = false;
     Grid m_grid;
     unsigned m_mergers = 1;
-    FrameGraph m_graphs[2][2][2][2];
+    FrameGraph m_graphs[2][2][2][2][2];
     int4 *m_rects = nullptr;
     int m_rectRoom = 0;
 };

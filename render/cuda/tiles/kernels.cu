@@ -58,8 +58,9 @@ __device__ std::uint32_t nextPlace(const Frame &frame)
 
 // A block is one warp, which paints one tile job after the other.
 // With `fills`, plain strokes may have fills.
+// With `layered`, strokes may lie in layers of the painting.
 // With `apart`, it first evaluates strokes apart from their tiles.
-template <bool general, bool apart, bool fills>
+template <bool general, bool apart, bool fills, bool layered = false>
 __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps)
     tilesKernel(const __grid_constant__ Frame frame)
 {
@@ -75,7 +76,7 @@ __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps
     for (std::uint32_t i = firstPlace<together>(); i < frame.tileCount; i = nextPlace<counter>(frame)) {
         const std::uint32_t job = order.job(i);
         if (((frame.tiles[job].flags & plainTile) == 0) == general)
-            paintTile<general, apart, fills>(warp, frame, job, scratch);
+            paintTile<general, apart, fills, layered>(warp, frame, job, scratch);
     }
 }
 
@@ -120,7 +121,8 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
         kernel == reinterpret_cast<const void *>(listsKernel<true>))
         return least(grid.lists, std::size_t(frame.macroCount) * listParts);
     const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true, true, false>) ||
-                         kernel == reinterpret_cast<const void *>(tilesKernel<true, true, true>);
+                         kernel == reinterpret_cast<const void *>(tilesKernel<true, true, true>) ||
+                         kernel == reinterpret_cast<const void *>(tilesKernel<true, true, true, true>);
     const unsigned blocks = general ? grid.general : grid.plain;
     return frame.apartRoom ? blocks : least(blocks, frame.tileCount);
 }
@@ -154,6 +156,9 @@ cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t strea
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)
 {
     const bool apart = frame.apartRoom != 0, fills = frame.fills != nullptr;
+    if (frame.layers)
+        return launch(general ? tilesKernel<true, true, true, true> : tilesKernel<false, true, true, true>, warpLanes,
+                      true, frame, grid, stream);
     return launch(general && fills ? tilesKernel<true, true, true>
                   : general        ? tilesKernel<true, true, false>
                   : fills && apart ? tilesKernel<false, true, true>

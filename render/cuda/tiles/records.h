@@ -2,6 +2,7 @@
 // header is C++17, since .cu files include it.
 #pragma once
 
+#include "render/math/layer_put.h"
 #include "render/math/shade_params.h"
 
 #include <cstddef>
@@ -215,6 +216,22 @@ enum ApartClass { costlyPlain, otherPlain, costlyGeneral, otherGeneral, apartCla
 inline constexpr int generalParts = 5;
 inline constexpr int apartParts = 8; ///< the distance of the slots' words in Frame::apartDone
 
+/// Says how a layer of the painting (render/composition) is put on what lies below it, as LayerPut does.
+struct LayerRecord {
+    std::int32_t mode = 0; ///< BlendMode
+    float opacity = 1;
+    std::uint32_t opaque = 0;
+    float bare[3] = {1, 1, 1};
+    std::int32_t parent = -1; ///< index of the layer around it; −1: none
+    std::int32_t depth = 1;   ///< how many layers it is, with those around it
+};
+
+/// Names a layer that changes what lies below also where it has no stroke.
+struct EverywhereRecord {
+    std::int32_t layer = 0;
+    std::uint32_t firstChunk = 0; ///< of its first stroke
+};
+
 /// Holds RYB and coverage of one pixel while strokes are mixed into it.
 struct BackdropPixel {
     float red, yellow, blue, coverage;
@@ -277,6 +294,13 @@ struct Frame {
 
     BackdropPixel *under = nullptr; ///< with tileSize pixels for each slot
     float *over = nullptr;          ///< with overPlanes × tileSize numbers for each slot
+
+    const LayerRecord *layers = nullptr;          ///< null if the painting has none
+    const std::int32_t *layerOf = nullptr;        ///< the innermost layer of each StrokeRecord; −1: none
+    const EverywhereRecord *everywhere = nullptr; ///< in order
+    std::uint32_t everywhereCount = 0;
+    std::uint32_t layerPlanes = 0;        ///< 1 more than the depth of the deepest layer
+    BackdropPixel *layerPixels = nullptr; ///< with layerPlanes × tileSize pixels for each tile job
 
     // Finished pixels go to those of these arrays that are not null.
     std::uint32_t *picture = nullptr;   ///< 0xAARRGGBB, with `width` pixels in a row

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/cuda/tiles/tile_apart.h"
+#include "render/cuda/tiles/tile_layers.h"
 
 namespace suffuse::cuda {
 
@@ -19,15 +20,17 @@ struct TileScratch<true> : TileScratch<false> {
 };
 
 /// If `general`, this paints anything, otherwise only what TileFlag::plainTile says. If `apart`, strokes may have been
-/// evaluated apart, and if `fills`, plain strokes may have fills. A plain stroke shows the same bits in any case.
-template <bool general, bool apart, bool fills, class Warp>
+/// evaluated apart, and if `fills`, plain strokes may have fills. If `layered`, strokes may lie in layers of the
+/// painting. A plain stroke shows the same bits in any case.
+template <bool general, bool apart, bool fills, bool layered, class Warp>
 class TilePainter {
 public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    SUFFUSE_PROGRAM TilePainter(Warp &warp, const Frame &frame, const TileJob &job, TileScratch<general> &scratch)
-        : m_warp(warp), m_frame(frame), m_job(job), m_s(scratch)
+    /// `index` is that of the job.
+    SUFFUSE_PROGRAM TilePainter(Warp &warp, const Frame &frame, std::uint32_t index, TileScratch<general> &scratch)
+        : m_warp(warp), m_frame(frame), m_job(frame.tiles[index]), m_s(scratch), m_layers(warp, frame, index)
     {}
 
     SUFFUSE_PROGRAM void paint(std::uint32_t index)
@@ -57,6 +60,8 @@ public:
             addChunk(m_s.paint.fetched[turn], int(found.nodes));
         }
         enter(none);
+        if constexpr (layered)
+            m_layers.goToEnd(m_backdrop);
         if (m_job.flags & applyOver)
             m_warp.each([&](int lane) {
                 SUFFUSE_UNROLL
@@ -68,6 +73,7 @@ public:
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;
+    static constexpr bool covers = general || layered; ///< whether coverage is followed
 
     static SUFFUSE_PROGRAM int pixelOf(int lane, int k)
     {
@@ -176,7 +182,7 @@ private:
                 if (m_job.flags & haveUnder) {
                     const BackdropPixel p = under()[pixelOf(lane, k)];
                     b.red[k] = p.red, b.yellow[k] = p.yellow, b.blue[k] = p.blue;
-                    b.coverage[k] = general ? p.coverage : 0;
+                    b.coverage[k] = covers ? p.coverage : 0;
                 } else {
                     b.red[k] = m_frame.background[0], b.yellow[k] = m_frame.background[1];
                     b.blue[k] = m_frame.background[2], b.coverage[k] = 0;
@@ -196,7 +202,7 @@ private:
                 const LaneBackdrop &b = m_backdrop[lane];
                 SUFFUSE_UNROLL
                 for (int k = 0; k < laneSamples; ++k)
-                    under()[pixelOf(lane, k)] = {b.red[k], b.yellow[k], b.blue[k], general ? b.coverage[k] : 0};
+                    under()[pixelOf(lane, k)] = {b.red[k], b.yellow[k], b.blue[k], covers ? b.coverage[k] : 0};
             });
         }
         if (!m_overBegun && chunk >= m_frame.editedTo) {
@@ -215,6 +221,8 @@ private:
     {
         m_warp.meet(); // All lanes have finished with the last stroke's record.
         enter(found.chunk);
+        if constexpr (layered)
+            m_layers.goTo(found.stroke, found.chunk, m_backdrop);
         m_stroke = found.stroke;
         m_isApart = apart && found.nodes == apartNodes;
         m_firstChunk = found.chunk;
@@ -367,7 +375,7 @@ private:
     /// Mixes one sample of a stroke into the backdrop and into the over map (22, 23).
     SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w, float keep)
     {
-        if (general) { // Otherwise the picture is not transparent.
+        if (covers) { // Otherwise the picture is not transparent.
             float &coverage = m_backdrop[lane].coverage[k];
             coverage = math::mulAdd_(1 - w, coverage, w);
         }
@@ -437,6 +445,7 @@ private:
     const Frame &m_frame;
     const TileJob m_job;
     TileScratch<general> &m_s;
+    TileLayers<Warp> m_layers;
     Var<LaneBackdrop> m_backdrop;
     Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the list entries that were looked at last
     const ListEntry *m_lists = nullptr;                        ///< those of the tile's half of the macro job
@@ -456,10 +465,10 @@ private:
 };
 
 /// Paints one tile job.
-template <bool general, bool apart, bool fills, class Warp>
+template <bool general, bool apart, bool fills, bool layered, class Warp>
 SUFFUSE_PROGRAM void paintTile(Warp &warp, const Frame &frame, std::uint32_t job, TileScratch<general> &scratch)
 {
-    TilePainter<general, apart, fills, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
+    TilePainter<general, apart, fills, layered, Warp>(warp, frame, job, scratch).paint(job);
 }
 
 } // namespace suffuse::cuda
