@@ -21,18 +21,22 @@ struct ProbeShare {
 struct ProbeStroke {
     StrokeId id = 0;
     QString name;
-    double density = 0;               ///< φ (14): what is left of φ⁺ where paint is taken away
-    double lifted = 0;                ///< φ⁻, the density that is taken away
-    double granulation = 1;           ///< ω̄ (15)
-    double modulated = 0;             ///< φ′ = γφ (16)
-    double densityFunction = 0;       ///< F (17-19)
-    std::array<double, 4> colour{};   ///< C̄ (20): R, Y, B, opacity
-    double opacity = 0;               ///< w (21)
-    std::vector<ProbeShare> shares;   ///< of the segments with φ_k > 0, in their order
-    double fillDensity = 0;           ///< φ_fill
-    double fillShare = 0;             ///< φ_fill/φ⁺
-    std::array<double, 3> rybAfter{}; ///< canvas colour after the stroke
+    double density = 0;             ///< φ (14): what is left of φ⁺ where paint is taken away
+    double lifted = 0;              ///< φ⁻, the density that is taken away
+    double granulation = 1;         ///< ω̄ (15)
+    double modulated = 0;           ///< φ′ = γφ (16)
+    double densityFunction = 0;     ///< F (17-19)
+    std::array<double, 4> colour{}; ///< C̄ (20): R, Y, B, opacity
+    double opacity = 0;             ///< w (21)
+    std::vector<ProbeShare> shares; ///< of the segments with φ_k > 0, in their order
+    double fillDensity = 0;         ///< φ_fill
+    double fillShare = 0;           ///< φ_fill/φ⁺
+    /// The colour after the stroke: of the canvas or, in a group that blends, of the group's picture over white.
+    std::array<double, 3> rybAfter{};
     std::array<double, 3> rgbAfter{};
+    /// How much of the final colour the stroke is. It lets 1 − w of what lies below through or, with pigment mixing, 1
+    /// − w(1 − β); a group lets 1 − its coverage through.
+    double colourShare = 0;
 };
 
 struct Probe {
@@ -40,7 +44,14 @@ struct Probe {
     std::array<double, 3> rybBefore{}; ///< background over white
     std::array<double, 3> rgbBefore{};
     std::vector<ProbeStroke> strokes; ///< from bottom to top; those whose reach contains the point, or that colour it
+    std::array<double, 3> rybAfter{}; ///< the final colour
+    std::array<double, 3> rgbAfter{};
+    double canvasShare = 1; ///< how much of it is the bare canvas; 1 with the strokes' shares
 };
+
+/// The painting without the strokes that do not reach the point, which probing would integrate all the same. Where a
+/// group acts also where it has no stroke, all stay.
+Painting reaching(const Painting &painting, Microseconds time, Point point);
 
 /// Probes the point itself (px → 0: without coverage and supersampling), in canvas units, at document time T. Hidden
 /// strokes are left out. It fails if an image paper cannot be decoded.

@@ -67,7 +67,8 @@ QJsonObject jsonOf(const ProbeStroke &s, bool all)
             {"segmentsLeftOut", qint64(s.shares.size() - listed.size())},
             {"fill", QJsonObject{{"density", s.fillDensity}, {"share", s.fillShare}}},
             {"rybAfter", arrayOf(s.rybAfter)},
-            {"rgbAfter", arrayOf(s.rgbAfter)}};
+            {"rgbAfter", arrayOf(s.rgbAfter)},
+            {"colourShare", s.colourShare}};
 }
 
 QJsonObject jsonOf(const Probe &probe, const Place &place, bool all)
@@ -81,7 +82,10 @@ QJsonObject jsonOf(const Probe &probe, const Place &place, bool all)
             {"paper", probe.paper},
             {"rybBefore", arrayOf(probe.rybBefore)},
             {"rgbBefore", arrayOf(probe.rgbBefore)},
-            {"strokes", strokes}};
+            {"strokes", strokes},
+            {"rybAfter", arrayOf(probe.rybAfter)},
+            {"rgbAfter", arrayOf(probe.rgbAfter)},
+            {"canvasShare", probe.canvasShare}};
 }
 
 QString textOf(const ProbeStroke &s, bool all)

@@ -6,7 +6,7 @@
 namespace suffuse {
 
 /// The blend modes of W3C Compositing and Blending Level 1, in its order, and four of its operators, which stand for
-/// source-over. docs/solver.md, "Layers", has the formulas.
+/// source-over. docs/solver.md, "Groups that blend", has the formulas.
 enum class BlendMode : std::uint8_t {
     Normal,
     Multiply,

@@ -44,7 +44,7 @@ struct Canvas {
 /// A group of strokes, which stand together in the order.
 ///
 /// Its strokes mix with what lies below as if there were no group, unless it is isolated: then they mix among
-/// themselves, and their picture is put on what lies below (docs/solver.md, "Layers").
+/// themselves, and their picture is put on what lies below (docs/solver.md, "Groups that blend").
 struct Group {
     GroupId id = 0;      ///< 1 or more, and unique
     QString name;        ///< as it was typed; it may be empty, and two groups may have one name

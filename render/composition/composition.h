@@ -1,5 +1,5 @@
 // What a painting's groups make of its strokes: which of them mix among themselves before their picture is put on what
-// lies below (docs/solver.md, "Layers").
+// lies below (docs/solver.md, "Groups that blend").
 #pragma once
 
 #include "model/painting/painting.h"

@@ -257,7 +257,10 @@ void putLayer(const LayerPut &how, const Backdrop &layer, Backdrop &below)
         return Pixel<Lanes>{load(from.ryb[0] + at), load(from.ryb[1] + at), load(from.ryb[2] + at),
                             load(from.coverage + at)};
     };
+    const bool everywhere = own.mode == BlendMode::DestinationIn;
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        if (!everywhere && hn::AllFalse(tag, less_(Lanes(0), load(layer.coverage + at))))
+            continue; // Nothing is there to be put.
         const Pixel<Lanes> out = put(own, pixel(layer, at), pixel(below, at));
         store(out.red, below.ryb[0] + at);
         store(out.yellow, below.ryb[1] + at);

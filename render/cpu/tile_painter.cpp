@@ -17,8 +17,9 @@ struct Scratch {
     Sums sums;
     Shaded shaded;
     Shaded samples;
-    Backdrop backdrop;
-    std::vector<Backdrop> below; ///< what lies below each layer that is open, from the outermost on
+    /// The canvas, and each layer that is open, from the outermost on. There may be more behind them, whose memory is
+    /// kept.
+    std::vector<Backdrop> backdrops{1};
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
@@ -41,25 +42,26 @@ public:
           m_walk(*frame.composition, layers && !layers->open.empty() ? layers->open[index].place : LayerPlace())
     {
         m_s.levels.begin(frame.grid.view, x, y);
-        m_s.below.clear();
         if (layers) {
-            m_s.backdrop = layers->under[index];
             if (!layers->open.empty())
-                m_s.below = layers->open[index].below;
+                for (const Backdrop &below : layers->open[index].below)
+                    backdrop() = below, open();
+            backdrop() = layers->under[index];
             return;
         }
         clear(bareRyb(frame));
-        m_s.backdrop.hasCoverage = frame.transparent || !frame.composition->isFlat();
+        backdrop().hasCoverage = frame.transparent || !frame.composition->isFlat();
     }
 
     /// Keeps what was painted so far.
     void storeUnder(TileLayers &layers) const
     {
-        layers.under[m_index] = m_s.backdrop;
+        layers.under[m_index] = m_s.backdrops[m_open];
         if (!layers.open.empty())
-            layers.open[m_index] = {m_walk.place(), m_s.below};
+            layers.open[m_index] = {m_walk.place(),
+                                    {m_s.backdrops.begin(), m_s.backdrops.begin() + std::ptrdiff_t(m_open)}};
     }
-    Backdrop &backdrop() { return m_s.backdrop; }
+    Backdrop &backdrop() { return m_s.backdrops[m_open]; }
 
     /// Begins and ends the layers between the stroke before and this one, which has this place among all.
     void goTo(std::size_t place)
@@ -99,13 +101,13 @@ public:
         m_isLevel = m_isBare && !paper && fill.tile->isLevel(scene.channels);
         if (!small && m_isLevel && fill.presence == FillPresence::Inside) {
             fill.tile->setInside(scene.channels, m_s.sums);
-            m_frame.kernels->shadeLevelInto(scene.shade, m_s.sums, 1, scene.keep, m_s.backdrop, m_map);
+            m_frame.kernels->shadeLevelInto(scene.shade, m_s.sums, 1, scene.keep, backdrop(), m_map);
             return;
         }
         if (!small && !isDeep(scene) && !crisp) {
             sum(scene, listed, block, prefix);
             addFill(scene, block);
-            m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
+            m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, backdrop(), m_map);
             return;
         }
         if (small && !prefix.empty()) {
@@ -121,7 +123,7 @@ public:
         }
         if (small)
             supersample(scene, listed);
-        m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
+        m_frame.kernels->mix(m_s.shaded, scene.keep, backdrop());
         if (m_map)
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
     }
@@ -130,7 +132,7 @@ public:
     void finish(float *rgba, int stride, int columns, int rows)
     {
         const bool whole = columns == blockSide && rows == blockSide;
-        m_frame.kernels->finish(m_s.backdrop, m_frame.transparent, whole ? rgba : m_s.rgba, whole ? stride : blockSide);
+        m_frame.kernels->finish(backdrop(), m_frame.transparent, whole ? rgba : m_s.rgba, whole ? stride : blockSide);
         for (int j = 0; j < rows && !whole; ++j)
             std::copy_n(m_s.rgba + j * blockSide * 4, std::size_t(columns) * 4, rgba + std::size_t(j) * stride * 4);
     }
@@ -148,14 +150,22 @@ private:
     void clear(const std::array<float, 3> &ryb)
     {
         for (std::size_t c = 0; c < 3; ++c)
-            std::fill_n(m_s.backdrop.ryb[c], blockSize, ryb[c]);
-        std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
+            std::fill_n(backdrop().ryb[c], blockSize, ryb[c]);
+        std::fill_n(backdrop().coverage, blockSize, 0.0f);
+    }
+
+    /// Makes a backdrop above the present one, whose content is not set.
+    void open()
+    {
+        if (++m_open == m_s.backdrops.size())
+            m_s.backdrops.emplace_back();
     }
 
     void beginLayer()
     {
-        m_s.below.push_back(m_s.backdrop);
+        open();
         clear({});
+        backdrop().hasCoverage = true;
     }
 
     void endLayer(int number)
@@ -168,9 +178,9 @@ private:
             const math::Triple<float> rgb = math::rgbFromRyb(ryb[0], ryb[1], ryb[2]);
             how.bare[0] = rgb.x, how.bare[1] = rgb.y, how.bare[2] = rgb.z;
         }
-        m_frame.kernels->put(how, m_s.backdrop, m_s.below.back());
-        m_s.backdrop = m_s.below.back();
-        m_s.below.pop_back();
+        const Backdrop &ended = backdrop();
+        --m_open;
+        m_frame.kernels->put(how, ended, backdrop());
     }
 
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
@@ -266,7 +276,7 @@ private:
         const float(*eta)[blockSize] = paper ? etaOfSamples(block) : nullptr;
         const ToldBlock told =
             m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, paper, eta, m_s.levels.marks(),
-                                       stroke.keep, m_s.backdrop, m_map, m_s.shaded);
+                                       stroke.keep, backdrop(), m_map, m_s.shaded);
         m_s.levels.settle(told == ToldBlock::SomeLeft);
         return told == ToldBlock::Mixed;
     }
@@ -398,7 +408,8 @@ private:
     int m_y;
     Scratch &m_s;
     LayerWalk m_walk;
-    BlockFill m_fill;                         ///< of the stroke in hand
+    std::size_t m_open = 0; ///< how many layers are open: the place of the backdrop that is mixed into
+    BlockFill m_fill;       ///< of the stroke in hand
     bool m_isBare = false, m_isLevel = false; ///< whether it has nothing but its fill in the block, and is level within
     OverMap *m_map = nullptr;
     const float *m_eta = nullptr;

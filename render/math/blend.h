@@ -1,5 +1,5 @@
 // How the picture of a layer is put on what lies below it: W3C Compositing and Blending Level 1, on sRGB-encoded values
-// (docs/solver.md, "Layers").
+// (docs/solver.md, "Groups that blend").
 #if defined(SUFFUSE_RENDER_MATH_BLEND_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_MATH_BLEND_H
 #undef SUFFUSE_RENDER_MATH_BLEND_H
@@ -143,6 +143,17 @@ SUFFUSE_INLINE V straight(V overWhite, V coverage, V inverse)
     return min_(V(1), max_(V(0), (overWhite - (V(1) - coverage)) * inverse));
 }
 
+/// RGB over white as a pixel, where a layer shows something; otherwise what lies below keeps its bits.
+template <class V>
+SUFFUSE_INLINE Pixel<V> finished(const V (&rgb)[3], V coverage, V source, const Pixel<V> &below)
+{
+    const auto within = [](V c) { return min_(V(1), max_(V(0), c)); };
+    const auto shows = less_(V(0), source);
+    const Triple<V> ryb = rybFromRgb(within(rgb[0]), within(rgb[1]), within(rgb[2]));
+    return {select_(shows, ryb.x, below.red), select_(shows, ryb.y, below.yellow), select_(shows, ryb.z, below.blue),
+            select_(shows, coverage, below.coverage)};
+}
+
 /// What a layer shows at a pixel, put on what lies below. Where it shows nothing, what lies below keeps its bits,
 /// unless the mode acts there, too.
 template <class V>
@@ -164,6 +175,12 @@ SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pi
                 select_(stays, below.blue, ryb.z), select_(stays, below.coverage, coverage)};
     }
     const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
+    if (how.mode == BlendMode::Normal) { // Without dividing: α_s·C_s is what the layer has over white, less the white.
+        const V o(how.opacity), white = one - layer.coverage, s[3] = {over.x, over.y, over.z};
+        for (int c = 0; c < 3; ++c)
+            out[c] = mulAdd_(one - source, out[c], o * min_(layer.coverage, max_(V(0), s[c] - white)));
+        return finished(out, coverage, source, below);
+    }
     const V inverse = one / max_(layer.coverage, tiny);
     const Triple<V> cs{straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
                        straight(over.z, layer.coverage, inverse)};
@@ -189,16 +206,11 @@ SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pi
         const V mixed[3] = {blended.x, blended.y, blended.z};
         const V share = how.opaque ? one : ground;
         for (int c = 0; c < 3; ++c) {
-            const V target = how.mode == BlendMode::Normal ? s[c] : mulAdd_(share, mixed[c] - s[c], s[c]);
+            const V target = mulAdd_(share, mixed[c] - s[c], s[c]);
             out[c] = mulAdd_(source, target - out[c], out[c]);
         }
     }
-    const auto shows = less_(V(0), source);
-    for (V &c : out)
-        c = min_(one, max_(V(0), c));
-    const Triple<V> ryb = rybFromRgb(out[0], out[1], out[2]);
-    return {select_(shows, ryb.x, below.red), select_(shows, ryb.y, below.yellow), select_(shows, ryb.z, below.blue),
-            select_(shows, coverage, below.coverage)};
+    return finished(out, coverage, source, below);
 }
 
 } // namespace suffuse::SUFFUSE_MATH

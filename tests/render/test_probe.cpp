@@ -104,6 +104,40 @@ private slots:
         QVERIFY(probe(painting, -1, 50, 0)->strokes.empty()); // before they were born
     }
 
+    /// Shares go through the tree of groups that blend, and the final colour is that of the picture.
+    void groupsThatBlend()
+    {
+        Stroke below = line(1, {0, 1, 0, 1}), above = line(2, {1, 0, 0, 1});
+        above.group = 7;
+        Painting painting = paintingOf({below, above});
+        Group group;
+        group.id = 7;
+        const double w = probe(painting, painting.end(), 50, 0)->strokes[0].opacity;
+        QVERIFY(w > 0.99);
+        for (const BlendMode mode : {BlendMode::Normal, BlendMode::Multiply, BlendMode::SourceAtop,
+                                     BlendMode::DestinationIn, BlendMode::DestinationOut, BlendMode::Plus}) {
+            group.opacity = 0.25f, group.blend = mode;
+            painting.groups = {group};
+            const auto found = probe(painting, painting.end(), 50, 0);
+            QVERIFY(bool(found));
+            const double lower = found->strokes[0].colourShare, upper = found->strokes[1].colourShare;
+            QVERIFY(std::abs(lower + upper + found->canvasShare - 1) < 1e-12);
+            const bool takes = mode == BlendMode::DestinationIn || mode == BlendMode::DestinationOut;
+            const double kept = mode == BlendMode::DestinationIn ? 0.25 : mode == BlendMode::Plus ? 0.8 : 0.75;
+            QVERIFY2(std::abs(lower - kept) < 0.02, qPrintable(QString::number(lower)));
+            QVERIFY2(std::abs(upper - (takes ? 0 : 1 - kept)) < 0.02, qPrintable(QString::number(upper)));
+            QCOMPARE(found->strokes[1].rybAfter, (std::array<double, 3>{w, 0, 0})); // of the group, over white
+            // A point above all strokes is touched by what acts everywhere alone.
+            QCOMPARE(reaching(painting, painting.end(), {50, 300}).strokes.size(),
+                     std::size_t(mode == BlendMode::DestinationIn ? 2 : 0));
+        }
+        // Yellow, a quarter of red over it: (1, 1 − ¼, 0) in RGB.
+        group.blend = BlendMode::Normal;
+        painting.groups = {group};
+        const auto found = probe(painting, painting.end(), 50, 0);
+        QVERIFY(std::abs(found->rgbAfter[0] - 1) < 0.01 && std::abs(found->rgbAfter[1] - 0.75) < 0.01);
+    }
+
     void segmentsShareByDensity()
     {
         Stroke stroke = line(1, {1, 0, 0, 1});
@@ -181,7 +215,8 @@ private slots:
             differences += std::abs(field.at(at + Point{0.01, 0}, 0) - field.at(at, 0)) / 20000;
             // The program's is the same.
             QVERIFY(std::abs(math::proceduralPaper(at.x, at.y, 0.5, grain, paper.seed, double(paper.scale),
-                                                   double(paper.strength)) - eta) < 1e-9);
+                                                   double(paper.strength)) -
+                             eta) < 1e-9);
         }
         const double floor = 1 - double(paper.strength);
         QVERIFY(least >= floor - 1e-15 && greatest <= 1);
@@ -206,8 +241,8 @@ private slots:
             const Point expected{double(h % 65536) / 32768 - 1, double(h / 65536) / 32768 - 1};
             QCOMPARE(reference::paperGradient(std::uint32_t(x), 5, 3, 9), expected);
         }
-        // Next to a lattice point of the coarsest octave, seen from so far that it alone fades in: R(u, v) + ½ = (−2, 3)
-        // has (u, v) = (0.5, 3.5).
+        // Next to a lattice point of the coarsest octave, seen from so far that it alone fades in: R(u, v) + ½ = (−2,
+        // 3) has (u, v) = (0.5, 3.5).
         const Paper paper = proceduralPaper();
         const double step = 1e-3;
         const Point gradient = reference::paperGradient(0xFFFFFFFEu, 3, 0, paper.seed);

@@ -8,7 +8,6 @@
 #include "app/widgets/numbers/display.h"
 #include "model/paint/half_width.h"
 #include "model/paint/point_density.h"
-#include "model/painting/influence.h"
 
 #include <QHeaderView>
 #include <QLocale>
@@ -31,26 +30,6 @@ constexpr int mostSegments = 200; ///< rows shown for one stroke
 constexpr double leastShare = 0.0005;
 
 enum Role { StrokeRole = Qt::UserRole, SegmentRole };
-
-/// The shares of the final colour in the order of the strokes, with the share of the canvas last; their sum is 1. A
-/// stroke that lies above lets 1 − w through or, with pigment mixing, 1 − w(1 − β).
-std::vector<double> colourShares(const Probe &probe, const Painting &painting)
-{
-    std::vector<double> shares(probe.strokes.size() + 1);
-    double through = 1, sum = 0;
-    for (std::size_t i = probe.strokes.size(); i-- > 0;) {
-        const ProbeStroke &stroke = probe.strokes[i];
-        const StrokePtr there = painting.find(stroke.id);
-        shares[i] = through * stroke.opacity;
-        sum += shares[i];
-        through *= 1 - stroke.opacity * (1 - (there ? double(there->mix.beta) : 0));
-    }
-    shares.back() = through;
-    sum += through;
-    for (double &share : shares)
-        share /= sum;
-    return shares;
-}
 
 QPixmap chip(const QColor &colour)
 {
@@ -169,22 +148,11 @@ void ProbePanel::start()
     const Job job{m_editor.document().painting(), m_editor.clock().time(), *m_point};
     m_thread.start([job, panel = this] {
         // The panel's destructor waits for this task. An answer that comes after it is dropped.
-        const Painting near = strokesInReach(job);
-        auto result = std::make_shared<Result<Probe>>(probe(near, job.time, job.point.x, job.point.y));
+        auto result = std::make_shared<Result<Probe>>(
+            probe(reaching(*job.painting, job.time, job.point), job.time, job.point.x, job.point.y));
         QMetaObject::invokeMethod(
             panel, [panel, job, result] { panel->take(job, *result); }, Qt::QueuedConnection);
     });
-}
-
-Painting ProbePanel::strokesInReach(const Job &job)
-{
-    // The solver would otherwise integrate every segment of the painting.
-    Painting near = *job.painting;
-    near.strokes.clear();
-    for (const StrokePtr &stroke : job.painting->strokes)
-        if (influenceOf(*stroke, job.time).contains(job.point))
-            near.strokes.push_back(stroke);
-    return near;
 }
 
 void ProbePanel::take(const Job &job, const Result<Probe> &result)
@@ -216,22 +184,21 @@ void ProbePanel::showProbe(const Probe &probe)
     const StrokeId chosen = current ? current->data(0, StrokeRole).toULongLong() : 0;
     const QSignalBlocker blocker(m_view);
     m_view->clear();
-    const std::vector<double> shares = colourShares(probe, *m_shown.painting);
     for (std::size_t i = probe.strokes.size(); i-- > 0;) {
         if (probe.strokes[i].opacity < leastShare)
             continue; // The stroke reaches the point, but nothing of it is seen there.
-        QTreeWidgetItem *item = addStroke(probe.strokes[i], shares[i]);
+        QTreeWidgetItem *item = addStroke(probe.strokes[i]);
         item->setExpanded(open.contains(probe.strokes[i].id));
         if (probe.strokes[i].id == chosen)
             m_view->setCurrentItem(item);
     }
-    auto *ground = new QTreeWidgetItem(m_view, {tr("Canvas"), shareDisplay().text(shares.back()), QString()});
+    auto *ground = new QTreeWidgetItem(m_view, {tr("Canvas"), shareDisplay().text(probe.canvasShare), QString()});
     ground->setIcon(NameColumn, chip(toOpaqueScreen(m_shown.painting->canvas.background)));
     ground->setTextAlignment(ShareColumn, Qt::AlignRight | Qt::AlignVCenter);
     showAges();
 }
 
-QTreeWidgetItem *ProbePanel::addStroke(const ProbeStroke &stroke, double share)
+QTreeWidgetItem *ProbePanel::addStroke(const ProbeStroke &stroke)
 {
     const QLocale l;
     const auto row = [&](const QString &name, double part, double density, int segment) {
@@ -243,7 +210,7 @@ QTreeWidgetItem *ProbePanel::addStroke(const ProbeStroke &stroke, double share)
         return item;
     };
     const QString name = stroke.name.isEmpty() ? tr("Stroke %1").arg(stroke.id) : stroke.name;
-    QTreeWidgetItem *item = row(name, share, stroke.density, -1);
+    QTreeWidgetItem *item = row(name, stroke.colourShare, stroke.density, -1);
     const Colour colour{float(stroke.colour[0]), float(stroke.colour[1]), float(stroke.colour[2]), 1};
     item->setIcon(NameColumn, chip(toOpaqueScreen(colour)));
     m_view->addTopLevelItem(item);

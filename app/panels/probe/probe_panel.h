@@ -59,12 +59,11 @@ private:
         Point point;
     };
 
-    static Painting strokesInReach(const Job &job);
     void want();
     void start();
     void take(const Job &job, const Result<Probe> &result);
     void showProbe(const Probe &probe);
-    QTreeWidgetItem *addStroke(const ProbeStroke &stroke, double share);
+    QTreeWidgetItem *addStroke(const ProbeStroke &stroke);
     void showAges();
     void selectRow(QTreeWidgetItem *item);
 

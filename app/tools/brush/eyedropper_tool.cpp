@@ -7,7 +7,6 @@
 #include "app/session/selecting/pick.h"
 #include "app/tools/tool_fields.h"
 #include "model/paint/local_paint.h"
-#include "model/painting/influence.h"
 #include "render/probe.h"
 
 #include <QComboBox>
@@ -30,17 +29,10 @@ constexpr double hairlineSlack = 3; ///< logical pixels around the pointer in wh
 
 std::optional<Colour> pictureColourAt(const Painting &painting, Microseconds time, Point point)
 {
-    // The probe computes all strokes that it gets, so it gets only those near the point.
-    Painting near = painting;
-    StrokeList strokes;
-    for (const StrokePtr &stroke : std::as_const(near.strokes))
-        if (influenceOf(*stroke, time).contains(point))
-            strokes.push_back(stroke);
-    near.strokes = std::move(strokes);
-    const Result<Probe> found = probe(near, time, point.x, point.y);
+    const Result<Probe> found = probe(reaching(painting, time, point), time, point.x, point.y);
     if (!found)
         return {};
-    const std::array<double, 3> &ryb = found->strokes.empty() ? found->rybBefore : found->strokes.back().rybAfter;
+    const std::array<double, 3> &ryb = found->rybAfter;
     const auto channel = [&ryb](int i) { return float(std::clamp(ryb[std::size_t(i)], 0.0, 1.0)); };
     return Colour{channel(0), channel(1), channel(2), 1};
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/cuda/tiles/tile_apart.h"
-#include "render/cuda/tiles/tile_layers.h"
+#include "render/cuda/tiles/tile_composition.h"
 
 namespace suffuse::cuda {
 
@@ -30,7 +30,7 @@ public:
 
     /// `index` is that of the job.
     SUFFUSE_PROGRAM TilePainter(Warp &warp, const Frame &frame, std::uint32_t index, TileScratch<general> &scratch)
-        : m_warp(warp), m_frame(frame), m_job(frame.tiles[index]), m_s(scratch), m_layers(warp, frame, index)
+        : m_warp(warp), m_frame(frame), m_job(frame.tiles[index]), m_s(scratch), m_composition(warp, frame, index)
     {}
 
     SUFFUSE_PROGRAM void paint(std::uint32_t index)
@@ -61,7 +61,7 @@ public:
         }
         enter(none);
         if constexpr (layered)
-            m_layers.goToEnd(m_backdrop);
+            m_composition.goToEnd(m_backdrop);
         if (m_job.flags & applyOver)
             m_warp.each([&](int lane) {
                 SUFFUSE_UNROLL
@@ -222,7 +222,7 @@ private:
         m_warp.meet(); // All lanes have finished with the last stroke's record.
         enter(found.chunk);
         if constexpr (layered)
-            m_layers.goTo(found.stroke, found.chunk, m_backdrop);
+            m_composition.goTo(found.stroke, found.chunk, m_backdrop);
         m_stroke = found.stroke;
         m_isApart = apart && found.nodes == apartNodes;
         m_firstChunk = found.chunk;
@@ -445,7 +445,7 @@ private:
     const Frame &m_frame;
     const TileJob m_job;
     TileScratch<general> &m_s;
-    TileLayers<Warp> m_layers;
+    TileComposition<Warp> m_composition;
     Var<LaneBackdrop> m_backdrop;
     Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the list entries that were looked at last
     const ListEntry *m_lists = nullptr;                        ///< those of the tile's half of the macro job

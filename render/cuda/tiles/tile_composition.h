@@ -22,13 +22,13 @@ SUFFUSE_CALL BackdropPixel putPixel(const LayerRecord &layer, const BackdropPixe
 }
 
 template <class Warp>
-class TileLayers {
+class TileComposition {
 public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
     /// `index` is that of the tile job.
-    SUFFUSE_PROGRAM TileLayers(Warp &warp, const Frame &frame, std::uint32_t index)
+    SUFFUSE_PROGRAM TileComposition(Warp &warp, const Frame &frame, std::uint32_t index)
         : m_warp(warp), m_frame(frame), m_planes(frame.layerPixels + std::size_t(index) * frame.layerPlanes * tileSize)
     {}
 
