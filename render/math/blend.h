@@ -22,7 +22,7 @@ SUFFUSE_INLINE Triple<V> rybFromRgb(V red, V green, V blue)
     const V m = min_(r, g);
     const V r1 = r - m, y1 = V(0.5) * (g + m), b1 = V(0.5) * (b + g - m);
     const V before = max_(r, max_(g, b)), after = max_(r1, max_(y1, b1));
-    const V scale = select_(less_(V(0), after), before / max_(after, V(1e-30)), V(1));
+    const V scale = select_(less_(V(0), after), before * reciprocal_(max_(after, V(1e-30))), V(1));
     const V zero(0), one(1);
     return {min_(one, max_(zero, r1 * scale + black)), min_(one, max_(zero, y1 * scale + black)),
             min_(one, max_(zero, b1 * scale + black))};
@@ -181,10 +181,10 @@ SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pi
             out[c] = mulAdd_(one - source, out[c], o * min_(layer.coverage, max_(V(0), s[c] - white)));
         return finished(out, coverage, source, below);
     }
-    const V inverse = one / max_(layer.coverage, tiny);
+    const V inverse = reciprocal_(max_(layer.coverage, tiny));
     const Triple<V> cs{straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
                        straight(over.z, layer.coverage, inverse)};
-    const V groundInverse = one / max_(ground, tiny);
+    const V groundInverse = reciprocal_(max_(ground, tiny));
     const Triple<V> cb = how.opaque
                              ? rgb
                              : Triple<V>{straight(rgb.x, ground, groundInverse), straight(rgb.y, ground, groundInverse),

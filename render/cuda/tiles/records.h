@@ -233,7 +233,7 @@ struct EverywhereRecord {
 };
 
 /// Holds RYB and coverage of one pixel while strokes are mixed into it.
-struct BackdropPixel {
+struct alignas(16) BackdropPixel {
     float red, yellow, blue, coverage;
 };
 
