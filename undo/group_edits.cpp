@@ -223,12 +223,23 @@ bool canUngroup(const Document &document)
 
 GroupId selectedGroup(const Document &document)
 {
+    const std::vector<GroupId> groups = selectedGroups(document);
+    return groups.size() == 1 ? groups.front() : 0;
+}
+
+std::vector<GroupId> selectedGroups(const Document &document)
+{
     const Selection &selection = document.selection();
-    if (!selection.segments.empty())
-        return 0;
+    if (!selection.segments.empty() || selection.strokes.empty() || document.painting()->groups.empty())
+        return {};
     const std::vector<Sibling> tree = orderTree(*document.painting(), selection.strokes);
-    const std::vector<const Sibling *> units = selectedUnits(tree);
-    return units.size() == 1 ? units.front()->group : 0;
+    std::vector<GroupId> groups;
+    for (const Sibling *unit : selectedUnits(tree)) {
+        if (unit->group == 0)
+            return {};
+        groups.push_back(unit->group);
+    }
+    return groups;
 }
 
 Edit ungroup(const Document &document, GroupId group)
@@ -281,6 +292,39 @@ Edit renameStroke(const Document &document, StrokeId stroke, const QString &name
 Edit renameGroup(const Document &document, GroupId group, const QString &name)
 {
     return changeGroup(document, group, [&name](Group &g) { g.name = name; });
+}
+
+Edit changeBlending(const Document &document, const Painting &before, const std::vector<GroupId> &groups,
+                    const std::function<void(Group &now, const Group &then)> &change)
+{
+    const Painting &painting = *document.painting();
+    return changeGroups(painting, [&](Group &group) {
+        if (std::ranges::find(groups, group.id) == groups.end() || isLocked(painting, group.id))
+            return;
+        const Group *then = findGroup(before, group.id);
+        Group changed = group;
+        change(changed, then ? *then : group);
+        if (changed.opacity >= 0 && changed.opacity <= 1)
+            group = std::move(changed);
+    });
+}
+
+Edit setGroupOpacity(const Document &document, const std::vector<GroupId> &groups, float opacity)
+{
+    return changeBlending(document, *document.painting(), groups,
+                          [opacity](Group &now, const Group &) { now.opacity = opacity; });
+}
+
+Edit setGroupBlend(const Document &document, const std::vector<GroupId> &groups, BlendMode blend)
+{
+    return changeBlending(document, *document.painting(), groups,
+                          [blend](Group &now, const Group &) { now.blend = blend; });
+}
+
+Edit setGroupIsolated(const Document &document, const std::vector<GroupId> &groups, bool isolated)
+{
+    return changeBlending(document, *document.painting(), groups,
+                          [isolated](Group &now, const Group &) { now.isolated = isolated; });
 }
 
 Selection selectSame(const Document &document, Same what)

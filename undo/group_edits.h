@@ -16,6 +16,9 @@ Edit ungroupSelection(const Document &document);
 bool canUngroup(const Document &document);
 /// The outermost group whose strokes are all that is selected. It is 0 if there is none, or if segments are selected.
 GroupId selectedGroup(const Document &document);
+/// The outermost groups whose strokes are all that is selected, from bottom to top. There are none if anything else is
+/// selected, too, or if segments are.
+std::vector<GroupId> selectedGroups(const Document &document);
 /// Dissolves one group. What is in it goes to the group around it.
 Edit ungroup(const Document &document, GroupId group);
 
@@ -29,6 +32,16 @@ Edit unlockAll(const Document &document);
 Edit showAll(const Document &document);
 Edit renameStroke(const Document &document, StrokeId stroke, const QString &name);
 Edit renameGroup(const Document &document, GroupId group, const QString &name);
+
+/// Applies `change` to opacity, mode or isolation of those of the groups that are neither locked nor in a locked one.
+/// `then` is the group in `before`, or the present one where it was not there. A group that becomes invalid stays as it
+/// was.
+Edit changeBlending(const Document &document, const Painting &before, const std::vector<GroupId> &groups,
+                    const std::function<void(Group &now, const Group &then)> &change);
+/// These set one of the three.
+Edit setGroupOpacity(const Document &document, const std::vector<GroupId> &groups, float opacity);
+Edit setGroupBlend(const Document &document, const std::vector<GroupId> &groups, BlendMode blend);
+Edit setGroupIsolated(const Document &document, const std::vector<GroupId> &groups, bool isolated);
 
 enum class Same { Colour, Style, Brush, Name };
 /// The selection and all visible, unlocked strokes that resemble one of the selected ones: in their mean colour (RYB,

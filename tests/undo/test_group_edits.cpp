@@ -226,6 +226,97 @@ private slots:
         QVERIFY(groupSelection(d, QString()).isEmpty());
     }
 
+    void groupsBlend()
+    {
+        Document d;
+        d.reset(makePainting(6));
+        const auto group = [&d](std::set<StrokeId> strokes) {
+            select(d, std::move(strokes));
+            Edit edit = groupSelection(d, {});
+            d.exchange(edit);
+            return d.painting()->groups.back().id;
+        };
+        const GroupId a = group({1, 2}), b = group({3, 4});
+        const auto of = [&d](GroupId id) { return *std::ranges::find(d.painting()->groups, id, &Group::id); };
+        const PaintingPtr before = d.painting();
+        using Values = std::tuple<float, BlendMode, bool>;
+        const auto values = [&of](GroupId id) { return Values{of(id).opacity, of(id).blend, of(id).isolated}; };
+        const auto isDoneAndUndone = [&](Edit edit, const Values &ofA, const Values &ofB) {
+            if (edit.isEmpty() || !edit.strokes.empty() || edit.reorders() || edit.selection)
+                return false; // nothing but the groups is touched
+            d.exchange(edit);
+            const bool done = values(a) == ofA && values(b) == ofB;
+            d.exchange(edit);
+            return done && *d.painting() == *before;
+        };
+        const Values usual{1, BlendMode::Normal, false};
+        QVERIFY(isDoneAndUndone(setGroupOpacity(d, {a}, 0.25f), {0.25f, BlendMode::Normal, false}, usual));
+        QVERIFY(isDoneAndUndone(setGroupBlend(d, {b}, BlendMode::Hue), usual, {1, BlendMode::Hue, false}));
+        const Values isolated{1, BlendMode::Normal, true};
+        QVERIFY(isDoneAndUndone(setGroupIsolated(d, {a, b}, true), isolated, isolated));
+        // What changes nothing is no edit, and neither is what no painting can have.
+        QVERIFY(setGroupOpacity(d, {a, b}, 1).isEmpty());
+        QVERIFY(setGroupBlend(d, {a}, BlendMode::Normal).isEmpty());
+        QVERIFY(setGroupIsolated(d, {a}, false).isEmpty());
+        QVERIFY(setGroupOpacity(d, {99}, 0.5f).isEmpty());
+        QVERIFY(setGroupOpacity(d, {}, 0.5f).isEmpty());
+        QVERIFY(setGroupOpacity(d, {a}, -0.5f).isEmpty());
+        QVERIFY(setGroupOpacity(d, {a}, std::numeric_limits<float>::quiet_NaN()).isEmpty());
+
+        // A drag counts each group from where it began.
+        Edit first = setGroupOpacity(d, {a}, 0.5f);
+        d.exchange(first);
+        Edit more = changeBlending(d, *before, {a, b},
+                                   [](Group &now, const Group &then) { now.opacity = then.opacity - 0.25f; });
+        d.exchange(more);
+        QCOMPARE(of(a).opacity, 0.75f);
+        QCOMPARE(of(b).opacity, 0.75f);
+        d.exchange(more);
+        QCOMPARE(of(a).opacity, 0.5f);
+        QCOMPARE(of(b).opacity, 1.0f);
+
+        // Neither a locked group nor one within a locked one changes.
+        const GroupId around = group({1, 2, 5});
+        QCOMPARE(of(a).parent, around);
+        Edit lockIt = setGroupLocked(d, around, true);
+        d.exchange(lockIt);
+        QVERIFY(setGroupBlend(d, {around}, BlendMode::Multiply).isEmpty());
+        QVERIFY(setGroupBlend(d, {a}, BlendMode::Multiply).isEmpty());
+        Edit some = setGroupBlend(d, {a, b}, BlendMode::Multiply);
+        d.exchange(some);
+        QCOMPARE(of(a).blend, BlendMode::Normal);
+        QCOMPARE(of(b).blend, BlendMode::Multiply);
+    }
+
+    void groupsSelectedAsAWhole()
+    {
+        Document d;
+        d.reset(makePainting(6));
+        using Ids = std::vector<GroupId>;
+        select(d, {1, 2});
+        QCOMPARE(selectedGroups(d), Ids());
+        for (const std::set<StrokeId> &strokes : {std::set<StrokeId>{1, 2}, {4, 5}}) {
+            select(d, strokes);
+            Edit edit = groupSelection(d, {});
+            d.exchange(edit);
+        }
+        const GroupId a = strokeOf(d, 1).group, b = strokeOf(d, 4).group;
+        const auto of = [&d](std::set<StrokeId> strokes) {
+            select(d, std::move(strokes));
+            return selectedGroups(d);
+        };
+        QCOMPARE(of({1, 2}), Ids{a});
+        QCOMPARE(selectedGroup(d), a);
+        QCOMPARE(of({1, 2, 4, 5}), (Ids{a, b}));
+        QCOMPARE(selectedGroup(d), GroupId(0));
+        QCOMPARE(of({1}), Ids());
+        QCOMPARE(of({1, 2, 3}), Ids());
+        QCOMPARE(of({1, 2, 4}), Ids());
+        QCOMPARE(of({}), Ids());
+        d.setSelection({{1, 2}, {{1, 0}}});
+        QCOMPARE(selectedGroups(d), Ids());
+    }
+
     void locksNamesAndLikeness()
     {
         Document d;
