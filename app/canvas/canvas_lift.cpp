@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/frames/floating_layers.h"
 #include "app/session/frames/reach.h"
+#include "render/composition/composition.h"
 
 #include <QPainter>
 
@@ -59,6 +60,10 @@ void CanvasLift::lift(const std::set<StrokeId> &strokes)
     const PaintingPtr &painting = m_editor.unsettled().painting();
     if (strokes.size() < 2 || m_editor.clock().isRunning() || m_editor.unsettledShown() != painting ||
         !m_frames.canFloat())
+        return;
+    // Where a group is put on what lies below it as a whole, no picture of some strokes over one of the others is like
+    // the picture of all.
+    if (!compositionOf(*painting).isFlat())
         return;
     Painting rest = *painting, lifted = *painting;
     rest.strokes.clear();

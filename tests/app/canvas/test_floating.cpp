@@ -4,6 +4,7 @@
 #include "tests/app/slow_renderer.h"
 #include "tests/app/worker_frames.h"
 #include "undo/edits.h"
+#include "undo/group_edits.h"
 
 #include <QSettings>
 #include <QTemporaryDir>
@@ -29,7 +30,7 @@ StrokeList threeLines()
 struct Floats : Selecting {
     int composed = 0, exact = 0, coarse = 0;
     bool isLastExact = false; ///< of the frames on the screen
-    int rested = 0; ///< the hand, for long enough: then the document has what floated
+    int rested = 0;           ///< the hand, for long enough: then the document has what floated
 
     explicit Floats(MakeRenderer make = makeSlowRenderer) : Selecting(threeLines(), std::move(make))
     {
@@ -160,6 +161,62 @@ private slots:
         s.release(Floats::grip + Point{40, 24});
         const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));
         QVERIFY2(mean < 0.2, qPrintable(QString::number(mean)));
+    }
+
+    /// A picture of some strokes over a picture of the others is not what a painting is where a group is put on the
+    /// rest as a whole: whether the group is dragged, or what lies below or above it.
+    void nothingFloatsWhereAGroupBlends_data()
+    {
+        QTest::addColumn<bool>("dragsTheGroup");
+        QTest::addColumn<bool>("isVisible");
+        QTest::addColumn<int>("what");
+        QTest::newRow("opacity, dragged") << true << true << 0;
+        QTest::newRow("opacity, beside it") << false << true << 0;
+        QTest::newRow("mode, dragged") << true << true << 1;
+        QTest::newRow("mode, beside it") << false << true << 1;
+        QTest::newRow("isolated, dragged") << true << true << 2;
+        QTest::newRow("a plain group, dragged") << true << true << 3;
+        QTest::newRow("hidden, beside it") << false << false << 1;
+    }
+
+    void nothingFloatsWhereAGroupBlends()
+    {
+        QFETCH(bool, dragsTheGroup);
+        QFETCH(bool, isVisible);
+        QFETCH(int, what);
+        Floats s;
+        s.select(dragsTheGroup ? std::set<StrokeId>{1, 2} : std::set<StrokeId>{3});
+        s.editor().push(groupSelection(s.editor().document(), {}), "group");
+        const GroupId group = s.painting().groups.back().id;
+        const Document &document = s.editor().document();
+        if (what == 0)
+            s.editor().push(setGroupOpacity(document, {group}, 0.5f), "opacity");
+        else if (what == 1)
+            s.editor().push(setGroupBlend(document, {group}, BlendMode::Multiply), "mode");
+        else if (what == 2)
+            s.editor().push(setGroupIsolated(document, {group}, true), "isolated");
+        if (!isVisible)
+            s.editor().push(setGroupVisible(document, group, false), "hide");
+        const bool floats = what == 3 || !isVisible;
+        s.select({1, 2});
+        s.dry();
+        const int steps = s.steps(), composed = s.composed;
+        const QByteArray before = hashOf(s.painting());
+        s.press(Floats::grip);
+        QCOMPARE(s.canvas().isLifted(), floats);
+        for (int i = 1; i <= 4; ++i) {
+            s.report(Floats::grip, i * Point{10, 6});
+            QTest::qWait(20);
+        }
+        QVERIFY(floats || near(s.unsettledX(), 340, 2)); // The document has what is shown.
+        s.release(Floats::grip + Point{40, 24});
+        QVERIFY(s.restsExactly());
+        QVERIFY(floats || s.composed == composed);
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(near(s.stroke(1).origin.x, 340, 2) && near(s.stroke(1).origin.y, 274, 2));
+        s.use(Command::Undo);
+        QCOMPARE(hashOf(s.painting()), before);
+        QVERIFY(s.restsExactly());
     }
 
     /// Where all is lifted, what is shown moves: nothing has to be drawn, and nothing is coarse.
