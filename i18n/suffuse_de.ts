@@ -983,6 +983,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
         <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu</translation>
     </message>
+    <message>
+        <source>  groups    %1</source>
+        <translation>  Gruppen   %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them blending</source>
+        <translation>%1, davon %2 mit eigener Mischung</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1893,6 +1901,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1: %2 curves are more than %3</source>
         <translation>%1: %2 Kurven sind mehr als %3</translation>
+    </message>
+    <message>
+        <source>there is no such blend mode</source>
+        <translation>diesen Mischmodus gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -8461,6 +8473,10 @@ Auch die Pfeiltasten wirken.</translation>
         <extracomment>between &quot;3 pieces&quot; and &quot;12 erasures&quot;</extracomment>
         <translation>, </translation>
     </message>
+    <message>
+        <source>mixes by itself</source>
+        <translation>mischt für sich</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -8551,6 +8567,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
         <translation>Während in der Liste gesucht wird, lassen sich keine Zeilen ziehen: Zwischen den gezeigten können andere liegen. Bitte zuerst die Suche leeren.</translation>
+    </message>
+    <message>
+        <source>Mi&amp;x by Itself</source>
+        <translation>Für sich &amp;mischen</translation>
+    </message>
+    <message>
+        <source>Mix group by itself</source>
+        <translation>Gruppe für sich mischen</translation>
+    </message>
+    <message>
+        <source>Mix group with what lies below</source>
+        <translation>Gruppe mit dem Bild darunter mischen</translation>
     </message>
 </context>
 <context>
@@ -9682,6 +9710,235 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Change text</source>
         <translation>Text ändern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BlendMode</name>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplizieren</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Negativ multiplizieren</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Ineinanderkopieren</translation>
+    </message>
+    <message>
+        <source>Darken</source>
+        <translation>Abdunkeln</translation>
+    </message>
+    <message>
+        <source>Lighten</source>
+        <translation>Aufhellen</translation>
+    </message>
+    <message>
+        <source>Colour Dodge</source>
+        <translation>Farbig abwedeln</translation>
+    </message>
+    <message>
+        <source>Colour Burn</source>
+        <translation>Farbig nachbelichten</translation>
+    </message>
+    <message>
+        <source>Hard Light</source>
+        <translation>Hartes Licht</translation>
+    </message>
+    <message>
+        <source>Soft Light</source>
+        <translation>Weiches Licht</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <comment>blend mode</comment>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Exclusion</source>
+        <comment>blend mode</comment>
+        <translation>Ausschluss</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Luminosity</source>
+        <translation>Luminanz</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Addieren</translation>
+    </message>
+    <message>
+        <source>Mask Below</source>
+        <translation>Unteres maskieren</translation>
+    </message>
+    <message>
+        <source>Erase Below</source>
+        <translation>Unteres radieren</translation>
+    </message>
+    <message>
+        <source>Clip to Below</source>
+        <translation>Auf Unteres begrenzen</translation>
+    </message>
+    <message>
+        <source>The group covers what lies below.</source>
+        <translation>Die Gruppe deckt, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source>Darkens, as glazes and shadows do; white changes nothing.</source>
+        <translation>Dunkelt ab, wie Lasuren und Schatten; Weiß ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Lightens, as lights do that fall on one place; black changes nothing.</source>
+        <translation>Hellt auf, wie Lichter, die auf dieselbe Stelle fallen; Schwarz ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Multiplies where it is dark below, and screens where it is light there.</source>
+        <translation>Multipliziert, wo es darunter dunkel ist, und multipliziert negativ, wo es dort hell ist.</translation>
+    </message>
+    <message>
+        <source>Of each channel the darker value stays.</source>
+        <translation>Von jedem Kanal bleibt der dunklere Wert.</translation>
+    </message>
+    <message>
+        <source>Of each channel the lighter value stays.</source>
+        <translation>Von jedem Kanal bleibt der hellere Wert.</translation>
+    </message>
+    <message>
+        <source>Brightens what lies below, strongly where the group is light.</source>
+        <translation>Macht heller, was darunter liegt, und zwar stark, wo die Gruppe hell ist.</translation>
+    </message>
+    <message>
+        <source>Deepens what lies below, strongly where the group is dark.</source>
+        <translation>Macht tiefer, was darunter liegt, und zwar stark, wo die Gruppe dunkel ist.</translation>
+    </message>
+    <message>
+        <source>Multiplies where the group is dark, and screens where it is light.</source>
+        <translation>Multipliziert, wo die Gruppe dunkel ist, und multipliziert negativ, wo sie hell ist.</translation>
+    </message>
+    <message>
+        <source>Darkens or lightens gently, as a diffuse light does.</source>
+        <translation>Dunkelt sanft ab oder hellt sanft auf, wie gestreutes Licht.</translation>
+    </message>
+    <message>
+        <source>How far both are apart; white inverts what lies below.</source>
+        <translation>Wie weit beide auseinanderliegen; Weiß kehrt um, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source>As Difference, with less contrast.</source>
+        <translation>Wie Differenz, mit weniger Kontrast.</translation>
+    </message>
+    <message>
+        <source>The hue of the group, with saturation and luminosity of what lies below.</source>
+        <translation>Der Farbton der Gruppe, mit Sättigung und Luminanz dessen, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source>The saturation of the group, with hue and luminosity of what lies below.</source>
+        <translation>Die Sättigung der Gruppe, mit Farbton und Luminanz dessen, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source>Hue and saturation of the group, with the luminosity of what lies below: for tinting.</source>
+        <translation>Farbton und Sättigung der Gruppe, mit der Luminanz dessen, was darunter liegt: zum Tönen.</translation>
+    </message>
+    <message>
+        <source>The luminosity of the group, with hue and saturation of what lies below.</source>
+        <translation>Die Luminanz der Gruppe, mit Farbton und Sättigung dessen, was darunter liegt.</translation>
+    </message>
+    <message>
+        <source>The sum of both, for glows (plus, linear dodge).</source>
+        <translation>Die Summe von beidem, für Leuchten (plus, linear abwedeln).</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself: what lies below stays where the group covers, and goes elsewhere (destination-in).</source>
+        <translation>Die Gruppe selbst ist nicht zu sehen: Was darunter liegt, bleibt, wo die Gruppe deckt, und verschwindet sonst (destination-in).</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself: it takes away what lies below where it covers (destination-out).</source>
+        <translation>Die Gruppe selbst ist nicht zu sehen: Wo sie deckt, nimmt sie weg, was darunter liegt (destination-out).</translation>
+    </message>
+    <message>
+        <source>The group is seen only where paint lies below it: for shading a shape without leaving it (source-atop).</source>
+        <translation>Die Gruppe ist nur zu sehen, wo Farbe unter ihr liegt: um eine Form zu schattieren, ohne sie zu verlassen (source-atop).</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupSection</name>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How strongly the group shows. Below 100 % it fades as a whole: strokes that overlap in it do not show through each other.</source>
+        <translation>Wie stark die Gruppe zu sehen ist. Unter 100 % verblasst sie als Ganzes: Striche, die sich in ihr überlappen, scheinen nicht durcheinander hindurch.</translation>
+    </message>
+    <message>
+        <source>Change group opacity</source>
+        <translation>Deckkraft der Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für alles möglich, was ausgewählt ist: Ein Wert läge außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Change group mode</source>
+        <translation>Modus der Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Mix by itself</source>
+        <translation>Für sich mischen</translation>
+    </message>
+    <message>
+        <source>Mix group by itself</source>
+        <translation>Gruppe für sich mischen</translation>
+    </message>
+    <message>
+        <source>Mix group with what lies below</source>
+        <translation>Gruppe mit dem Bild darunter mischen</translation>
+    </message>
+    <message>
+        <source>How the group&apos;s picture is put on what lies below. Any mode but Normal has its strokes mix by themselves first.</source>
+        <translation>Wie das Bild der Gruppe auf das kommt, was darunter liegt. Bei jedem Modus außer Normal mischen sich ihre Striche zuerst für sich.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>the mode that is chosen, and what it does</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The group&apos;s strokes mix among themselves, and their picture is put on what lies below. Otherwise they mix with what lies below as if there were no group.</source>
+        <translation>Die Striche der Gruppe mischen sich untereinander, und ihr Bild kommt auf das, was darunter liegt. Sonst mischen sie sich mit dem, was darunter liegt, als gäbe es keine Gruppe.</translation>
+    </message>
+    <message>
+        <source>Its opacity or its mode has the group mix by itself in any case.</source>
+        <translation>Durch ihre Deckkraft oder ihren Modus mischt sich die Gruppe in jedem Fall für sich.</translation>
     </message>
 </context>
 </TS>

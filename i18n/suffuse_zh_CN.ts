@@ -977,6 +977,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
         <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse</translation>
     </message>
+    <message>
+        <source>  groups    %1</source>
+        <translation>  组        %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them blending</source>
+        <translation>%1，其中 %2 个自行混合</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1882,6 +1890,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1: %2 curves are more than %3</source>
         <translation>%1：%2 条曲线超过了 %3 条</translation>
+    </message>
+    <message>
+        <source>there is no such blend mode</source>
+        <translation>没有这种混合模式</translation>
     </message>
 </context>
 <context>
@@ -8412,6 +8424,10 @@ Arrow keys work too.</source>
         <extracomment>between &quot;3 pieces&quot; and &quot;12 erasures&quot;</extracomment>
         <translation>，</translation>
     </message>
+    <message>
+        <source>mixes by itself</source>
+        <translation>自行混合</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -8502,6 +8518,18 @@ Arrow keys work too.</source>
     <message>
         <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
         <translation>搜索列表时不能拖动行：显示的行之间可能还有其他行。请先清除搜索。</translation>
+    </message>
+    <message>
+        <source>Mi&amp;x by Itself</source>
+        <translation>自行混合(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Mix group by itself</source>
+        <translation>组自行混合</translation>
+    </message>
+    <message>
+        <source>Mix group with what lies below</source>
+        <translation>组与下方混合</translation>
     </message>
 </context>
 <context>
@@ -9630,6 +9658,235 @@ Arrow keys work too.</source>
     <message>
         <source>Change text</source>
         <translation>更改文字</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BlendMode</name>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>正片叠底</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>滤色</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Darken</source>
+        <translation>变暗</translation>
+    </message>
+    <message>
+        <source>Lighten</source>
+        <translation>变亮</translation>
+    </message>
+    <message>
+        <source>Colour Dodge</source>
+        <translation>颜色减淡</translation>
+    </message>
+    <message>
+        <source>Colour Burn</source>
+        <translation>颜色加深</translation>
+    </message>
+    <message>
+        <source>Hard Light</source>
+        <translation>强光</translation>
+    </message>
+    <message>
+        <source>Soft Light</source>
+        <translation>柔光</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <comment>blend mode</comment>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Exclusion</source>
+        <comment>blend mode</comment>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>饱和度</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Luminosity</source>
+        <translation>明度</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>相加</translation>
+    </message>
+    <message>
+        <source>Mask Below</source>
+        <translation>遮罩下方</translation>
+    </message>
+    <message>
+        <source>Erase Below</source>
+        <translation>擦除下方</translation>
+    </message>
+    <message>
+        <source>Clip to Below</source>
+        <translation>剪贴到下方</translation>
+    </message>
+    <message>
+        <source>The group covers what lies below.</source>
+        <translation>组覆盖下方的内容。</translation>
+    </message>
+    <message>
+        <source>Darkens, as glazes and shadows do; white changes nothing.</source>
+        <translation>像罩染和阴影一样变暗；白色不改变任何内容。</translation>
+    </message>
+    <message>
+        <source>Lightens, as lights do that fall on one place; black changes nothing.</source>
+        <translation>像照在同一处的光一样变亮；黑色不改变任何内容。</translation>
+    </message>
+    <message>
+        <source>Multiplies where it is dark below, and screens where it is light there.</source>
+        <translation>下方暗处正片叠底，亮处滤色。</translation>
+    </message>
+    <message>
+        <source>Of each channel the darker value stays.</source>
+        <translation>每个通道保留较暗的值。</translation>
+    </message>
+    <message>
+        <source>Of each channel the lighter value stays.</source>
+        <translation>每个通道保留较亮的值。</translation>
+    </message>
+    <message>
+        <source>Brightens what lies below, strongly where the group is light.</source>
+        <translation>提亮下方的内容，组越亮效果越强。</translation>
+    </message>
+    <message>
+        <source>Deepens what lies below, strongly where the group is dark.</source>
+        <translation>加深下方的内容，组越暗效果越强。</translation>
+    </message>
+    <message>
+        <source>Multiplies where the group is dark, and screens where it is light.</source>
+        <translation>组的暗处正片叠底，亮处滤色。</translation>
+    </message>
+    <message>
+        <source>Darkens or lightens gently, as a diffuse light does.</source>
+        <translation>像漫射光一样柔和地变暗或变亮。</translation>
+    </message>
+    <message>
+        <source>How far both are apart; white inverts what lies below.</source>
+        <translation>两者相差多少；白色使下方的内容反相。</translation>
+    </message>
+    <message>
+        <source>As Difference, with less contrast.</source>
+        <translation>与差值相同，但对比度较低。</translation>
+    </message>
+    <message>
+        <source>The hue of the group, with saturation and luminosity of what lies below.</source>
+        <translation>采用组的色相，以及下方内容的饱和度和明度。</translation>
+    </message>
+    <message>
+        <source>The saturation of the group, with hue and luminosity of what lies below.</source>
+        <translation>采用组的饱和度，以及下方内容的色相和明度。</translation>
+    </message>
+    <message>
+        <source>Hue and saturation of the group, with the luminosity of what lies below: for tinting.</source>
+        <translation>采用组的色相和饱和度，以及下方内容的明度：用于着色。</translation>
+    </message>
+    <message>
+        <source>The luminosity of the group, with hue and saturation of what lies below.</source>
+        <translation>采用组的明度，以及下方内容的色相和饱和度。</translation>
+    </message>
+    <message>
+        <source>The sum of both, for glows (plus, linear dodge).</source>
+        <translation>两者之和，用于发光效果（plus，线性减淡）。</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself: what lies below stays where the group covers, and goes elsewhere (destination-in).</source>
+        <translation>组本身不可见：下方的内容只在组覆盖处保留，其他地方消失（destination-in）。</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself: it takes away what lies below where it covers (destination-out).</source>
+        <translation>组本身不可见：在其覆盖处去除下方的内容（destination-out）。</translation>
+    </message>
+    <message>
+        <source>The group is seen only where paint lies below it: for shading a shape without leaving it (source-atop).</source>
+        <translation>组只在其下方有颜料处可见：用于给形状上阴影而不超出其范围（source-atop）。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupSection</name>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How strongly the group shows. Below 100 % it fades as a whole: strokes that overlap in it do not show through each other.</source>
+        <translation>组显示的强度。低于 100 % 时整体变淡：组内重叠的笔画不会互相透出。</translation>
+    </message>
+    <message>
+        <source>Change group opacity</source>
+        <translation>更改组的不透明度</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Change group mode</source>
+        <translation>更改组的模式</translation>
+    </message>
+    <message>
+        <source>Mix by itself</source>
+        <translation>自行混合</translation>
+    </message>
+    <message>
+        <source>Mix group by itself</source>
+        <translation>组自行混合</translation>
+    </message>
+    <message>
+        <source>Mix group with what lies below</source>
+        <translation>组与下方混合</translation>
+    </message>
+    <message>
+        <source>How the group&apos;s picture is put on what lies below. Any mode but Normal has its strokes mix by themselves first.</source>
+        <translation>组的图像如何置于下方内容之上。除“正常”外，任何模式都会让组内笔画先自行混合。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>the mode that is chosen, and what it does</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The group&apos;s strokes mix among themselves, and their picture is put on what lies below. Otherwise they mix with what lies below as if there were no group.</source>
+        <translation>组内笔画彼此混合，其图像再置于下方内容之上。否则它们与下方内容混合，就像没有组一样。</translation>
+    </message>
+    <message>
+        <source>Its opacity or its mode has the group mix by itself in any case.</source>
+        <translation>由于其不透明度或模式，该组总是自行混合。</translation>
     </message>
 </context>
 </TS>

@@ -18,6 +18,7 @@ class CompareButton;
 class Editor;
 class FiguresSection;
 class FillSection;
+class GroupSection;
 class HintLabel;
 class SegmentSection;
 class StrokeSection;
@@ -32,6 +33,7 @@ class InspectorPanel : public QWidget {
 public:
     explicit InspectorPanel(Editor &editor, QWidget *parent = nullptr);
 
+    GroupSection *groupSection() const { return m_groups; }
     SegmentSection *segmentSection() const { return m_segments; }
     StyleSection *styleSection() const { return m_style; }
     FillSection *fillSection() const { return m_fill; }
@@ -69,6 +71,7 @@ private:
     CompareButton *m_compare = nullptr;
     QToolButton *m_alongButton = nullptr;
     QPointer<AlongDialog> m_along;
+    GroupSection *m_groups = nullptr;
     SegmentSection *m_segments = nullptr;
     StyleSection *m_style = nullptr;
     FillSection *m_fill = nullptr;

@@ -3,6 +3,8 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/colour_convert.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/numbers/blend_modes.h"
+#include "app/widgets/numbers/display.h"
 #include "model/colour/colour_uses.h"
 #include "model/shaping/curves/chains.h"
 
@@ -65,6 +67,19 @@ QString makeUpOf(const Stroke &stroke)
         parts << StrokesModel::tr("%Ln erasure(s)", nullptr, erasures);
     //: between "3 pieces" and "12 erasures"
     return parts.join(StrokesModel::tr(", "));
+}
+
+/// What is not usual about how a group is put on what lies below: "Multiply · 60 %".
+QString blendingOf(const Group &group)
+{
+    QStringList parts;
+    if (group.blend != BlendMode::Normal)
+        parts << nameOf(group.blend);
+    if (group.opacity < 1)
+        parts << shareDisplay().text(double(group.opacity));
+    if (parts.isEmpty() && group.isolated)
+        parts << StrokesModel::tr("mixes by itself");
+    return parts.join(QStringLiteral(" · "));
 }
 
 /// "40 segments", and in a second line how the stroke is made up.
@@ -140,6 +155,10 @@ QVariant groupRowData(const Group &group, const GroupMarks &marks, int column, i
         return group.name;
     case Qt::DecorationRole:
         return icon("group");
+    case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
+    case StrokesModel::MakeUpRole:
+        return blendingOf(group);
     case StrokesModel::UnnamedRole:
         return group.name.isEmpty();
     default:

@@ -30,8 +30,9 @@ public:
         SwitchRole,                  ///< bool of an eye (visible) or lock (locked); for a group also what is in it
         PartRole,                    ///< bool of a group's eye or lock: some strokes in it are hidden, or locked
         SegmentRole,                 ///< int: the index of a segment in its stroke; -1 for other rows
-        MakeUpRole,                  ///< QString: "3 pieces, 12 erasures"; empty for a stroke of one piece
-        WhollySelectedRole           ///< bool: whether all strokes of a group are selected
+        MakeUpRole,        ///< QString: "3 pieces, 12 erasures" of a stroke, "Multiply · 60 %" of a group; empty where
+                           ///< there is nothing unusual
+        WhollySelectedRole ///< bool: whether all strokes of a group are selected
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);

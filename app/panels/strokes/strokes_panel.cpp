@@ -7,6 +7,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "undo/group_edits.h"
 
 #include <QAction>
 #include <QApplication>
@@ -15,6 +16,8 @@
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -371,6 +374,24 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
         same->addAction(text, this, [this, what = what] { commands::selectSameAs(m_editor, what); });
 }
 
+/// A group whose opacity or mode isolates it mixes by itself in any case, and a locked one stays as it is.
+void StrokesPanel::addIsolated(QMenu &menu, GroupId id)
+{
+    const Document &document = m_editor.document();
+    const std::vector<Group> &groups = document.painting()->groups;
+    const auto group = std::ranges::find(groups, id, &Group::id);
+    if (group == groups.end())
+        return;
+    const bool on = group->isolated, isFree = group->opacity >= 1 && group->blend == BlendMode::Normal;
+    QAction *action = menu.addAction(tr("Mi&x by Itself"), this, [this, id, on] {
+        m_editor.push(setGroupIsolated(m_editor.document(), {id}, !on),
+                      on ? tr("Mix group with what lies below") : tr("Mix group by itself"));
+    });
+    action->setCheckable(true);
+    action->setChecked(group->isIsolated());
+    action->setEnabled(isFree && !setGroupIsolated(document, {id}, !on).isEmpty());
+}
+
 void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
 {
     if (!m_model->strokeAt(index)) { // The row is a group's.
@@ -381,6 +402,7 @@ void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
                                                                    : (on ? tr("Un&lock") : tr("&Lock"));
             menu.addAction(text, this, [this, cell = QPersistentModelIndex(cell)] { m_model->toggle(cell); });
         }
+        addIsolated(menu, index.data(StrokesModel::GroupIdRole).toULongLong());
         return;
     }
     // All that is selected changes as the row does that was clicked.

@@ -77,6 +77,7 @@ private:
     std::set<QModelIndex> groupsAroundSelected() const;
     void showMenu(const QPoint &at);
     void addSwitches(QMenu &menu, const QModelIndex &index);
+    void addIsolated(QMenu &menu, GroupId group);
 
     Editor &m_editor;
     QList<QAction *> m_more;

@@ -128,8 +128,8 @@ public:
     }
 
 private:
-    /// Writes of how many pieces and erasures a stroke is, small and pale at the end of its row, as far as the name
-    /// leaves room for that; the tool tip says all of it.
+    /// Writes of how many pieces and erasures a stroke is, and how a group blends, small and pale at the end of the
+    /// row, as far as the name leaves room for that; the tool tip says all of it.
     static void paintMakeUp(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index)
     {
         const QString text = index.data(StrokesModel::MakeUpRole).toString();

@@ -1,6 +1,7 @@
 // Every text is seen as a whole, and every dialog lies on the screen: in all languages, and in ones that take more
 // room.
 #include "app/panels/colour/colour_panel.h"
+#include "app/panels/inspector/group_section.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
 #include "app/widgets/colour/colour_rows.h"
@@ -256,8 +257,12 @@ private slots:
         look("values: ");
         s.use(Command::BrushPalette);
         look("palette: ");
-        s.editor().document().setSelection({});
         s.window.findChild<QDockWidget *>("inspectorDock")->raise();
+        s.use(Command::SelectAll);
+        s.use(Command::GroupStrokes);
+        QTRY_VERIFY(s.window.findChild<GroupSection *>()->isVisible());
+        look("a group: ");
+        s.editor().document().setSelection({});
         look("nothing selected: ");
         cut.removeDuplicates();
         QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
