@@ -135,6 +135,12 @@ Result<Facts> factsOf(const QString &path)
     return facts;
 }
 
+/// How many groups mix by themselves and are put on what lies below as a whole.
+qint64 blendingGroups(const Painting &painting)
+{
+    return std::ranges::count_if(painting.groups, &Group::isIsolated);
+}
+
 QJsonObject jsonOf(const Facts &f)
 {
     const Canvas &canvas = f.painting.canvas;
@@ -153,6 +159,7 @@ QJsonObject jsonOf(const Facts &f)
         {"strokes", qint64(f.painting.strokes.size())},
         {"segments", qint64(f.painting.segmentCount())},
         {"groups", qint64(f.painting.groups.size())},
+        {"blendingGroups", blendingGroups(f.painting)},
         {"begin", toSeconds(f.begin)},
         {"end", toSeconds(f.end)},
         {"duration", toSeconds(f.end - f.begin)},
@@ -194,6 +201,13 @@ QString lineOf(const ChunkInfo &c)
     return meaning.isEmpty() ? line : QStringLiteral("%1 (%2)").arg(line, meaning);
 }
 
+QString groupsLine(const Painting &painting)
+{
+    const QString line = QCoreApplication::translate("Cli", "  groups    %1").arg(painting.groups.size());
+    const qint64 blending = blendingGroups(painting);
+    return blending == 0 ? line : QCoreApplication::translate("Cli", "%1, %2 of them blending").arg(line).arg(blending);
+}
+
 QString textOf(const Facts &f)
 {
     const Canvas &canvas = f.painting.canvas;
@@ -204,6 +218,7 @@ QString textOf(const Facts &f)
         QCoreApplication::translate("Cli", "  paper     %1").arg(paperText(canvas.paper)),
         QCoreApplication::translate("Cli", "  strokes   %1").arg(f.painting.strokes.size()),
         QCoreApplication::translate("Cli", "  segments  %1").arg(f.painting.segmentCount()),
+        groupsLine(f.painting),
         f.bounds.isEmpty() ? QCoreApplication::translate("Cli", "  bounds    none: nothing is painted")
                            : QCoreApplication::translate("Cli", "  bounds    x %1, y %2, %3 × %4")
                                  .arg(f.bounds.left, 0, 'f', 1)

@@ -19,6 +19,7 @@ private slots:
     void wrongUsage_data();
     void wrongUsage();
     void info();
+    void infoOfGroups();
     void backends();
     void convertIsExact();
     void convertLeavesItsInput();
@@ -153,6 +154,27 @@ void TestCli::info()
     QCOMPARE(bounds.size(), 4);
     QVERIFY(bounds[0].toDouble() < 5 && bounds[0].toDouble() + bounds[2].toDouble() > 35);
     QVERIFY(runCli({"info", path("a.json")}).out.contains("40 × 30"));
+    QCOMPARE(o["groups"].toInt(-1), 0);
+    QCOMPARE(o["blendingGroups"].toInt(-1), 0);
+    QVERIFY(runCli({"info", path("a.json")}).out.contains("\n  groups    0\n"));
+}
+
+/// A group blends by its opacity, by its mode, or because it is isolated; one that is as usual does not.
+void TestCli::infoOfGroups()
+{
+    QJsonObject root = QJsonDocument::fromJson(smallPainting()).object();
+    root["version"] = 3;
+    root["groups"] =
+        QJsonArray{QJsonObject{{"id", 1}}, QJsonObject{{"id", 2}, {"opacity", 0.5}},
+                   QJsonObject{{"id", 3}, {"blend", "multiply"}}, QJsonObject{{"id", 4}, {"isolated", true}}};
+    QTemporaryDir folder;
+    const QString file = folder.filePath("groups.json");
+    QVERIFY(writeFile(file, QJsonDocument(root).toJson()));
+    const CliOutcome outcome = runCli({"info", file, "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QCOMPARE(outcome.json()["groups"].toInt(), 4);
+    QCOMPARE(outcome.json()["blendingGroups"].toInt(), 3);
+    QVERIFY(runCli({"info", file}).out.contains("\n  groups    4, 3 of them blending\n"));
 }
 
 void TestCli::backends()
