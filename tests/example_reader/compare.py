@@ -16,7 +16,8 @@ except ImportError as problem:
 DEFAULTS = {"brush": "", "origin": [0, 0], "node": "smooth", "anisotropy": {"ratio": 1, "angle": 0}, "rewet": [],
             "start": False, "lift": False, "fill": None, "gradient": None,
             "grain": "tooth", "beta": 0, "seed": 1, "scale": 24, "strength": 0.5, "style": None,
-            "text": None, "italic": False, "letterSpacing": 0, "vertical": False, "curve": []}
+            "text": None, "italic": False, "letterSpacing": 0, "vertical": False, "curve": [], "opacity": 1, "blend": "normal",
+            "isolated": False}
 
 EXACT = (".id", ".parent", ".group", ".canvas.width", ".canvas.height", ".origin", ".area", ".born", ".rewet", ".size", ".place",
          ".curve")
@@ -36,7 +37,7 @@ def differs(ours, theirs, path):
             return f"{path}: {len(ours)} and {len(theirs)} values"
         return next(filter(None, (differs(a, b, f"{path}[{k}]") for k, (a, b) in enumerate(zip(ours, theirs)))), None)
     is_number = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in (ours, theirs))
-    is_single = path.endswith((".weight", ".letterSpacing", ".lineHeight"))  # in ".groups", which ".group" names, too
+    is_single = path.endswith((".weight", ".letterSpacing", ".lineHeight", ".opacity"))  # in ".groups", which ".group" names, too
     is_number = is_number and (is_single or not any(name in path for name in EXACT))
     if ours == theirs or (is_number and read_suffuse.single(ours) == read_suffuse.single(theirs)):
         return None

@@ -13,6 +13,9 @@ from itertools import islice
 import cbor2
 import zstandard
 
+BLEND_MODES = ["normal", "multiply", "screen", "overlay", "darken", "lighten", "color-dodge", "color-burn", "hard-light",
+               "soft-light", "difference", "exclusion", "hue", "saturation", "color", "luminosity", "plus",
+               "destination-in", "destination-out", "source-atop"]
 CRC = [functools.reduce(lambda crc, _: crc >> 1 ^ (0x82F63B78 if crc & 1 else 0), range(8), k) for k in range(256)]
 
 
@@ -208,7 +211,7 @@ def read(data):
     for kind, payload in chunks(data):
         if kind == "HEAD":
             head = cbor2.loads(payload)
-            assert head["reader"] <= 2, "the file is newer"
+            assert head["reader"] <= 3, "the file is newer"
             out["version"] = head["reader"]
         elif kind == "IMAG":
             media = {b"\x89": "png", b"\xff": "jpeg", b"R": "webp", b"v": "x-exr"}.get(payload[:1], "tiff")
@@ -231,6 +234,8 @@ def read(data):
         underlay["area"] = [left, top, right - left, bottom - top]
     for group in out.get("groups", []):
         group["parent"] = group["parent"] or None
+        if "blend" in group:
+            group["blend"] = BLEND_MODES[group["blend"]]
         if text := group.get("text"):
             text["alignment"] = ["start", "centre", "end"][text["alignment"]]
             numbers = text.pop("curve", [])

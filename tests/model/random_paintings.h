@@ -21,9 +21,15 @@ public:
         if (chance(2))
             p.groups = {{7, QStringLiteral("Gruppe \"ä\\\n\t\x01 😀"), 0, false, true, {}},
                         {9, QStringLiteral("in"), 7, true, false, {}}};
-        for (Group &group : p.groups)
+        for (Group &group : p.groups) {
             if (chance(2))
                 group.text = text();
+            if (chance(2)) {
+                group.opacity = float(unit());
+                group.blend = BlendMode(below(blendModes));
+                group.isolated = chance(2);
+            }
+        }
         for (int k = 0; k < strokes; ++k)
             p.strokes.push_back(
                 stroke(StrokeId(k * 3 + 1), 1 + below(segments), p.groups.empty() || k > strokes / 2 ? 0 : 9));

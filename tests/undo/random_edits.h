@@ -169,6 +169,9 @@ private:
         const auto &strokes = m_document.painting()->strokes;
         const GroupId id = m_document.takeGroupId();
         edit.groups = std::vector<Group>{{id, QStringLiteral("g"), 0, below(4) != 0, below(6) == 0}};
+        Group &group = edit.groups->front();
+        group.opacity = below(2) ? 1 : float(real(0, 1));
+        group.blend = below(2) ? BlendMode::Normal : BlendMode(below(blendModes));
         for (std::size_t i = 0; i < strokes.size(); ++i) {
             auto s = std::make_shared<Stroke>(*strokes[i]);
             s->group = i < strokes.size() / 2 ? id : 0;

@@ -191,8 +191,20 @@ private slots:
             "strokes: {…} is not a list");
         row("no strokes", "{\"format\": \"suffuse-text\", \"version\": 1}", "a.json: strokes: is missing");
         row("no format", "{\"version\": 1, \"strokes\": []}", "a.json: format: is missing");
-        row("version", "{\"format\": \"suffuse-text\", \"version\": 3, \"strokes\": []}",
-            "version: 3 is newer than this program");
+        row("version", "{\"format\": \"suffuse-text\", \"version\": 4, \"strokes\": []}",
+            "version: 4 is newer than this program");
+        row("a group that blends in version 2",
+            "{\"format\": \"suffuse-text\", \"version\": 2, \"strokes\": [], \"groups\": [{\"id\": 1, \"opacity\": "
+            "0.5}]}",
+            "version: 2 does not know all");
+        row("an unknown mode",
+            "{\"format\": \"suffuse-text\", \"version\": 3, \"strokes\": [], \"groups\": [{\"id\": 1, \"blend\": "
+            "\"mix\"}]}",
+            "groups[0].blend");
+        row("an opacity above 1",
+            "{\"format\": \"suffuse-text\", \"version\": 3, \"strokes\": [], \"groups\": [{\"id\": 1, \"opacity\": "
+            "1.5}]}",
+            "groups[0].opacity: 1.5 is not in [0, 1]");
         row("a chain in version 1", segment(", \"start\": true"), "version: 1 does not know all");
         row("lifting in version 1", segment(", \"lift\": true"), "version: 1 does not know all");
         row("lift", segment(", \"lift\": 1"), "segments[0].lift: 1 is not true or false");
