@@ -1028,6 +1028,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n Radierungen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppe wurde gewöhnlich.</numerusform>
+            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppen wurden gewöhnlich.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
         <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Duplizieren“ verdoppelt sie in ihrem Strich, „Löschen“ entfernt sie.</translation>

@@ -75,6 +75,13 @@
             <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasures.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n group became plain.</numerusform>
+            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n groups became plain.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Renderer</name>

@@ -1020,6 +1020,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分：%n 处擦除。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG 没有遮罩、擦除或剪贴下方内容的群组：%n 个群组已成为普通群组。</numerusform>
+        </translation>
+    </message>
     <message>
         <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
         <translation>擦除不能脱离它所去除的颜料单独复制。“再制”会在笔画内复制它，“删除”会移除它。</translation>

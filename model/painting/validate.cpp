@@ -324,10 +324,13 @@ QString problemOf(const Painting &painting)
         return problem;
     if (const QString problem = problemOfGroups(painting.groups); !problem.isEmpty())
         return problem;
-    for (std::size_t i = 0; i < painting.groups.size(); ++i)
-        if (painting.groups[i].text)
-            if (const QString problem = problemOf(*painting.groups[i].text); !problem.isEmpty())
-                return QStringLiteral("groups[%1].").arg(i) + problem;
+    const FieldPath groups{nullptr, "groups"};
+    for (std::size_t i = 0; i < painting.groups.size(); ++i) {
+        DomainCheck check;
+        check.checkFields(painting.groups[i], FieldPath{&groups, nullptr, int(i)});
+        if (!check.ok())
+            return check.problem();
+    }
     std::unordered_set<StrokeId> ids;
     ids.reserve(painting.strokes.size());
     for (std::size_t j = 0; j < painting.strokes.size(); ++j) {

@@ -257,9 +257,9 @@ QString copy(Editor &editor, const Selection &selection)
     Painting painting = asPainting(*editor.document().painting(), selection);
     if (painting.strokes.empty())
         return selection.isEmpty() ? QString() : erasuresAlone();
-    const int erasures = erasuresIn(painting);
+    const SvgStrokes losses = lossesOf(painting);
     QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
-    return leftOutOf(SvgStrokes{{}, erasures});
+    return leftOutOf(losses);
 }
 
 QString cut(Editor &editor)

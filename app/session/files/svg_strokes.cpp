@@ -5,6 +5,7 @@
 #include "model/area/outline.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
+#include "model/painting/fields.h"
 #include "model/painting/influence.h"
 #include "model/shaping/curves/chains.h"
 
@@ -248,6 +249,14 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
         xml.writeEndElement();
 }
 
+/// The value of mix-blend-mode; null where CSS has none.
+const char *cssOf(BlendMode mode)
+{
+    if (mode == BlendMode::Plus)
+        return "plus-lighter";
+    return mode < BlendMode::Plus ? WordsOf<BlendMode>::list[std::size_t(mode)].data() : nullptr;
+}
+
 /// Writes the beginnings and ends of groups between strokes.
 class WrittenGroups {
 public:
@@ -267,12 +276,24 @@ public:
         for (; m_open.size() < wanted.size(); m_open.push_back(wanted[m_open.size()])) {
             m_xml.writeStartElement("g");
             const Group *group = find(wanted[m_open.size()]);
+            if (group)
+                writeBlending(*group);
             if (group && !group->name.isEmpty())
                 m_xml.writeTextElement("title", group->name);
         }
     }
 
 private:
+    void writeBlending(const Group &group)
+    {
+        if (group.opacity < 1)
+            m_xml.writeAttribute("opacity", number(double(group.opacity)));
+        const char *mode = cssOf(group.blend);
+        if (mode && group.blend != BlendMode::Normal)
+            m_xml.writeAttribute("style", QLatin1String("mix-blend-mode:") + QLatin1String(mode));
+        else if (group.isolated)
+            m_xml.writeAttribute("style", "isolation:isolate");
+    }
     const Group *find(GroupId id) const
     {
         const auto at = std::ranges::find(m_painting.groups, id, &Group::id);
@@ -303,27 +324,36 @@ void writeBackground(QXmlStreamWriter &xml, const Rect &page, const Colour &colo
 
 } // namespace
 
-int erasuresIn(const Painting &painting)
+SvgStrokes lossesOf(const Painting &painting)
 {
-    int count = 0;
+    SvgStrokes svg;
     for (const StrokePtr &stroke : painting.strokes)
         if (painting.isVisible(*stroke))
-            count += erasureCount(*stroke);
-    return count;
+            svg.erasures += erasureCount(*stroke);
+    for (const Group &group : painting.groups)
+        svg.masks += cssOf(group.blend) == nullptr;
+    return svg;
 }
 
 QString leftOutOf(const SvgStrokes &svg)
 {
-    return svg.erasures == 0 ? QString()
-                             : QCoreApplication::translate("Clipboard",
-                                                           "As SVG, for other programs, what was erased softly is left "
-                                                           "out: %n erasure(s).",
-                                                           nullptr, svg.erasures);
+    QStringList said;
+    if (svg.erasures > 0)
+        said << QCoreApplication::translate("Clipboard",
+                                            "As SVG, for other programs, what was erased softly is left "
+                                            "out: %n erasure(s).",
+                                            nullptr, svg.erasures);
+    if (svg.masks > 0)
+        said << QCoreApplication::translate("Clipboard",
+                                            "SVG has no groups that mask, erase or clip what lies below: %n group(s) "
+                                            "became plain.",
+                                            nullptr, svg.masks);
+    return said.join(QLatin1Char(' '));
 }
 
 SvgStrokes svgOf(const Painting &painting, const Rect &area)
 {
-    SvgStrokes svg{{}, erasuresIn(painting)};
+    SvgStrokes svg = lossesOf(painting);
     QXmlStreamWriter xml(&svg.bytes);
     Rect box = area.isEmpty() ? influenceOf(painting, painting.end()) : area;
     if (box.isEmpty())

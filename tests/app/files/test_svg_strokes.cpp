@@ -157,6 +157,33 @@ private slots:
         QCOMPARE(fills, 3);
     }
 
+    /// Groups blend in CSS as they do here; what it has no word for is counted.
+    void groupsThatBlend()
+    {
+        Painting painting;
+        painting.strokes = {makeStroke(1, 3, 25)};
+        Stroke stroke = *painting.strokes[0];
+        stroke.group = 1;
+        painting.strokes[0] = std::make_shared<const Stroke>(stroke);
+        Group group;
+        group.id = 1;
+        const auto written = [&] {
+            painting.groups = {group};
+            return QString::fromUtf8(svgOf(painting).bytes);
+        };
+        QVERIFY(written().contains("<g>"));
+        group.isolated = true;
+        QVERIFY(written().contains("<g style=\"isolation:isolate\">"));
+        group.opacity = 0.5f, group.blend = BlendMode::ColourDodge;
+        QVERIFY(written().contains("<g opacity=\"0.5\" style=\"mix-blend-mode:color-dodge\">"));
+        group.blend = BlendMode::Plus;
+        QVERIFY(written().contains("mix-blend-mode:plus-lighter"));
+        QCOMPARE(leftOutOf(svgOf(painting)), QString());
+        group.blend = BlendMode::DestinationIn;
+        QVERIFY(!written().contains("mix-blend-mode"));
+        QVERIFY2(leftOutOf(svgOf(painting)).contains("1 group"), qPrintable(leftOutOf(svgOf(painting))));
+    }
+
     void pathData()
     {
         const auto ends = [](const char *d) {
