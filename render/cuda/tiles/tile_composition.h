@@ -3,38 +3,24 @@
 // picture alone.
 #pragma once
 
-#include "render/cuda/tiles/quad.h"
 #include "render/cuda/tiles/tile_shade.h"
+#include "render/math/scalar.h"
 // It has templates over the numbers, which must be declared before.
 #include "render/math/blend.h"
 
 namespace suffuse::cuda {
 
-/// So many of a lane's pixels are put at once.
-constexpr int putTogether = 4;
-
-/// Puts pixels of a layer, those of one lane, on what lies below. It is called, not
-/// inlined, since its code is long.
-SUFFUSE_CALL void putPixels(const LayerRecord &layer, const BackdropPixel *above, BackdropPixel *below)
+/// Puts a pixel of a layer on what lies below. It is called, not inlined, since its code is long.
+SUFFUSE_CALL BackdropPixel putPixel(const LayerRecord &layer, const BackdropPixel above, const BackdropPixel below)
 {
     LayerPut how;
     how.mode = BlendMode(layer.mode), how.opacity = layer.opacity, how.opaque = layer.opaque != 0;
     for (int c = 0; c < 3; ++c)
         how.bare[c] = layer.bare[c];
-    const auto load = [](const BackdropPixel *from) {
-        math::Pixel<math::Quad> pixel;
-        SUFFUSE_UNROLL
-        for (int i = 0; i < putTogether; ++i) {
-            const BackdropPixel p = from[i * warpLanes];
-            pixel.red.v[i] = p.red, pixel.yellow.v[i] = p.yellow, pixel.blue.v[i] = p.blue;
-            pixel.coverage.v[i] = p.coverage;
-        }
-        return pixel;
-    };
-    const math::Pixel<math::Quad> out = math::put(how, load(above), load(below));
-    SUFFUSE_UNROLL
-    for (int i = 0; i < putTogether; ++i)
-        below[i * warpLanes] = {out.red.v[i], out.yellow.v[i], out.blue.v[i], out.coverage.v[i]};
+    const math::Pixel<float> out =
+        math::put(how, math::Pixel<float>{above.red, above.yellow, above.blue, above.coverage},
+                  math::Pixel<float>{below.red, below.yellow, below.blue, below.coverage});
+    return {out.red, out.yellow, out.blue, out.coverage};
 }
 
 template <class Warp>
@@ -109,10 +95,9 @@ private:
         BackdropPixel *above = m_planes + std::size_t(layer.depth) * tileSize, *below = above - tileSize;
         m_warp.each([&](int lane) {
             SUFFUSE_ROLLED
-            for (int k = 0; k < laneSamples;
-                 k += putTogether) { // Each lane has samples of its own, and waits for none.
-                const int at = sampleAt(lane, k);
-                putPixels(layer, above + at, below + at);
+            for (int k = 0; k < laneSamples; ++k) {
+                const int at = sampleAt(lane, k); // Each lane has samples of its own, so none waits for another.
+                below[at] = putPixel(layer, above[at], below[at]);
             }
         });
         m_warp.each([&](int lane) {
