@@ -4262,6 +4262,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Alle Striche mit demselben Namen auswählen</translation>
     </message>
     <message>
+        <source>What the group&apos;s opacity, mode or isolation did is gone with it.</source>
+        <translation>Was Deckkraft, Modus oder Eigenständigkeit der Gruppe bewirkten, ist mit ihr verschwunden.</translation>
+    </message>
+    <message>
         <source>Select &amp;Found</source>
         <translation>Gefu&amp;ndenes auswählen</translation>
     </message>
@@ -6363,6 +6367,13 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>
             <numerusform>%n Filter</numerusform>
             <numerusform>%n Filter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n blend mode(s)</source>
+        <translation>
+            <numerusform>%n Mischmodus</numerusform>
+            <numerusform>%n Mischmodi</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -218,6 +218,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n blend mode(s)</source>
+        <translation>
+            <numerusform>%n blend mode</numerusform>
+            <numerusform>%n blend modes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n marker(s)</source>
         <translation>
             <numerusform>%n marker</numerusform>

@@ -4245,6 +4245,10 @@ Arrow keys work too.</source>
         <translation>选择名称相同的所有笔画</translation>
     </message>
     <message>
+        <source>What the group&apos;s opacity, mode or isolation did is gone with it.</source>
+        <translation>群组的不透明度、模式或隔离效果已随群组一起消失。</translation>
+    </message>
+    <message>
         <source>Select &amp;Found</source>
         <translation>选择搜索结果(&amp;F)</translation>
     </message>
@@ -6335,6 +6339,12 @@ Arrow keys work too.</source>
         <source>%n filter(s)</source>
         <translation>
             <numerusform>%n 个滤镜</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n blend mode(s)</source>
+        <translation>
+            <numerusform>%n 个混合模式</numerusform>
         </translation>
     </message>
     <message numerus="yes">

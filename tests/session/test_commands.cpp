@@ -161,6 +161,12 @@ private slots:
         table[Command::AlignLeft].trigger();
         QCOMPARE(editor.undoStack().count(), steps + 3);
         QCOMPARE(said.size(), 2);
+        // A group that blends does not go silently.
+        table[Command::GroupStrokes].trigger();
+        editor.push(setGroupOpacity(editor.document(), selectedGroups(editor.document()), 0.5f), "opacity");
+        table[Command::UngroupStrokes].trigger();
+        QCOMPARE(said.size(), 3);
+        QVERIFY(said.back()[0].toString().contains("opacity"));
     }
 
     /// The values of a fill are a part of what a stroke looks like.

@@ -7,6 +7,7 @@
 #include "undo/fill_edits.h"
 #include "undo/text_edits.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace suffuse {
@@ -95,7 +96,15 @@ void addGroupRows(Commands &table, Editor &editor)
         .runs([&editor] { commands::groupSelected(editor); });
     table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
         .when([&editor] { return canUngroup(editor.unsettled()); })
-        .runs([&editor] { commands::ungroupSelected(editor); });
+        .runs([&table, &editor] {
+            const auto blending = [&editor] {
+                return std::ranges::count_if(editor.unsettled().painting()->groups, &Group::isIsolated);
+            };
+            const auto before = blending();
+            commands::ungroupSelected(editor);
+            if (blending() < before)
+                emit table.said(Commands::tr("What the group's opacity, mode or isolation did is gone with it."), 5000);
+        });
     table
         .add(TextToStrokes, "textToStrokes", Commands::tr("Text to Strokes"), "", {},
              Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))

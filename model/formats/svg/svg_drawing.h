@@ -48,6 +48,7 @@ struct SvgLosses {
     int fixedTexts = 0; ///< that came in as letters alone, and cannot be typed in again
     /// definitions that are used by what is drawn
     int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;
+    int blendModes = 0; ///< other than normal
     QStringList fonts;  ///< families that are not installed, so that others stand in
     int cycles = 0;     ///< <use> elements that contain themselves
     int rules = 0;      ///< selectors of style sheets that were not understood

@@ -242,6 +242,7 @@ QString leftOutOf(const SvgDrawing &drawing)
         {l.clipPaths, FileMessages::tr("%n clip path(s)", nullptr, l.clipPaths)},
         {l.masks, FileMessages::tr("%n mask(s)", nullptr, l.masks)},
         {l.filters, FileMessages::tr("%n filter(s)", nullptr, l.filters)},
+        {l.blendModes, FileMessages::tr("%n blend mode(s)", nullptr, l.blendModes)},
         {l.markers, FileMessages::tr("%n marker(s)", nullptr, l.markers)},
         {l.outlines, FileMessages::tr("%n intricate outline(s)", nullptr, l.outlines)},
         {l.texts, FileMessages::tr("%n text(s)", nullptr, l.texts)},

@@ -174,6 +174,8 @@ private:
         else if (is("svg"))
             drawNested(element, style, element, place);
         m_painter.fade(before, style.opacity);
+        if (m_out.paths.size() > before && !style.blend.isEmpty() && style.blend != QLatin1String("normal"))
+            ++m_out.losses.blendModes;
         if (m_out.paths.size() > before)
             for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);

@@ -36,7 +36,7 @@ struct SvgStyle {
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
     bool overflows = false;  ///< overflow: whether a nested drawing shows what lies beyond its viewport
-    QString clipPath, mask, filter;
+    QString clipPath, mask, filter, blend;
 
     /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute
     /// overrides style sheets, and !important overrides all. Values that make no sense are ignored.
