@@ -174,8 +174,7 @@ private:
         else if (is("svg"))
             drawNested(element, style, element, place);
         m_painter.fade(before, style.opacity);
-        if (m_out.paths.size() > before && !style.blend.isEmpty() && style.blend != QLatin1String("normal"))
-            ++m_out.losses.blendModes;
+        m_out.losses.blendModes += style.blends && m_out.paths.size() > before;
         if (m_out.paths.size() > before)
             for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);

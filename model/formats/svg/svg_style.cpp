@@ -47,12 +47,13 @@ std::vector<double> dashesFrom(const QString &text, const SvgUnits &units)
 const QSet<QString> &knownProperties()
 {
     static const QStringList list =
-        QStringLiteral("fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
-                       "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
-                       "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
-                       "filter mix-blend-mode transform vector-effect overflow paint-order font-size font-family font-weight "
-                       "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
-                       "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
+        QStringLiteral(
+            "fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
+            "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
+            "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
+            "filter mix-blend-mode transform vector-effect overflow paint-order font-size font-family font-weight "
+            "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
+            "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
             .split(u' ');
     static const QSet<QString> names(list.begin(), list.end());
     return names;
@@ -142,8 +143,8 @@ bool paintsOnce(const SvgElement &element, const SvgStyle &style)
 SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
 {
     SvgStyle style = parent;
-    style.isDisplayed = true, style.keepsWidth = false, style.overflows = false;
-    style.clipPath.clear(), style.mask.clear(), style.filter.clear(), style.blend.clear();
+    style.isDisplayed = true, style.keepsWidth = style.overflows = style.blends = false;
+    style.clipPath.clear(), style.mask.clear(), style.filter.clear();
     const Properties all = propertiesOf(element, sheet);
     const auto take = [&all](const char *name, auto use) { svgTake(all, name, use); };
     const auto share = [&take](const char *name, double &value) {
@@ -179,7 +180,7 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
         text("marker", marker);
     text("marker-start", style.markers[0]), text("marker-mid", style.markers[1]), text("marker-end", style.markers[2]);
     text("clip-path", style.clipPath), text("mask", style.mask), text("filter", style.filter);
-    text("mix-blend-mode", style.blend);
+    take("mix-blend-mode", [&](const QString &v) { style.blends = v != QLatin1String("normal"); });
     if (paintsOnce(element, style)) {
         style.fillOpacity *= std::exchange(style.opacity, 1.0);
         style.isFaded = parent.isFaded;

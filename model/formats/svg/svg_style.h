@@ -35,8 +35,9 @@ struct SvgStyle {
     double opacity = 1;
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
+    bool blends = false;     ///< mix-blend-mode: whether it is another one than normal
     bool overflows = false;  ///< overflow: whether a nested drawing shows what lies beyond its viewport
-    QString clipPath, mask, filter, blend;
+    QString clipPath, mask, filter;
 
     /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute
     /// overrides style sheets, and !important overrides all. Values that make no sense are ignored.
