@@ -5143,27 +5143,27 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Abheben: Ziehen nimmt Farbe weich von den ausgewählten Strichen. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+        <translation>Abheben: Ziehen nimmt Farbe weich von den ausgewählten Strichen. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Abheben: Ziehen nimmt Farbe weich von den Strichen der Gruppe. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+        <translation>Abheben: Ziehen nimmt Farbe weich von den Strichen der Gruppe. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Abheben: Ziehen nimmt Farbe weich weg, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+        <translation>Abheben: Ziehen nimmt Farbe weich weg, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>

@@ -16,6 +16,8 @@
 #include <QStyle>
 #include <QStyleOption>
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -178,12 +180,13 @@ void StatusLine::showFrame(const FrameInfo &frame)
 
 void StatusLine::showBackend()
 {
-    const QString before = m_backend->text(), text = m_place.canvas.backendText(),
+    const QString before = std::exchange(m_backendText, m_place.canvas.backendText()),
                   notice = m_place.canvas.backendNotice();
     const QString tip = tr("What renders the picture");
-    m_backend->setText(text);
-    m_backend->setToolTip(notice.isEmpty() ? tip : tip + '\n' + notice);
-    if (!before.isEmpty() && before != text) // it went over while at work
+    // The name of the device is told where one asks for it: some are as long as a hint, which needs the room.
+    m_backend->setText(m_backendText.section(QStringLiteral(" · "), 0, 0));
+    m_backend->setToolTip(tip + '\n' + m_backendText + (notice.isEmpty() ? notice : '\n' + notice));
+    if (!before.isEmpty() && before != m_backendText) // it went over while at work
         m_place.window.statusBar()->showMessage(notice.section('\n', 0, 0), 15'000);
 }
 

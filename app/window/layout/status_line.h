@@ -37,6 +37,7 @@ private:
     QLabel *m_zoom = nullptr;
     QLabel *m_backend = nullptr;
     QLabel *m_frameTime = nullptr;
+    QString m_backendText; ///< of the last frame
     QString m_renderError;
     QString m_keyboard; ///< the sentence that says which panel has the keyboard
 };

@@ -138,16 +138,16 @@ private slots:
         Session s(makerOn(device));
         auto *backend = s.window.findChild<QLabel *>("backend");
         QVERIFY(backend);
-        QTRY_COMPARE_WITH_TIMEOUT(backend->text(), QString("CUDA · Fake 1"), waitMs);
+        QTRY_COMPARE_WITH_TIMEOUT(backend->text(), QString("CUDA"), waitMs);
         QCOMPARE(s.window.statusBar()->currentMessage(), QString());
-        const QString tip = backend->toolTip();
-        QVERIFY(!tip.isEmpty());
+        QVERIFY2(backend->toolTip().endsWith("\nCUDA · Fake 1"), qPrintable(backend->toolTip()));
 
         const Painting before = s.painting();
         device.lost = true;
         s.canvas().setZoom(2);
-        QTRY_VERIFY_WITH_TIMEOUT(backend->text().startsWith("CPU · "), waitMs);
-        QCOMPARE(backend->toolTip(), tip + "\nCUDA stopped: it is lost");
+        QTRY_COMPARE_WITH_TIMEOUT(backend->text(), QString("CPU"), waitMs);
+        QVERIFY2(backend->toolTip().contains("\nCPU · "), qPrintable(backend->toolTip()));
+        QVERIFY2(backend->toolTip().endsWith("\nCUDA stopped: it is lost"), qPrintable(backend->toolTip()));
         QVERIFY(s.window.statusBar()->currentMessage().contains("CUDA stopped: it is lost"));
         QCOMPARE(s.painting(), before);
         QVERIFY(!s.editor().isModified());
