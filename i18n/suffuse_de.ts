@@ -1913,6 +1913,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>there is no such blend mode</source>
         <translation>diesen Mischmodus gibt es nicht</translation>
     </message>
+    <message>
+        <source>there is no such colour to mark groups</source>
+        <translation>diese Farbe zum Markieren von Gruppen gibt es nicht</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>

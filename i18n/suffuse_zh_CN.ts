@@ -1901,6 +1901,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>there is no such blend mode</source>
         <translation>没有这种混合模式</translation>
     </message>
+    <message>
+        <source>there is no such colour to mark groups</source>
+        <translation>没有这种分组标记颜色</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>

@@ -146,6 +146,7 @@ private:
     static const char *noSuch(NodeKind);
     static const char *noSuch(FillRule);
     static const char *noSuch(BlendMode);
+    static const char *noSuch(GroupTag);
     static const char *noSuch(PaperKind);
     static const char *noSuch(PaperGrain);
     static const char *noSuch(TextAlignment);

@@ -148,6 +148,11 @@ struct WordsOf<BlendMode> {
         "color",      "luminosity", "plus",       "destination-in", "destination-out", "source-atop"};
 };
 template <>
+struct WordsOf<GroupTag> {
+    static constexpr std::array<std::string_view, 9> list{"none", "red",    "orange", "yellow", "green",
+                                                          "blue", "violet", "brown",  "grey"};
+};
+template <>
 struct WordsOf<PaperKind> {
     static constexpr std::array<std::string_view, 3> list{"none", "procedural", "image"};
 };
@@ -300,6 +305,12 @@ struct FieldsOf<Text> {
 };
 
 template <>
+struct FieldsOf<Wash> {
+    static constexpr std::tuple list{field("style", &Wash::style, {.presence = Presence::Required}),
+                                     field("mix", &Wash::mix, {.presence = Presence::Required})};
+};
+
+template <>
 struct FieldsOf<Group> {
     static constexpr std::tuple list{
         field("id", &Group::id, {.domain = identity, .presence = Presence::Required}),
@@ -311,7 +322,12 @@ struct FieldsOf<Group> {
         field("opacity", &Group::opacity,
               {.unit = Unit::Share, .domain = share, .presence = Presence::Unusual, .since = 3}),
         field("blend", &Group::blend, {.presence = Presence::Unusual, .since = 3}),
-        field("isolated", &Group::isolated, {.presence = Presence::Unusual, .since = 3})};
+        field("isolated", &Group::isolated, {.presence = Presence::Unusual, .since = 3}),
+        field("clips", &Group::clips, {.presence = Presence::Unusual, .since = 3}),
+        field("mask", &Group::mask, {.presence = Presence::Unusual, .since = 3}),
+        field("wash", &Group::wash, {.presence = Presence::Unusual, .since = 3}),
+        field("solo", &Group::solo, {.presence = Presence::Unusual, .since = 3}),
+        field("tag", &Group::tag, {.presence = Presence::Unusual, .since = 3, .mayBeSkipped = true})};
 };
 
 template <>

@@ -1,14 +1,15 @@
 #include "model/painting/painting.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace suffuse {
 
 namespace {
 
-const Group *findGroup(const std::vector<Group> &groups, GroupId id)
+const Group *findIn(const std::vector<Group> &groups, GroupId id)
 {
-    const auto it = std::find_if(groups.begin(), groups.end(), [id](const Group &g) { return g.id == id; });
+    const auto it = std::ranges::find(groups, id, &Group::id);
     return it == groups.end() ? nullptr : &*it;
 }
 
@@ -17,7 +18,7 @@ template <typename Predicate>
 bool anyGroup(const std::vector<Group> &groups, GroupId id, Predicate predicate)
 {
     for (std::size_t steps = 0; id != 0 && steps <= groups.size(); ++steps) {
-        const Group *group = findGroup(groups, id);
+        const Group *group = findIn(groups, id);
         if (!group)
             return false;
         if (predicate(*group))
@@ -35,6 +36,11 @@ StrokePtr Painting::find(StrokeId id) const
     return index < 0 ? nullptr : strokes[std::size_t(index)];
 }
 
+const Group *Painting::findGroup(GroupId id) const
+{
+    return findIn(groups, id);
+}
+
 int Painting::indexOf(StrokeId id) const
 {
     const auto it = std::find_if(strokes.begin(), strokes.end(), [id](const StrokePtr &s) { return s->id == id; });
@@ -43,7 +49,9 @@ int Painting::indexOf(StrokeId id) const
 
 bool Painting::isVisible(const Stroke &stroke) const
 {
-    return stroke.visible && !anyGroup(groups, stroke.group, [](const Group &g) { return !g.visible; });
+    const auto isSolo = [](const Group &g) { return g.solo; };
+    return stroke.visible && !anyGroup(groups, stroke.group, [](const Group &g) { return !g.visible; }) &&
+           (std::ranges::none_of(groups, isSolo) || anyGroup(groups, stroke.group, isSolo));
 }
 
 bool Painting::isLocked(const Stroke &stroke) const
@@ -75,6 +83,27 @@ StrokeId Painting::nextStrokeId() const
     for (const StrokePtr &s : strokes)
         id = std::max(id, s->id);
     return id + 1;
+}
+
+Visibility::Visibility(const std::vector<Group> &groups) : m_anySolo(std::ranges::any_of(groups, &Group::solo))
+{
+    const auto isHidden = [](const Group &g) { return !g.visible; };
+    if (!m_anySolo && std::ranges::none_of(groups, isHidden))
+        return;
+    std::unordered_map<GroupId, const Group *> known;
+    for (const Group &group : groups)
+        known.emplace(group.id, &group);
+    for (const Group &group : groups) {
+        bool isSolo = false, hidden = false;
+        const Group *around = &group;
+        for (std::size_t steps = 0; around && steps <= groups.size(); ++steps) {
+            isSolo = isSolo || around->solo, hidden = hidden || !around->visible;
+            const auto parent = known.find(around->parent);
+            around = parent == known.end() ? nullptr : parent->second;
+        }
+        if (hidden || (m_anySolo && !isSolo))
+            m_hidden.insert(group.id);
+    }
 }
 
 std::vector<StrokeId> orderOf(const Painting &painting)

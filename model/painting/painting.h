@@ -7,6 +7,8 @@
 #include <QByteArray>
 
 #include <memory>
+#include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace suffuse {
@@ -41,6 +43,18 @@ struct Canvas {
     Rect area() const { return Rect::of(0, 0, width, height); }
 };
 
+/// How the strokes of a wash show, which are one stroke: their densities add up, as those of paint that is laid wet
+/// into wet (docs/solver.md, "Washes").
+struct Wash {
+    Style style; ///< in place of the strokes' own
+    Mix mix;     ///< in place of the strokes' own
+    friend bool operator==(const Wash &, const Wash &) = default;
+};
+
+/// A colour that people mark groups with, to find them. It is not seen in the picture.
+enum class GroupTag : std::uint8_t { None, Red, Orange, Yellow, Green, Blue, Violet, Brown, Grey };
+inline constexpr int groupTags = int(GroupTag::Grey) + 1;
+
 /// A group of strokes, which stand together in the order.
 ///
 /// Its strokes mix with what lies below as if there were no group, unless it is isolated: then they mix among
@@ -55,8 +69,15 @@ struct Group {
     float opacity = 1;   ///< with which its picture is put on what lies below, [0, 1]; below 1 it is isolated
     BlendMode blend = BlendMode::Normal; ///< how it is put there; any other one isolates it
     bool isolated = false;               ///< whether it is isolated in any case
+    bool clips = false; ///< whether it is seen only where that is which lies below it in the same group; isolates it
+    bool mask = false;  ///< whether it is not seen itself, but the others of the same group only where it is
+    std::optional<Wash> wash; ///< if its strokes, and those of the groups in it, are one
+    bool solo = false;        ///< whether only such groups are visible, as long as there are any
+    GroupTag tag = GroupTag::None;
+    /// Whether the way in which it is put on what lies below isolates it, whatever its switch says.
+    bool blends() const { return opacity < 1 || blend != BlendMode::Normal || clips || mask; }
     /// Whether its strokes mix among themselves.
-    bool isIsolated() const { return isolated || opacity < 1 || blend != BlendMode::Normal; }
+    bool isIsolated() const { return isolated || blends(); }
     friend bool operator==(const Group &, const Group &) = default;
 };
 
@@ -89,9 +110,12 @@ struct Painting {
 
     /// The stroke with an id; null where there is none.
     StrokePtr find(StrokeId id) const;
+    /// The group with an id; null where there is none.
+    const Group *findGroup(GroupId id) const;
     /// The position of a stroke in the order, or -1.
     int indexOf(StrokeId id) const;
-    /// Whether a stroke is visible, and all groups around it are.
+    /// Whether a stroke is visible, all groups around it are, and none is solo that is not around it. Who asks this of
+    /// many strokes makes a `Visibility`.
     bool isVisible(const Stroke &stroke) const;
     /// Whether a stroke is locked, or a group around it is.
     bool isLocked(const Stroke &stroke) const;
@@ -101,6 +125,21 @@ struct Painting {
     Microseconds end() const;
     StrokeId nextStrokeId() const; ///< greatest id + 1
 };
+/// Which groups of a painting are visible, all groups around them included: found once for many strokes.
+class Visibility {
+public:
+    explicit Visibility(const std::vector<Group> &groups);
+
+    bool operator()(const Stroke &stroke) const
+    {
+        return stroke.visible && (stroke.group == 0 ? !m_anySolo : !m_hidden.contains(stroke.group));
+    }
+
+private:
+    bool m_anySolo = false;
+    std::unordered_set<GroupId> m_hidden;
+};
+
 /// The ids of the strokes from bottom to top.
 std::vector<StrokeId> orderOf(const Painting &painting);
 /// Deep equality: values are compared, not pointers.

@@ -117,6 +117,11 @@ const char *DomainCheck::noSuch(BlendMode)
     return QT_TRANSLATE_NOOP("Validate", "there is no such blend mode");
 }
 
+const char *DomainCheck::noSuch(GroupTag)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such colour to mark groups");
+}
+
 const char *DomainCheck::noSuch(TextAlignment)
 {
     return QT_TRANSLATE_NOOP("Validate", "there is no such alignment");

@@ -16,6 +16,9 @@ import zstandard
 BLEND_MODES = ["normal", "multiply", "screen", "overlay", "darken", "lighten", "color-dodge", "color-burn", "hard-light",
                "soft-light", "difference", "exclusion", "hue", "saturation", "color", "luminosity", "plus",
                "destination-in", "destination-out", "source-atop"]
+GROUP_TAGS = ["none", "red", "orange", "yellow", "green", "blue", "violet", "brown", "grey"]
+STYLE_KINDS = [("uniform", 2), ("feathering", 2), ("edge", 3)]
+MIX_MODES = ["alpha", "beta"]
 CRC = [functools.reduce(lambda crc, _: crc >> 1 ^ (0x82F63B78 if crc & 1 else 0), range(8), k) for k in range(256)]
 
 
@@ -128,10 +131,14 @@ def handles(codes, mode, node, born, starts):
 def palettes(data):
     c = Cursor(data)
     texts = [c.take(c.varint()).decode() for _ in range(c.varint())]
-    kinds = [("uniform", 2), ("feathering", 2), ("edge", 3)]
-    styles = [(kinds[c.u32()], [of_bits(c.u32()) for _ in range(3)]) for _ in range(c.varint())]
-    mixes = [{"mode": ["alpha", "beta"][c.u32()], "beta": of_bits(c.u32())} for _ in range(c.varint())]
-    return texts, [{"kind": name, "xi": xi[:count]} for (name, count), xi in styles], mixes
+    styles = [style_of(c.u32(), [of_bits(c.u32()) for _ in range(3)]) for _ in range(c.varint())]
+    mixes = [{"mode": MIX_MODES[c.u32()], "beta": of_bits(c.u32())} for _ in range(c.varint())]
+    return texts, styles, mixes
+
+
+def style_of(kind, xi):
+    name, count = STYLE_KINDS[kind]
+    return {"kind": name, "xi": xi[:count]}
 
 
 def fills(c, n):
@@ -236,6 +243,11 @@ def read(data):
         group["parent"] = group["parent"] or None
         if "blend" in group:
             group["blend"] = BLEND_MODES[group["blend"]]
+        if "tag" in group:
+            group["tag"] = GROUP_TAGS[group["tag"]]
+        if wash := group.get("wash"):
+            wash["style"] = style_of(wash["style"]["kind"], wash["style"]["xi"])
+            wash["mix"] = {"mode": MIX_MODES[wash["mix"]["mode"]], "beta": wash["mix"].get("beta", 0)}
         if text := group.get("text"):
             text["alignment"] = ["start", "centre", "end"][text["alignment"]]
             numbers = text.pop("curve", [])

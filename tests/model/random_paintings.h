@@ -28,6 +28,10 @@ public:
                 group.opacity = float(unit());
                 group.blend = BlendMode(below(blendModes));
                 group.isolated = chance(2);
+                group.clips = chance(2), group.mask = chance(4), group.solo = chance(4);
+                if (chance(2))
+                    group.wash = Wash{style(), chance(2) ? Mix() : Mix{MixMode::Beta, float(unit())}};
+                group.tag = GroupTag(below(groupTags));
             }
         }
         for (int k = 0; k < strokes; ++k)

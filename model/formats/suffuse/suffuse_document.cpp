@@ -50,6 +50,11 @@ QCborArray toCbor(const std::vector<Cubic> &curves)
     return numbers;
 }
 
+QCborArray toCbor(const std::array<float, 3> &numbers)
+{
+    return {double(numbers[0]), double(numbers[1]), double(numbers[2])};
+}
+
 template <HasFields T>
 QCborMap toCbor(const T &value, Images &images);
 
@@ -67,9 +72,9 @@ QCborValue cborOf(const Value &value, Images &images)
     else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
         return toCbor(std::uint64_t(value));
     else if constexpr (std::is_same_v<Value, Colour> || std::is_same_v<Value, Affine> ||
-                       std::is_same_v<Value, std::vector<Cubic>>)
+                       std::is_same_v<Value, std::vector<Cubic>> || std::is_same_v<Value, std::array<float, 3>>)
         return toCbor(value);
-    else if constexpr (std::is_same_v<Value, SharedText>)
+    else if constexpr (std::is_same_v<Value, SharedText> || std::is_same_v<Value, std::optional<Wash>>)
         return toCbor(*value, images); // It is written only where there is one.
     else if constexpr (HasFields<Value>)
         return toCbor(value, images);
@@ -122,6 +127,14 @@ void readNumbers(const QCborValue &value, std::vector<Cubic> &curves, bool &ok)
     }
 }
 
+void readNumbers(const QCborValue &value, std::array<float, 3> &numbers, bool &ok)
+{
+    const QCborArray all = value.toArray();
+    ok = ok && all.size() == 3;
+    for (qsizetype i = 0; i < 3; ++i)
+        numbers[std::size_t(i)] = float(all.at(i).toDouble());
+}
+
 template <HasFields T>
 void readMap(const QCborValue &value, const Images &images, T &target, bool &ok);
 
@@ -143,7 +156,8 @@ void readMember(const MapReader &in, const FieldTraits &traits, const char *name
         member = {area.at(0).toDouble(), area.at(1).toDouble(), area.at(2).toDouble(), area.at(3).toDouble()};
     } else if constexpr (std::is_same_v<Value, EncodedImage>) {
         in.read(name, member, images);
-    } else if constexpr (std::is_same_v<Value, Affine> || std::is_same_v<Value, std::vector<Cubic>>) {
+    } else if constexpr (std::is_same_v<Value, Affine> || std::is_same_v<Value, std::vector<Cubic>> ||
+                         std::is_same_v<Value, std::array<float, 3>>) {
         if (const QCborValue numbers = in.take(name); !numbers.isUndefined())
             readNumbers(numbers, member, ok);
     } else if constexpr (std::is_same_v<Value, SharedText>) {
@@ -152,6 +166,9 @@ void readMember(const MapReader &in, const FieldTraits &traits, const char *name
             readMap(text, images, own, ok);
             member = std::move(own);
         }
+    } else if constexpr (std::is_same_v<Value, std::optional<Wash>>) {
+        if (const QCborValue wash = in.take(name); !wash.isUndefined())
+            readMap(wash, images, member.emplace(), ok);
     } else if constexpr (HasFields<Value> && !std::is_same_v<Value, Colour>) {
         readMap(in.take(name), images, member, ok);
     } else {

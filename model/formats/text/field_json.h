@@ -128,7 +128,7 @@ void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
         readBezier(json, value);
     } else if constexpr (std::is_same_v<Value, std::optional<Style>>) {
         readJson(json, value.emplace());
-    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>>) {
+    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, std::optional<Wash>>) {
         readObject(json, value.emplace());
     } else if constexpr (std::is_same_v<Value, SharedFill>) {
         Fill fill;
@@ -201,8 +201,8 @@ void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits
                 out.append(i == 3 ? "]" : "");
             }
         out.append(']');
-    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, SharedFill> ||
-                         std::is_same_v<Value, SharedText>) {
+    } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, std::optional<Wash>> ||
+                         std::is_same_v<Value, SharedFill> || std::is_same_v<Value, SharedText>) {
         if (value)
             appendObject(out, *value);
         else
