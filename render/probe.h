@@ -50,7 +50,7 @@ struct Probe {
 };
 
 /// The painting without the strokes that do not reach the point, which probing would integrate all the same. Where a
-/// group acts also where it has no stroke, all stay.
+/// group acts also where it has no stroke, is clipped or is a mask, all stay.
 Painting reaching(const Painting &painting, Microseconds time, Point point);
 
 /// Probes the point itself (px → 0: without coverage and supersampling), in canvas units, at document time T. Hidden

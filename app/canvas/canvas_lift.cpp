@@ -61,9 +61,9 @@ void CanvasLift::lift(const std::set<StrokeId> &strokes)
     if (strokes.size() < 2 || m_editor.clock().isRunning() || m_editor.unsettledShown() != painting ||
         !m_frames.canFloat())
         return;
-    // Where a group is put on what lies below it as a whole, no picture of some strokes over one of the others is like
-    // the picture of all.
-    if (!compositionOf(*painting).isFlat())
+    // Where a group is put on what lies below it as a whole, or is a wash, no picture of some strokes over one of the
+    // others is like the picture of all.
+    if (!mixesInOrder(*painting))
         return;
     Painting rest = *painting, lifted = *painting;
     rest.strokes.clear();

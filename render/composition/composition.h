@@ -1,30 +1,48 @@
 // What a painting's groups make of its strokes: which of them mix among themselves before their picture is put on what
-// lies below (docs/solver.md, "Groups that blend").
+// lies below, and what bounds that picture (docs/solver.md, "Groups that blend").
 #pragma once
 
 #include "model/painting/painting.h"
 
+#include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace suffuse {
+
+/// What a layer is clipped to: a run of a group, or a stroke.
+struct ClipBase {
+    GroupId group = 0;
+    int run = 0;
+    StrokeId stroke = 0;
+    auto operator<=>(const ClipBase &) const = default;
+};
 
 /// An isolated group as the picture has it: a run of strokes. A group whose strokes do not stand together is several.
 struct Layer {
     static constexpr int none = -1; ///< as a layer: the canvas itself
 
-    GroupId group = 0;
-    int run = 0; ///< which one it is of the group's runs
+    GroupId group = 0; ///< 0: all that is painted, where a mask belongs to no group
+    int run = 0;       ///< which one it is of the group's runs
     float opacity = 1;
     BlendMode blend = BlendMode::Normal;
-    int parent = none;               ///< the layer around it
-    int depth = 1;                   ///< how many layers it is, with those around it
-    std::size_t first = 0, last = 0; ///< its strokes among the visible ones, those of layers within it included
+    int parent = none;                       ///< the layer around it
+    int depth = 1;                           ///< how many layers it is, with those around it
+    std::size_t first = 0, last = 0;         ///< its strokes among the visible ones, those of layers within it included
+    int clippedTo = none;                    ///< the base, among Composition::bases, whose coverage multiplies its own
+    int shape = none;                        ///< the base of which its coverage is a part
+    BlendMode shapeMode = BlendMode::Normal; ///< how it becomes one: Normal if it is that base itself
+    bool isMask = false; ///< whether its coverage multiplies that of the layer around it, instead of being put on it
+    int masks = 0;       ///< how many masks are directly within it
 
     /// Whether it changes what lies below also where none of its strokes is.
-    bool actsEverywhere() const { return blend == BlendMode::DestinationIn; }
-    /// Whether it is put on what lies below in the same way.
-    bool isPutAs(const Layer &other) const { return opacity == other.opacity && blend == other.blend; }
+    bool actsEverywhere() const { return blend == BlendMode::DestinationIn && !isMask; }
+    /// Whether it is put on what lies below in the same way, if what it is clipped to is the same.
+    bool isPutAs(const Layer &other) const
+    {
+        return opacity == other.opacity && blend == other.blend && isMask == other.isMask && masks == other.masks;
+    }
     bool operator==(const Layer &) const = default;
 };
 
@@ -33,15 +51,27 @@ struct Composition {
     std::vector<Layer> layers;   ///< by their first strokes; a layer comes before those within it
     std::vector<int> of;         ///< the innermost layer of each visible stroke; empty if there are no layers
     std::vector<int> everywhere; ///< the layers that act everywhere, in their order
+    std::vector<ClipBase> bases; ///< what layers are clipped to
+    /// The base of which each visible stroke is a part, apart from the layers around it. Empty if there are no bases.
+    std::vector<int> shapes;
+    bool isBounded = false; ///< whether a layer is clipped, or is a mask
 
     bool isFlat() const { return layers.empty(); }
     int layerOf(std::size_t stroke) const { return of.empty() ? Layer::none : of[stroke]; }
+    int shapeOf(std::size_t stroke) const { return shapes.empty() ? Layer::none : shapes[stroke]; }
+    /// What one of `bases` is; null for Layer::none.
+    const ClipBase *baseAt(int base) const { return base == Layer::none ? nullptr : &bases[std::size_t(base)]; }
     /// Whether `layer` is `around` or lies within it; all do in Layer::none.
     bool isWithin(int layer, int around) const;
     bool operator==(const Composition &) const = default;
 };
 
 Composition compositionOf(const Painting &painting);
+/// The layer whose opacity or mode is all that two compositions of the same strokes differ in; Layer::none if they
+/// differ in more, or in nothing.
+int layerPutAnew(const Composition &before, const Composition &now);
+/// Whether all strokes mix one after another, as if there were no groups: none is isolated, and none is a wash.
+bool mixesInOrder(const Painting &painting);
 
 /// What became of the layers from one composition to the next.
 class LayerChanges {
@@ -83,6 +113,14 @@ public:
         passEverywhere(stroke, begin, end);
         to(m_composition.of[stroke], begin, end);
     }
+    /// Goes on to where a layer is about to begin: those around it are open.
+    template <class Begin, class End>
+    void toLayer(int layer, Begin begin, End end)
+    {
+        const Layer &next = m_composition.layers[std::size_t(layer)];
+        passEverywhere(next.first, begin, end, next.parent);
+        to(next.parent, begin, end);
+    }
     /// Goes on to the end of all.
     template <class Begin, class End>
     void toEnd(Begin begin, End end)
@@ -94,14 +132,16 @@ public:
     }
 
 private:
-    /// Visits the layers that act everywhere and begin with a stroke up to this one.
+    /// Visits the layers that act everywhere and begin with a stroke up to this one. Of those that begin with it, it
+    /// visits the ones around the layer `around` alone, unless that is left out.
     template <class Begin, class End>
-    void passEverywhere(std::size_t stroke, Begin begin, End end)
+    void passEverywhere(std::size_t stroke, Begin begin, End end, std::optional<int> around = {})
     {
         const std::vector<int> &all = m_composition.everywhere;
         for (; m_place.everywhere < all.size(); ++m_place.everywhere) {
             const int layer = all[m_place.everywhere];
-            if (m_composition.layers[std::size_t(layer)].first > stroke)
+            const std::size_t first = m_composition.layers[std::size_t(layer)].first;
+            if (first > stroke || (first == stroke && around && !m_composition.isWithin(*around, layer)))
                 break;
             to(layer, begin, end);
         }

@@ -119,6 +119,18 @@ struct OverMap {
     alignas(64) float limit[3][blockSize];
     alignas(64) float hold[blockSize];
     alignas(64) float gain[blockSize];
+
+    /// Makes it the map of no strokes.
+    void clear()
+    {
+        for (int c = 0; c < 3; ++c) {
+            std::fill_n(keep[c], blockSize, 1.0f);
+            std::fill_n(add[c], blockSize, 0.0f);
+            std::fill_n(limit[c], blockSize, 1.0f);
+        }
+        std::fill_n(hold, blockSize, 1.0f);
+        std::fill_n(gain, blockSize, 0.0f);
+    }
 };
 
 } // namespace suffuse::cpu

@@ -87,11 +87,14 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
                 job.plan.haveUnder = !layers.under.empty();
                 job.from = job.plan.haveUnder ? layers.below : 0;
                 job.plan.storeUnder = !job.plan.haveUnder || layers.below < m_history.edited();
-                const bool isFlat = m_history.scene().composition().isFlat();
+                const Composition &composition = m_history.scene().composition();
+                const bool isFlat = composition.isFlat();
                 layers.under.resize(blocks);
                 layers.open.resize(isFlat ? 0 : blocks);
                 layers.below = m_history.edited();
-                if (interactive && m_history.oneEdited() && isFlat) { // What is put on it is no affine map.
+                // What bounds a layer above may be what is edited.
+                if (interactive && (m_history.oneEdited() || m_history.layerEdited() != Layer::none) &&
+                    !composition.isBounded) {
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
                     layers.over.resize(blocks);
@@ -115,7 +118,9 @@ void CpuRenderer::binStrokes(std::vector<Job> &jobs) const
     std::size_t from = scene.strokes().size(), to = 0;
     for (Job &job : jobs) {
         rows[std::size_t(job.row)].jobs.push_back(&job);
-        job.to = job.plan.applyOver ? std::min(edited + 1, scene.strokes().size()) : scene.strokes().size();
+        job.to = scene.strokes().size();
+        if (job.plan.applyOver)
+            job.to = std::min(edited + (m_history.oneEdited() ? 1 : 0), job.to);
         from = std::min(from, job.from);
         to = std::max(to, job.to);
     }
@@ -153,7 +158,10 @@ void CpuRenderer::paint(const Job &job, Target &target)
     const PixelRect tile = m_history.region().tile(job.column, job.row);
     const auto &scene = m_history.scene().strokes();
     const std::size_t first = m_history.edited();
-    const SceneStroke *edited = first < scene.size() ? scene[first].get() : nullptr;
+    cpu::Edited edited;
+    edited.layer = m_history.layerEdited();
+    if (first < scene.size() && edited.layer == Layer::none)
+        edited.stroke = scene[first].get(), edited.place = first;
     thread_local cpu::TileStrokes strokes; // It keeps its memory from tile to tile.
     strokes.begin(*m_frame.kernels, tile, m_frame.grid.window);
     cpu::TilePlan plan = job.plan;

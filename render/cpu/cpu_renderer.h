@@ -42,7 +42,7 @@ private:
 
     const Threads m_threads;
     FrameHistory m_history;
-    cpu::LayerCache m_layers{std::size_t(64) << 20};
+    cpu::LayerCache m_layers{std::size_t(256) << 20};
     std::vector<cpu::SteadyStroke> m_changed; ///< the strokes that differ from the frame before, in ascending order
     cpu::Frame m_frame;
     cpu::PaperTiles m_paper;

@@ -250,7 +250,7 @@ void apply(const OverMap &map, Backdrop &backdrop)
     }
 }
 
-void putLayer(const LayerPut &how, const Backdrop &layer, Backdrop &below)
+void putLayer(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below)
 {
     const LayerPut own = how; // A copy cannot alias what is stored.
     const auto pixel = [](const Backdrop &from, int at) {
@@ -261,7 +261,8 @@ void putLayer(const LayerPut &how, const Backdrop &layer, Backdrop &below)
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
         if (!everywhere && hn::AllFalse(tag, less_(Lanes(0), load(layer.coverage + at))))
             continue; // Nothing is there to be put.
-        const Pixel<Lanes> out = put(own, pixel(layer, at), pixel(below, at));
+        const Lanes all(own.opacity), opacity = share ? all * load(share + at) : all;
+        const Pixel<Lanes> out = put(own, opacity, pixel(layer, at), pixel(below, at));
         store(out.red, below.ryb[0] + at);
         store(out.yellow, below.ryb[1] + at);
         store(out.blue, below.ryb[2] + at);

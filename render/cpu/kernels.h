@@ -44,8 +44,8 @@ struct Kernels {
     /// Puts one stroke on top of a map.
     void (*compose)(const Shaded &stroke, float keep, OverMap &map);
     void (*apply)(const OverMap &map, Backdrop &backdrop);
-    /// Puts the picture of a layer on what lies below it.
-    void (*put)(const LayerPut &how, const Backdrop &layer, Backdrop &below);
+    /// Puts the picture of a layer on what lies below it. `share`: what its bounds let through; null for all.
+    void (*put)(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below);
     /// Converts to straight RGBA, in rows that are `stride` pixels apart. `transparent` removes the white background
     /// from the colour.
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);

@@ -47,10 +47,12 @@ void LayerCache::keep(const std::vector<std::size_t> &usedNow)
         std::size_t sums = 0;
         for (const StrokePrefix &prefix : t.prefixes)
             sums += bytesOf(prefix);
-        std::size_t open = 0;
+        std::size_t open = 0, bounds = 0, over = 0;
+        for (const OverSteps &steps : t.over)
+            over += steps.bytes();
         for (const OpenLayers &layers : t.open)
-            open += layers.below.size();
-        return (t.under.size() + open) * sizeof(Backdrop) + t.over.size() * sizeof(OverMap) + sums;
+            open += layers.below.size(), bounds += layers.bounds.size();
+        return (t.under.size() + open) * sizeof(Backdrop) + bounds * sizeof(LayerBounds) + over + sums;
     };
     std::size_t bytes = 0;
     for (const auto &[tile, layers] : m_tiles)

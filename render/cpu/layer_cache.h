@@ -4,6 +4,8 @@
 
 #include "render/composition/composition.h"
 #include "render/cpu/kernels.h"
+#include "render/cpu/layer_bounds.h"
+#include "render/cpu/over_steps.h"
 #include "render/cpu/prefix_sums.h"
 
 #include <cstddef>
@@ -16,16 +18,16 @@ namespace suffuse::cpu {
 /// The layers that have begun in a block and not ended.
 struct OpenLayers {
     LayerPlace place;
-    std::vector<Backdrop> below; ///< what lies below each of them, from the outermost on
+    std::vector<Backdrop> below;     ///< what lies below each of them, from the outermost on
+    std::vector<LayerBounds> bounds; ///< of the canvas and of each of them; none if nothing is clipped or masked
 };
 
 /// The layers of one tile, by block.
 struct TileLayers {
-    std::vector<Backdrop> under;  ///< the picture before the first edited stroke: a prefix of the order, exact
-    std::vector<OpenLayers> open; ///< those around that stroke; empty if the painting has none
-    std::size_t below = 0;        ///< how many of the scene's strokes are in it
-    /// all strokes above it as one affine map: exact in arithmetic, but not in its last bits
-    std::vector<OverMap> over;
+    std::vector<Backdrop> under;      ///< the picture before the first edited stroke: a prefix of the order, exact
+    std::vector<OpenLayers> open;     ///< those around that stroke; empty if the painting has none
+    std::size_t below = 0;            ///< how many of the scene's strokes are in it
+    std::vector<OverSteps> over;      ///< all that lies above what is edited
     std::list<StrokePrefix> prefixes; ///< for strokes that grow: what of them has dried, exact
     std::uint64_t used = 0;
 

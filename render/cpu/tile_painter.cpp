@@ -20,6 +20,9 @@ struct Scratch {
     /// The canvas, and each layer that is open, from the outermost on. There may be more behind them, whose memory is
     /// kept.
     std::vector<Backdrop> backdrops{1};
+    std::vector<LayerBounds> bounds{1};  ///< of each of these
+    alignas(64) float share[blockSize];  ///< of a layer that is bounded
+    alignas(64) float source[blockSize]; ///< its coverage in the end
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
@@ -44,11 +47,11 @@ public:
         m_s.levels.begin(frame.grid.view, x, y);
         if (layers) {
             if (!layers->open.empty())
-                for (const Backdrop &below : layers->open[index].below)
-                    backdrop() = below, open();
+                restore(layers->open[index]);
             backdrop() = layers->under[index];
             return;
         }
+        m_s.bounds.front().base = Layer::none, m_s.bounds.front().masks = 0;
         clear(bareRyb(frame));
         backdrop().hasCoverage = frame.transparent || !frame.composition->isFlat();
     }
@@ -57,9 +60,14 @@ public:
     void storeUnder(TileLayers &layers) const
     {
         layers.under[m_index] = m_s.backdrops[m_open];
-        if (!layers.open.empty())
-            layers.open[m_index] = {m_walk.place(),
-                                    {m_s.backdrops.begin(), m_s.backdrops.begin() + std::ptrdiff_t(m_open)}};
+        if (layers.open.empty())
+            return;
+        OpenLayers &open = layers.open[m_index];
+        open.place = m_walk.place();
+        open.below.assign(m_s.backdrops.begin(), m_s.backdrops.begin() + std::ptrdiff_t(m_open));
+        open.bounds.clear();
+        if (m_frame.composition->isBounded)
+            open.bounds.assign(m_s.bounds.begin(), m_s.bounds.begin() + std::ptrdiff_t(m_open) + 1);
     }
     Backdrop &backdrop() { return m_s.backdrops[m_open]; }
 
@@ -69,31 +77,64 @@ public:
         m_walk.toStroke(
             place, [this](int) { beginLayer(); }, [this](int layer) { endLayer(layer); });
     }
+    /// Opens the layers around what is edited, be it in this block or not.
+    void openAround(const Edited &edited)
+    {
+        if (edited.layer == Layer::none)
+            return goTo(edited.place);
+        m_walk.toLayer(
+            edited.layer, [this](int) { beginLayer(); }, [this](int layer) { endLayer(layer); });
+    }
     /// Ends all layers.
     void goToEnd()
     {
         m_walk.toEnd([this](int) { beginLayer(); }, [this](int layer) { endLayer(layer); });
     }
 
-    /// Begins a map of the strokes that follow; null ends it.
-    void record(OverMap *map)
+    /// Begins to record what follows; null ends that.
+    void record(OverSteps *steps)
     {
-        m_map = map;
-        if (!map)
+        m_record = steps;
+        m_recorded = m_open;
+        if (steps)
+            steps->clear();
+    }
+    /// Does all that was recorded, up to the end.
+    void apply(const OverSteps &over)
+    {
+        for (const OverSteps::Step &step : over.steps)
+            switch (step.kind) {
+            case OverSteps::Kind::Map:
+                m_frame.kernels->apply(over.maps[step.place], backdrop());
+                break;
+            case OverSteps::Kind::Picture:
+                putLayer(step.layer, nullptr, over.pictures[step.place]);
+                break;
+            case OverSteps::Kind::End:
+                --m_open;
+                putLayer(step.layer, nullptr, m_s.backdrops[m_open + 1]);
+            }
+    }
+
+    /// Adds the coverage of a stroke to that of the base of which it is a part, which has this place among all. The
+    /// stroke is added as onto nothing: what it covers there is its opacity, to the bit.
+    template <class Add>
+    void addPart(std::size_t place, Add add)
+    {
+        const int part = m_frame.composition->shapeOf(place);
+        if (part == Layer::none)
             return;
-        for (int c = 0; c < 3; ++c) {
-            std::fill_n(map->keep[c], blockSize, 1.0f);
-            std::fill_n(map->add[c], blockSize, 0.0f);
-            std::fill_n(map->limit[c], blockSize, 1.0f);
-        }
-        std::fill_n(map->hold, blockSize, 1.0f);
-        std::fill_n(map->gain, blockSize, 0.0f);
+        beginLayer();
+        add();
+        m_s.bounds[m_open - 1].addPart(part, BlendMode::Normal, backdrop().coverage);
+        --m_open;
     }
 
     /// Adds a stroke. `prefix` has the sums of the nodes before those that are listed; it is empty if there are none.
     void add(const SceneStroke &scene, NodeList listed, std::span<const float> prefix, BlockFill fill)
     {
         m_fill = fill;
+        m_map = m_record && m_open == m_recorded ? &m_record->map() : nullptr;
         const Block block{double(m_x), double(m_y), 1};
         const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = m_s.levels.mark(scene, fill.tile), crisp = fill && scene.fill->crisp;
@@ -157,8 +198,19 @@ private:
     /// Makes a backdrop above the present one, whose content is not set.
     void open()
     {
-        if (++m_open == m_s.backdrops.size())
+        if (++m_open == m_s.backdrops.size()) {
             m_s.backdrops.emplace_back();
+            m_s.bounds.emplace_back();
+        }
+        m_s.bounds[m_open].base = Layer::none, m_s.bounds[m_open].masks = 0;
+    }
+
+    /// Opens layers as they were, up to the innermost backdrop, whose content is not set.
+    void restore(const OpenLayers &layers)
+    {
+        for (const Backdrop &below : layers.below)
+            backdrop() = below, open();
+        std::copy(layers.bounds.begin(), layers.bounds.end(), m_s.bounds.begin());
     }
 
     void beginLayer()
@@ -171,6 +223,28 @@ private:
     void endLayer(int number)
     {
         const Layer &layer = m_frame.composition->layers[std::size_t(number)];
+        const Backdrop &ended = backdrop();
+        if (m_record && m_open == m_recorded)
+            m_record->addEnd(number), --m_recorded;
+        else if (m_record && m_open == m_recorded + 1)
+            m_record->addPicture(number, ended);
+        const LayerBounds &own = m_s.bounds[m_open];
+        LayerBounds &around = m_s.bounds[--m_open];
+        const float *share = boundsOf(layer, own, around, m_s.share) ? m_s.share : nullptr;
+        if (layer.isMask || layer.shape != Layer::none) {
+            for (std::size_t at = 0; at < blockSize; ++at)
+                m_s.source[at] = ended.coverage[at] * (share ? layer.opacity * share[at] : layer.opacity);
+            if (layer.isMask)
+                return around.addMask(m_s.source);
+            around.addPart(layer.shape, layer.shapeMode, m_s.source);
+        }
+        putLayer(number, share, ended);
+    }
+
+    /// Puts what a layer shows on the present backdrop. `share`: what its bounds let through; null for all.
+    void putLayer(int number, const float *share, const Backdrop &shown)
+    {
+        const Layer &layer = m_frame.composition->layers[std::size_t(number)];
         const bool onCanvas = layer.parent == Layer::none;
         LayerPut how{layer.blend, layer.opacity, onCanvas && !m_frame.transparent, {1, 1, 1}};
         if (onCanvas) {
@@ -178,9 +252,7 @@ private:
             const math::Triple<float> rgb = math::rgbFromRyb(ryb[0], ryb[1], ryb[2]);
             how.bare[0] = rgb.x, how.bare[1] = rgb.y, how.bare[2] = rgb.z;
         }
-        const Backdrop &ended = backdrop();
-        --m_open;
-        m_frame.kernels->put(how, ended, backdrop());
+        m_frame.kernels->put(how, share, shown, backdrop());
     }
 
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
@@ -411,7 +483,9 @@ private:
     std::size_t m_open = 0; ///< how many layers are open: the place of the backdrop that is mixed into
     BlockFill m_fill;       ///< of the stroke in hand
     bool m_isBare = false, m_isLevel = false; ///< whether it has nothing but its fill in the block, and is level within
-    OverMap *m_map = nullptr;
+    OverSteps *m_record = nullptr;            ///< what gets all that follows
+    std::size_t m_recorded = 0;               ///< how many layers are open that were so when that began
+    OverMap *m_map = nullptr;                 ///< of the stroke in hand
     const float *m_eta = nullptr;
 };
 
@@ -420,19 +494,23 @@ void addStrokes(BlockPainter &painter, TileStrokes &strokes, std::size_t block, 
 {
     for (std::size_t i = from; i < to; ++i)
         if (const auto nodes = strokes.nodesAt(i, block)) {
+            const auto add = [&] {
+                painter.add(strokes[i], *nodes, strokes.sumsAt(i, block), strokes.fillAt(i, block));
+            };
             painter.goTo(strokes.placeOf(i));
-            painter.add(strokes[i], *nodes, strokes.sumsAt(i, block), strokes.fillAt(i, block));
+            painter.addPart(strokes.placeOf(i), add);
+            add();
         }
 }
 
 } // namespace
 
 void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
-               const SceneStroke *edited, float *rgba)
+               const Edited &edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
     // If the edited stroke misses this tile, all the rest lies above it.
-    const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited;
+    const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited.stroke;
     const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
@@ -443,13 +521,15 @@ void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, 
             if (plan.storeUnder)
                 painter.storeUnder(*plan.layers);
             addStrokes(painter, strokes, index, plan.below, above);
+            if (plan.applyOver || plan.storeOver)
+                painter.openAround(edited);
             if (plan.applyOver) {
-                frame.kernels->apply(plan.layers->over[index], painter.backdrop());
+                painter.apply(plan.layers->over[index]);
             } else {
                 painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
                 addStrokes(painter, strokes, index, above, strokes.size());
+                painter.goToEnd();
             }
-            painter.goToEnd();
             painter.finish(rgba + (std::size_t(y) * tile.width + x) * 4, tile.width,
                            std::min(blockSide, tile.width - x), std::min(blockSide, tile.height - y));
         }

@@ -18,6 +18,13 @@ struct Frame {
     const Composition *composition = nullptr;
 };
 
+/// What is edited: a stroke, or how a layer is put.
+struct Edited {
+    const SceneStroke *stroke = nullptr;
+    std::size_t place = 0; ///< of the stroke among those of the composition
+    int layer = Layer::none;
+};
+
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
     std::size_t tile = 0;  ///< its place among the tiles of the picture
@@ -25,14 +32,14 @@ struct TilePlan {
     TileLayers *layers = nullptr;
     bool haveUnder = false;  ///< whether `under` of the layers is filled, so that painting starts from it
     bool storeUnder = false; ///< whether `under` is to be filled before the first edited stroke
-    bool storeOver = false;  ///< whether the strokes after the first edited one are to be stored as a map
-    bool applyOver = false;  ///< whether that map is used instead of those strokes
+    bool storeOver = false;  ///< whether what lies above what is edited is to be stored in steps
+    bool applyOver = false;  ///< whether these steps are used instead of the strokes there
 };
 
 /// Evaluates `tile`, whose corner lies on the grid's 8-pixel cells, into `rgba`, in rows of tile.width pixels.
 /// `strokes` are in order, and know their places among those of the composition. With layers, the one at `plan.below`
-/// may be the edited one, which `edited` names.
+/// may be the edited one.
 void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
-               const SceneStroke *edited, float *rgba);
+               const Edited &edited, float *rgba);
 
 } // namespace suffuse::cpu

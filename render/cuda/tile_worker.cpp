@@ -43,11 +43,12 @@ ToCanvas toCanvasOf(const View &v)
 
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads, const ApartLimits &apart)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device),
-      m_composition(*m_device), m_layerPixels(*m_device), m_paper(*m_device), m_tileJobs(*m_device),
-      m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device), m_deviceMacroJobs(*m_device),
-      m_status(*m_device), m_listCounts(*m_device), m_order(*m_device), m_lists(*m_device), m_apart(*m_device),
-      m_apartJobs(*m_device), m_apartSamples(*m_device), m_apartDone(*m_device), m_eta(*m_device),
-      m_etaKnown(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
+      m_composition(*m_device), m_layerPixels(*m_device), m_boundPixels(*m_device), m_paper(*m_device),
+      m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_listCounts(*m_device), m_order(*m_device),
+      m_lists(*m_device), m_apart(*m_device), m_apartJobs(*m_device), m_apartSamples(*m_device), m_apartDone(*m_device),
+      m_eta(*m_device), m_etaKnown(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)},
+      m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
     m_apartLimits = apart;
@@ -59,6 +60,7 @@ void TileWorker::releaseBuffers()
     m_apart.release(), m_apartJobs.release(), m_apartSamples.release(), m_apartDone.release();
     m_apartRoom = 0;
     m_layerPixels.release();
+    m_boundPixels.release();
     for (TileBuffer &buffer : m_buffers)
         buffer.onDevice.release(), buffer.onHost.release();
 }
@@ -296,6 +298,10 @@ Fault TileWorker::run(const Band &band)
     if (Fault fault = m_layerPixels.reserve(band.tiles * m_frame.layerPlanes * tileSize))
         return fault;
     m_frame.layerPixels = m_layerPixels.data();
+    const bool isBounded = m_composition.isBounded();
+    if (Fault fault = m_boundPixels.reserve(isBounded ? band.tiles * m_frame.layerPlanes * tileSize : 0))
+        return fault;
+    m_frame.boundPixels = isBounded ? m_boundPixels.data() : nullptr;
     if (Fault fault = reserveApart(band.tiles, lists * m_listRoom))
         return fault;
     m_frame.macros = m_deviceMacroJobs.data();

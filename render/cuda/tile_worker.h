@@ -85,6 +85,7 @@ private:
     DeviceLayers m_layers;
     DeviceComposition m_composition;
     DeviceArray<BackdropPixel> m_layerPixels;
+    DeviceArray<BoundPixel> m_boundPixels;
     bool m_usesLayers = false; ///< whether m_layers keeps what lies below and above edited strokes
     Frame m_frame;
     std::shared_ptr<const PaperTexture> m_paperTexture; ///< the paper that is on the device

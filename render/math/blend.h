@@ -143,6 +143,24 @@ SUFFUSE_INLINE V straight(V overWhite, V coverage, V inverse)
     return min_(V(1), max_(V(0), (overWhite - (V(1) - coverage)) * inverse));
 }
 
+/// What a layer and what lies below it cover together, by the layer's mode.
+template <class V>
+SUFFUSE_INLINE V coverageWith(BlendMode mode, V source, V below)
+{
+    switch (mode) {
+    case BlendMode::DestinationIn:
+        return source * below;
+    case BlendMode::DestinationOut:
+        return (V(1) - source) * below;
+    case BlendMode::SourceAtop:
+        return below;
+    case BlendMode::Plus:
+        return min_(V(1), source + below);
+    default:
+        return mulAdd_(V(1) - source, below, source);
+    }
+}
+
 /// RGB over white as a pixel, where a layer shows something; otherwise what lies below keeps its bits.
 template <class V>
 SUFFUSE_INLINE Pixel<V> finished(const V (&rgb)[3], V coverage, V source, const Pixel<V> &below)
@@ -154,21 +172,21 @@ SUFFUSE_INLINE Pixel<V> finished(const V (&rgb)[3], V coverage, V source, const 
             select_(shows, coverage, below.coverage)};
 }
 
-/// What a layer shows at a pixel, put on what lies below. Where it shows nothing, what lies below keeps its bits,
-/// unless the mode acts there, too.
+/// What a layer shows at a pixel, put on what lies below with an opacity: the layer's, times what its bounds let
+/// through. Where it shows nothing, what lies below keeps its bits, unless the mode acts there, too.
 template <class V>
-SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pixel<V> &below)
+SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, V opacity, const Pixel<V> &layer, const Pixel<V> &below)
 {
     const V one(1), tiny(1e-30);
-    const V source = layer.coverage * V(how.opacity), ground = below.coverage;
+    const V source = layer.coverage * opacity, ground = below.coverage;
     const Triple<V> rgb = rgbFromRyb(below.red, below.yellow, below.blue);
     const V bare[3] = {V(how.bare[0]), V(how.bare[1]), V(how.bare[2])};
-    V out[3] = {rgb.x, rgb.y, rgb.z}, coverage = mulAdd_(one - source, ground, source);
+    V out[3] = {rgb.x, rgb.y, rgb.z};
+    const V coverage = coverageWith(how.mode, source, ground);
     if (how.mode == BlendMode::DestinationIn || how.mode == BlendMode::DestinationOut) {
         const V kept = how.mode == BlendMode::DestinationIn ? source : one - source;
         for (int c = 0; c < 3; ++c)
             out[c] = mulAdd_(kept, out[c] - bare[c], bare[c]);
-        coverage = kept * ground;
         const auto stays = not_(less_(kept, one));
         const Triple<V> ryb = rybFromRgb(out[0], out[1], out[2]);
         return {select_(stays, below.red, ryb.x), select_(stays, below.yellow, ryb.y),
@@ -176,9 +194,9 @@ SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pi
     }
     const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
     if (how.mode == BlendMode::Normal) { // Without dividing: α_s·C_s is what the layer has over white, less the white.
-        const V o(how.opacity), white = one - layer.coverage, s[3] = {over.x, over.y, over.z};
+        const V white = one - layer.coverage, s[3] = {over.x, over.y, over.z};
         for (int c = 0; c < 3; ++c)
-            out[c] = mulAdd_(one - source, out[c], o * min_(layer.coverage, max_(V(0), s[c] - white)));
+            out[c] = mulAdd_(one - source, out[c], opacity * min_(layer.coverage, max_(V(0), s[c] - white)));
         return finished(out, coverage, source, below);
     }
     const V inverse = reciprocal_(max_(layer.coverage, tiny));
@@ -192,13 +210,11 @@ SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, const Pixel<V> &layer, const Pi
     const V s[3] = {cs.x, cs.y, cs.z}, b[3] = {cb.x, cb.y, cb.z};
     if (how.mode == BlendMode::Plus) {
         const V sum = source + ground;
-        coverage = min_(one, sum);
         // Over white both leave as much of it as is not covered, which is counted twice where they overlap.
         const V spare = how.opaque ? V(0) : sum - coverage - source;
         for (int c = 0; c < 3; ++c)
             out[c] = min_(one, mulAdd_(source, s[c], out[c]) + spare);
     } else if (how.mode == BlendMode::SourceAtop) {
-        coverage = ground;
         for (int c = 0; c < 3; ++c)
             out[c] = mulAdd_(source * ground, s[c] - b[c], out[c]);
     } else {

@@ -54,22 +54,51 @@ const std::vector<float> &BandPainter::draw(int first, int count, const std::ato
 
 bool BandPainter::addItems(const std::vector<Item> &items, const Rgb *canvas, Cancelled cancel)
 {
-    for (const Item &item : items) {
-        if (cancel && cancel->load(std::memory_order_relaxed))
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (!items[i].isMask && !addItem(items, i, canvas, cancel))
             return false;
-        if (!item.isGroup) {
-            addStroke(m_scene.strokes[item.stroke]);
-            continue;
-        }
-        std::vector<Spot> below(m_spots.size());
-        m_spots.swap(below);
-        if (!addItems(item.inside, nullptr, cancel))
-            return false;
-        for (std::size_t i = 0; i < below.size(); ++i)
-            put(item, m_spots[i], canvas, below[i]);
-        m_spots.swap(below);
-    }
     return true;
+}
+
+bool BandPainter::addItem(const std::vector<Item> &items, std::size_t place, const Rgb *canvas, Cancelled cancel)
+{
+    if (cancel && cancel->load(std::memory_order_relaxed))
+        return false;
+    const Item &item = items[place];
+    if (!item.isGroup) {
+        if (item.stroke != Item::nothing)
+            addStroke(m_scene.strokes[item.stroke]);
+        return true;
+    }
+    if (!item.isIsolated)
+        return addItems(item.inside, canvas, cancel);
+    std::vector<double> share(m_spots.size(), 1);
+    if (item.base != Item::nothing && !bound(items, item.base, share, cancel))
+        return false;
+    for (std::size_t i = 0; i < item.inside.size(); ++i)
+        if (item.inside[i].isMask && item.inside[i].isSeen() && !bound(item.inside, i, share, cancel))
+            return false;
+    std::vector<Spot> below(m_spots.size());
+    m_spots.swap(below);
+    if (!addItems(item.inside, nullptr, cancel))
+        return false;
+    for (std::size_t i = 0; i < below.size(); ++i)
+        put(item, share[i], m_spots[i], canvas, below[i]);
+    m_spots.swap(below);
+    return true;
+}
+
+bool BandPainter::bound(const std::vector<Item> &items, std::size_t by, std::vector<double> &share, Cancelled cancel)
+{
+    std::vector<Item> alone(items);
+    alone[by].blend = BlendMode::Normal; // How it is put there does not matter, but what it covers.
+    std::vector<Spot> spots(m_spots.size());
+    m_spots.swap(spots);
+    const bool done = addItem(alone, by, nullptr, cancel);
+    m_spots.swap(spots);
+    for (std::size_t i = 0; i < share.size(); ++i)
+        share[i] *= spots[i].coverage;
+    return done;
 }
 
 void BandPainter::addStroke(const StrokeSource &stroke)

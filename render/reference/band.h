@@ -30,6 +30,9 @@ private:
     using Cancelled = const std::atomic<bool> *;
     /// Mixes items into m_spots. `canvas`: as for put. Returns false once `cancel` is set.
     bool addItems(const std::vector<Item> &items, const Rgb *canvas, Cancelled cancel);
+    bool addItem(const std::vector<Item> &items, std::size_t item, const Rgb *canvas, Cancelled cancel);
+    /// Multiplies `share` with what an item covers by itself.
+    bool bound(const std::vector<Item> &items, std::size_t by, std::vector<double> &share, Cancelled cancel);
     void addStroke(const StrokeSource &stroke);
     void addFillLevels(const FillSource &fill, const SampleBlock &block, bool &any);
     Paint paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const;

@@ -2,39 +2,149 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace suffuse::reference {
 
 namespace {
 
-struct Visible {
-    std::size_t place;
-    std::vector<const Group *> around; ///< the isolated groups, the outermost first
-};
-
-std::vector<Item> itemsOf(const std::vector<Visible> &strokes, std::size_t from, std::size_t to, std::size_t depth)
+/// Whether a clipped group is in an item, at any depth.
+bool clipsWithin(const Item &item)
 {
-    const auto groupOf = [&](std::size_t i) {
-        return strokes[i].around.size() > depth ? strokes[i].around[depth] : nullptr;
-    };
-    std::vector<Item> items;
-    for (std::size_t i = from; i < to;) {
-        Item item;
-        const Group *group = groupOf(i);
-        if (!group) {
-            item.stroke = strokes[i++].place;
-        } else {
-            std::size_t end = i;
-            while (end < to && groupOf(end) == group)
-                ++end;
-            item.isGroup = true, item.opacity = double(group->opacity), item.blend = group->blend;
-            item.inside = itemsOf(strokes, i, end, depth + 1);
-            i = end;
-        }
-        items.push_back(std::move(item));
-    }
-    return items;
+    return std::ranges::any_of(item.inside,
+                               [](const Item &i) { return i.isGroup && (i.base != Item::nothing || clipsWithin(i)); });
 }
+
+/// A mask in which nothing is seen masks nothing.
+bool isMasked(const Item &item)
+{
+    return std::ranges::any_of(item.inside, [](const Item &i) { return i.isMask && i.isSeen(); });
+}
+
+/// Isolates groups because of what is in them, or of what is clipped to them.
+void isolate(Item &item)
+{
+    for (Item &i : item.inside) {
+        isolate(i);
+        if (i.base != Item::nothing && clipsWithin(item.inside[i.base]))
+            item.inside[i.base].isIsolated = true;
+    }
+    item.isIsolated = item.isIsolated || isMasked(item);
+}
+
+/// One stroke with the segments of several.
+StrokePtr united(const std::vector<StrokePtr> &strokes, const Wash &wash)
+{
+    auto all = std::make_shared<Stroke>(*strokes.front());
+    all->style = wash.style, all->mix = wash.mix;
+    for (std::size_t i = 1; i < strokes.size(); ++i)
+        for (std::size_t k = 0; k < strokes[i]->segments.size(); ++k) {
+            Segment segment = strokes[i]->segments[k];
+            segment.start = strokes[i]->beginsChain(k);
+            for (Offset &p : segment.bezier)
+                p = toOffset(strokes[i]->origin + p, all->origin);
+            all->segments.push_back(std::move(segment));
+        }
+    return all;
+}
+
+/// Puts strokes into the tree of groups, one after another.
+class TreeBuilder {
+public:
+    explicit TreeBuilder(const Painting &painting) : m_painting(painting) { m_root.isGroup = true; }
+
+    Drawing drawing()
+    {
+        for (const StrokePtr &stroke : m_painting.strokes)
+            add(stroke);
+        for (std::size_t i = 0; i < m_washes.size(); ++i)
+            m_drawing.strokes[m_washes[i].place].stroke =
+                united(m_drawing.strokes[m_washes[i].place].members, m_washes[i].wash);
+        isolate(m_root);
+        m_drawing.items = m_root.isIsolated ? std::vector{m_root} : m_root.inside;
+        return std::move(m_drawing);
+    }
+
+private:
+    struct Laid {
+        const Group *group;
+        Wash wash;
+        std::size_t place;
+    };
+
+    std::vector<const Group *> pathOf(const Stroke &stroke) const
+    {
+        std::vector<const Group *> path;
+        for (const Group *group = m_painting.findGroup(stroke.group); group;
+             group = m_painting.findGroup(group->parent))
+            path.insert(path.begin(), group);
+        return path;
+    }
+
+    void add(const StrokePtr &stroke)
+    {
+        const std::vector<const Group *> path = pathOf(*stroke);
+        // A mask within a wash is no part of it.
+        const auto wash = std::ranges::find_if(path, [](const Group *g) { return g->wash.has_value(); });
+        const bool isMask = std::any_of(wash, path.end(), [&](const Group *g) { return g != *wash && g->mask; });
+        const bool isWashed = wash != path.end() && !isMask;
+        Item &in = enter(path, isWashed ? std::size_t(wash - path.begin()) + 1 : path.size());
+        Item item;
+        if (m_painting.isVisible(*stroke)) {
+            if (isWashed && !stroke->fill && m_lastWash && m_lastWash->group == *wash) {
+                m_drawing.strokes[m_lastWash->place].members.push_back(stroke);
+                return;
+            }
+            item.stroke = m_drawing.strokes.size();
+            m_drawing.strokes.push_back({stroke, {stroke}});
+            if (isWashed && !stroke->fill) {
+                m_washes.push_back({*wash, *(*wash)->wash, item.stroke});
+                m_lastWash = m_washes.back();
+            } else if (isWashed) {
+                auto own = std::make_shared<Stroke>(*stroke);
+                own->style = (*wash)->wash->style, own->mix = (*wash)->wash->mix;
+                m_drawing.strokes.back().stroke = own;
+            }
+        }
+        in.inside.push_back(std::move(item));
+    }
+
+    /// The item of the group that is `depth` deep on the path of a stroke.
+    Item &enter(const std::vector<const Group *> &path, std::size_t depth)
+    {
+        std::size_t same = 0;
+        while (same < m_open.size() && same < depth && m_open[same] == path[same])
+            ++same;
+        m_open.resize(same);
+        Item *item = &m_root;
+        for (std::size_t i = 0; i < same; ++i)
+            item = &item->inside[m_places[i]];
+        m_places.resize(same);
+        for (std::size_t i = same; i < depth; ++i) {
+            const Group &group = *path[i];
+            Item own;
+            own.isGroup = true, own.isIsolated = group.isIsolated(), own.isMask = group.mask, own.clips = group.clips;
+            own.opacity = double(group.opacity), own.blend = group.blend;
+            if (group.clips)
+                for (std::size_t k = item->inside.size(); k-- > 0 && own.base == Item::nothing;)
+                    if (!item->inside[k].isMask && !item->inside[k].clips)
+                        own.base = k;
+            m_open.push_back(&group);
+            m_places.push_back(item->inside.size());
+            item->inside.push_back(std::move(own));
+            item = &item->inside.back();
+        }
+        return *item;
+    }
+
+    const Painting &m_painting;
+    Drawing m_drawing;
+    Item m_root;
+    std::vector<const Group *> m_open; ///< the groups around the last stroke, the outermost first
+    std::vector<std::size_t> m_places; ///< where each of them is in the one around it
+    std::vector<Laid> m_washes;
+    std::optional<Laid> m_lastWash;
+};
 
 double lum(const Rgb &c)
 {
@@ -146,29 +256,19 @@ Rgb straight(const Spot &spot)
 
 } // namespace
 
-std::vector<Item> itemsOf(const Painting &painting)
+bool Item::isSeen() const
 {
-    std::vector<Visible> strokes;
-    for (const StrokePtr &stroke : painting.strokes) {
-        if (!painting.isVisible(*stroke))
-            continue;
-        Visible visible{strokes.size(), {}};
-        for (GroupId id = stroke->group; id != 0;) {
-            const auto group = std::ranges::find(painting.groups, id, &Group::id);
-            if (group == painting.groups.end())
-                break;
-            if (group->isIsolated())
-                visible.around.insert(visible.around.begin(), &*group);
-            id = group->parent;
-        }
-        strokes.push_back(std::move(visible));
-    }
-    return itemsOf(strokes, 0, strokes.size(), 0);
+    return isGroup ? std::ranges::any_of(inside, &Item::isSeen) : stroke != nothing;
 }
 
-void put(const Item &group, const Spot &source, const Rgb *canvas, Spot &below)
+Drawing drawingOf(const Painting &painting)
 {
-    const double as = source.coverage * group.opacity, ab = canvas ? 1 : below.coverage;
+    return TreeBuilder(painting).drawing();
+}
+
+void put(const Item &group, double share, const Spot &source, const Rgb *canvas, Spot &below)
+{
+    const double as = source.coverage * group.opacity * share, ab = canvas ? 1 : below.coverage;
     const Rgb cs = straight(source), under = rgbOfRyb(below.colour), cb = canvas ? under : straight(below);
     const Rgb mixed = blend(group.blend, cb, cs);
     const double paint = below.coverage; // The canvas is no paint.

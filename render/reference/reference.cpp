@@ -30,15 +30,6 @@ void onThreads(const Threads &threads, int count, const std::function<void(const
     parallelFor(std::size_t(std::min(threads.count(), count)), threads, [&](std::size_t) { work(next); });
 }
 
-std::vector<StrokePtr> visibleStrokes(const Painting &painting)
-{
-    std::vector<StrokePtr> strokes;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (painting.isVisible(*stroke))
-            strokes.push_back(stroke);
-    return strokes;
-}
-
 double millisecondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -63,17 +54,18 @@ Result<RenderStats> ReferenceRenderer::render(const RenderRequest &request, Targ
     if (!texture)
         return Error{texture.error()};
 
+    const reference::Drawing drawing = reference::drawingOf(*request.painting);
     reference::Scene scene{view,
                            {},
-                           reference::itemsOf(*request.painting),
+                           drawing.items,
                            {canvas.paper, *texture},
                            canvas.background,
                            request.transparent};
-    const std::vector<StrokePtr> strokes = visibleStrokes(*request.painting);
-    scene.strokes.resize(strokes.size());
-    onThreads(m_threads, int(strokes.size()), [&](const std::function<int()> &next) {
+    scene.strokes.resize(drawing.strokes.size());
+    onThreads(m_threads, int(drawing.strokes.size()), [&](const std::function<int()> &next) {
         for (int i = next(); i >= 0 && !isSet(cancel); i = next())
-            scene.strokes[std::size_t(i)] = reference::strokeSource(*strokes[std::size_t(i)], request.time, view);
+            scene.strokes[std::size_t(i)] =
+                reference::strokeSource(*drawing.strokes[std::size_t(i)].stroke, request.time, view);
     });
 
     RenderStats stats;

@@ -109,18 +109,27 @@ std::size_t FrameHistory::firstDifference(const SceneChange &change) const
 void FrameHistory::followEdits(Step &step, bool interactive)
 {
     step.keepsUnder = step.keepsOver = true;
-    m_oneEdited = false;
+    m_edits = Edits::Other;
     if (const std::size_t first = firstDifference(step.scene); first != noEdit) {
         // It is kept a little lower than needed while several strokes change by turns (as when they dry one after
         // another).
         const std::size_t slack = interactive ? 0 : 4;
-        const bool sameKind = !step.scene.reordered || step.scene.composed.isFlat() == m_scene.composition().isFlat();
+        // What lies below knows what it covers of the bases alone that there were.
+        const Composition &before = step.scene.composed, &now = m_scene.composition();
+        const bool sameKind = !step.scene.reordered || (before.isFlat() == now.isFlat() && before.bases == now.bases &&
+                                                        before.isBounded == now.isBounded);
         step.keepsUnder = m_edited != noEdit && first >= m_edited && sameKind;
         step.raisesUnder = step.keepsUnder && first > m_edited + slack;
         if (!step.keepsUnder || step.raisesUnder)
             m_edited = first;
-        m_oneEdited = first == m_edited && step.scene.replaced.size() == 1;
-        step.keepsOver = step.keepsUnder && !step.raisesUnder && m_oneEdited;
+        const int put =
+            step.scene.reordered && step.scene.before == m_scene.strokes() ? layerPutAnew(before, now) : Layer::none;
+        if (first == m_edited && (put != Layer::none || step.scene.replaced.size() == 1))
+            m_edits = put != Layer::none ? Edits::OnePut : Edits::OneStroke;
+        step.keepsOver =
+            step.keepsUnder && !step.raisesUnder && m_edits != Edits::Other && m_edits == m_kept && put == m_layer;
+        m_kept = m_edits;
+        m_layer = put;
     }
     if (interactive || !m_anyApproximate)
         return;
@@ -156,7 +165,7 @@ FrameHistory::Step FrameHistory::advance(const RenderRequest &request, const Pic
         else
             m_region.moveTo(grid.picture);
         m_edited = noEdit;
-        m_oneEdited = false;
+        m_edits = Edits::Other;
         m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
         m_anyApproximate = false;
         m_target = target.serial();

@@ -47,13 +47,19 @@ public:
     /// The index in the scene of the first edited stroke, if what lies below it is worth a layer; otherwise noEdit.
     std::size_t edited() const { return m_edited; }
     /// Whether that stroke alone differs from the frame before.
-    bool oneEdited() const { return m_oneEdited; }
+    bool oneEdited() const { return m_edits == Edits::OneStroke; }
+    /// The layer, which begins with that stroke, whose opacity or mode alone differs from the frame before; or
+    /// Layer::none.
+    int layerEdited() const { return m_edits == Edits::OnePut ? m_layer : Layer::none; }
     std::size_t tileIndex(int column, int row) const
     {
         return std::size_t(row) * std::size_t(m_region.columns()) + std::size_t(column);
     }
 
 private:
+    /// What differs from the frame before.
+    enum class Edits : std::uint8_t { Other, OneStroke, OnePut };
+
     bool samePaper(const RenderRequest &request, const Target &target) const;
     /// Moves the target's pixels to where they lie now, if that is all that the request asks for.
     bool move(const RenderRequest &request, const PictureGrid &grid, Target &target);
@@ -67,9 +73,10 @@ private:
     LiveScene m_scene;
     DirtyRegion m_region;
     std::size_t m_edited = noEdit;
-    bool m_oneEdited = false;
-    std::vector<std::uint8_t> m_approximate; ///< whether each tile was drawn with an over map
-    bool m_anyApproximate = false;           ///< whether some of them may be
+    Edits m_edits = Edits::Other, m_kept = Edits::Other; ///< now, and when layers above were kept
+    int m_layer = Layer::none;                           ///< the one that was put anew last
+    std::vector<std::uint8_t> m_approximate;             ///< whether each tile was drawn with an over map
+    bool m_anyApproximate = false;                       ///< whether some of them may be
     PictureGrid m_grid;
     PaintingPtr m_painting;
     Microseconds m_time = 0;

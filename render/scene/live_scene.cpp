@@ -39,9 +39,8 @@ SceneStroke outsideStroke(StrokePtr stroke, const PictureGrid &grid)
 
 } // namespace
 
-bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
+bool LiveScene::replace(const Painting &painting, Microseconds time, std::vector<Stale> &stale)
 {
-    const Painting &painting = *request.painting;
     if (painting.strokes.size() != m_seen.size() || painting.groups != m_groups)
         return false;
     std::vector<std::size_t> differing;
@@ -61,7 +60,7 @@ bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
             m_sources[place] = painting.strokes[i];
             m_driesAt[place] = painting.strokes[i]->driesAt();
             const SceneStroke *known = m_strokes[place].get();
-            stale.push_back({place, known && sameAge(place, request.time) && keepsNodes(*known, *m_sources[place])});
+            stale.push_back({place, known && sameAge(place, time) && keepsNodes(*known, *m_sources[place])});
         }
     return true;
 }
@@ -100,8 +99,9 @@ std::vector<std::size_t> LiveScene::align(const Painting &painting)
 {
     std::vector<StrokePtr> sources;
     m_place.clear();
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        const bool visible = painting.isVisible(*stroke);
+        const bool visible = isVisible(*stroke);
         m_place.push_back(visible ? std::int64_t(sources.size()) : -1);
         if (visible)
             sources.push_back(stroke);
@@ -260,9 +260,10 @@ SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &g
 {
     SceneChange change;
     std::vector<Stale> stale;
-    const Painting &painting = *request.painting;
+    const PaintingPtr drawn = m_washes.drawn(request.painting);
+    const Painting &painting = *drawn;
     const bool samePlace = m_grid.samePlace(grid);
-    if (samePlace && replace(request, stale)) {
+    if (samePlace && replace(painting, request.time, stale)) {
         addWet(request.time, stale);
         for (const Stale &s : stale)
             change.replaced.push_back({s.index, m_strokes[s.index]});

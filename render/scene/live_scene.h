@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/composition/composition.h"
+#include "render/composition/washes.h"
 #include "render/nodes/bulk_nodes.h"
 #include "render/nodes/frozen_nodes.h"
 #include "render/scene/scene.h"
@@ -61,7 +62,7 @@ private:
     };
     /// Takes over the painting's strokes in place, and lists where they differ. Returns false if strokes were added,
     /// removed or moved.
-    bool replace(const RenderRequest &request, std::vector<Stale> &stale);
+    bool replace(const Painting &painting, Microseconds time, std::vector<Stale> &stale);
     /// Brings the strokes into the painting's order, and keeps what is known of each. Returns SceneChange::places.
     std::vector<std::size_t> align(const Painting &painting);
     std::vector<std::size_t> placesOf(const std::vector<StrokePtr> &strokes) const;
@@ -94,6 +95,7 @@ private:
     std::vector<PixelRect> m_bounds;       ///< the bounds of each visible stroke
     std::size_t m_nodeCount = 0;
     Composition m_composition;
+    Washes m_washes;
     std::unordered_map<StrokeId, FrozenNodes> m_frozen; ///< for strokes that were wet in the last update
 };
 

@@ -20,6 +20,12 @@ inline void blendRandomly(Group &group, std::mt19937_64 &random)
     // What keeps only what lies below is rare: it leaves little to look at.
     group.blend = random() % 3 ? calmModes[random() % 12] : random() % 8 ? BlendMode::Normal : BlendMode::DestinationIn;
     group.isolated = random() % 2;
+    group.clips = random() % 5 == 0;
+    group.mask = random() % 8 == 0;
+    group.wash.reset();
+    if (random() % 6 == 0)
+        group.wash =
+            Wash{styleOf(StyleKind(random() % 3)), random() % 2 ? Mix() : Mix{MixMode::Beta, float(random() % 5) / 4}};
 }
 
 /// Divides the strokes [from, to) into runs, of which some are groups within `parent`.
@@ -62,7 +68,7 @@ inline PaintingPtr regrouped(const PaintingPtr &p, std::mt19937_64 &random)
     if (q->groups.empty())
         return grouped(p, random);
     Group &group = q->groups[random() % q->groups.size()];
-    switch (random() % 5) {
+    switch (random() % 8) {
     case 0:
         group.opacity = float(random() % 5) / 4;
         break;
@@ -79,6 +85,15 @@ inline PaintingPtr regrouped(const PaintingPtr &p, std::mt19937_64 &random)
         q->strokes[i] = std::make_shared<const Stroke>(stroke);
         break;
     }
+    case 4:
+        group.clips = !group.clips;
+        break;
+    case 5:
+        group.mask = !group.mask;
+        break;
+    case 6:
+        group.solo = random() % 4 == 0;
+        break;
     default:
         group.isolated = !group.isolated;
     }

@@ -135,8 +135,8 @@ private slots:
             for (std::size_t c = 0; c < 3 && opaque; ++c)
                 how.bare[c] = float(canvas[c]);
             reference::Spot expected = below;
-            reference::put(item, source, opaque ? &canvas : nullptr, expected);
-            const math::Pixel<float> out = math::put(how, pixelOf(source), pixelOf(below));
+            reference::put(item, 1, source, opaque ? &canvas : nullptr, expected);
+            const math::Pixel<float> out = math::put(how, how.opacity, pixelOf(source), pixelOf(below));
             const reference::Rgb wanted = reference::rgbOfRyb(expected.colour);
             const reference::Rgb found = reference::rgbOfRyb({double(out.red), double(out.yellow), double(out.blue)});
             // Float32 leaves 2⁻²⁴ of each argument uncertain; a quotient makes as much more of that as it is steep.
@@ -156,7 +156,7 @@ private slots:
                 continue;
             for (int i = 0; i < 100; ++i) {
                 const math::Pixel<float> below{u(random), u(random), u(random), u(random)};
-                const auto out = math::put(LayerPut{BlendMode(mode), 0.7f, i % 2 == 0, {1, 1, 1}},
+                const auto out = math::put(LayerPut{BlendMode(mode), 0.7f, i % 2 == 0, {1, 1, 1}}, 0.7f,
                                            math::Pixel<float>{0, 0, 0, 0}, below);
                 QVERIFY(out.red == below.red && out.yellow == below.yellow && out.blue == below.blue &&
                         out.coverage == below.coverage);
@@ -218,7 +218,7 @@ private slots:
             const auto flat = painting(randomStrokes(random, 20, 96, 72), 96, 72);
             auto p = std::make_shared<Painting>(*grouped(flat, random));
             for (Group &g : p->groups)
-                g.opacity = 1, g.blend = BlendMode::Normal, g.isolated = false;
+                g = Group{g.id, g.name, g.parent};
             QVERIFY(test::render(*m_cpu, p, sheet).rgba == test::render(*m_cpu, flat, sheet).rgba);
         }
     }
@@ -261,6 +261,47 @@ private slots:
             }
             QVERIFY(partial);
         }
+    }
+
+    /// While one stroke is dragged, or the opacity of a group, what lies above it is not drawn again. Such frames
+    /// differ from the picture by rounding, and the frame after them does not differ.
+    void dragsKeepWhatLiesAbove()
+    {
+        int strokesAbove = 0, withLayers = 0;
+        for (int i = 0; i < trials(24, 400); ++i) {
+            std::mt19937_64 random(firstSeed() + unsigned(i) + 70);
+            auto p = std::make_shared<Painting>(*grouped(painting(randomStrokes(random, 16, 96, 72), 96, 72), random));
+            if (i % 2) // Where something is clipped or masked, nothing is kept.
+                for (Group &g : p->groups)
+                    g.clips = g.mask = false;
+            const bool transparent = random() % 2, ofGroup = random() % 2 && !p->groups.empty();
+            const std::size_t stroke = random() % p->strokes.size();
+            const std::size_t group = ofGroup ? random() % p->groups.size() : 0;
+            withLayers += !compositionOf(*p).isFlat() && !compositionOf(*p).isBounded;
+            const auto live = make(Backend::Cpu, 0, 16);
+            FloatPicture picture;
+            QVERIFY(live->render({p, p->end(), sheet, transparent}, picture));
+            for (int frame = 0; frame < 5; ++frame) {
+                auto q = std::make_shared<Painting>(*p);
+                if (ofGroup)
+                    q->groups[group].opacity = float(1 + random() % 8) / 9;
+                else
+                    q = std::make_shared<Painting>(*withDensity(q, stroke, 0.5 + double(random() % 8) / 8));
+                p = q;
+                QVERIFY(live->render({p, p->end(), sheet, transparent, true}, picture));
+                const Worst w = worst(picture, test::render(*m_cpu, p, sheet, -1, transparent));
+                QVERIFY2(w.difference < 1.0 / 1024, qPrintable(QStringLiteral("%1, frame %2: %3/1024 at %4, %5")
+                                                                   .arg(i)
+                                                                   .arg(frame)
+                                                                   .arg(1024 * w.difference)
+                                                                   .arg(w.x)
+                                                                   .arg(w.y)));
+            }
+            QVERIFY(live->render({p, p->end(), sheet, transparent}, picture));
+            QVERIFY(picture.rgba == test::render(*m_cpu, p, sheet, -1, transparent).rgba);
+            strokesAbove += stroke + 1 < p->strokes.size();
+        }
+        QVERIFY(strokesAbove > 0 && withLayers > 0);
     }
 };
 

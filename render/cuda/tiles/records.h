@@ -222,8 +222,13 @@ struct LayerRecord {
     float opacity = 1;
     std::uint32_t opaque = 0;
     float bare[3] = {1, 1, 1};
-    std::int32_t parent = -1; ///< index of the layer around it; −1: none
-    std::int32_t depth = 1;   ///< how many layers it is, with those around it
+    std::int32_t parent = -1;    ///< index of the layer around it; −1: none
+    std::int32_t depth = 1;      ///< how many layers it is, with those around it
+    std::int32_t clippedTo = -1; ///< the base whose coverage multiplies its own; −1: none
+    std::int32_t shape = -1;     ///< the base of which its coverage is a part; −1: none
+    std::int32_t masks = 0;      ///< how many masks are directly within it
+    std::uint32_t isMask = 0;    ///< whether its coverage multiplies that of the layer around it
+    std::int32_t shapeMode = 0;  ///< BlendMode, by which it becomes a part
 };
 
 /// Names a layer that changes what lies below also where it has no stroke.
@@ -235,6 +240,12 @@ struct EverywhereRecord {
 /// Holds RYB and coverage of one pixel while strokes are mixed into it.
 struct alignas(16) BackdropPixel {
     float red, yellow, blue, coverage;
+};
+
+/// Holds what bounds the layers that are put on a pixel of a backdrop, and that backdrop itself.
+struct alignas(16) BoundPixel {
+    float shape, mask;        ///< the coverage of a base, and that of masks
+    std::int32_t base, masks; ///< which base it is, and how many masks
 };
 
 /// An over map (docs/solver.md, "Layers") makes B ← min(limit, keep·B + add) for each of RYB, and coverage ←
@@ -299,8 +310,10 @@ struct Frame {
     const std::int32_t *layerOf = nullptr;        ///< the innermost layer of each StrokeRecord; −1: none
     const EverywhereRecord *everywhere = nullptr; ///< in order
     std::uint32_t everywhereCount = 0;
-    std::uint32_t layerPlanes = 0;        ///< 1 more than the depth of the deepest layer
-    BackdropPixel *layerPixels = nullptr; ///< with layerPlanes × tileSize pixels for each tile job
+    std::uint32_t layerPlanes = 0;         ///< 1 more than the depth of the deepest layer
+    BackdropPixel *layerPixels = nullptr;  ///< with layerPlanes × tileSize pixels for each tile job
+    const std::int32_t *shapeOf = nullptr; ///< the base of which each StrokeRecord is a part, if anything is clipped
+    BoundPixel *boundPixels = nullptr;     ///< as layerPixels, if anything is clipped or masked
 
     // Finished pixels go to those of these arrays that are not null.
     std::uint32_t *picture = nullptr;   ///< 0xAARRGGBB, with `width` pixels in a row

@@ -189,6 +189,8 @@ private:
                 }
             }
         });
+        if constexpr (layered)
+            m_composition.begin();
         m_underStored = !(m_job.flags & storeUnder);
         m_overBegun = !general || !(m_job.flags & storeOver);
     }
@@ -378,6 +380,8 @@ private:
         if (covers) { // Otherwise the picture is not transparent.
             float &coverage = m_backdrop[lane].coverage[k];
             coverage = math::mulAdd_(1 - w, coverage, w);
+            if (layered && m_frame.shapeOf)
+                m_composition.addPart(lane, k, m_stroke, w);
         }
         if (composes())
             composeCoverage(over(), pixelOf(lane, k), w, keep);
