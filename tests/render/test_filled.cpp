@@ -135,7 +135,7 @@ private slots:
         QFETCH(double, least);
         QFETCH(double, most);
         const bool thin = most == 1.0;
-        int beyond = 0, all = thin ? trials(1, 60) : trials(least < 1 ? 6 : 25, 600);
+        int beyond = 0, all = thin ? trials(1, 60) : trials(least < 1 ? 3 : 8, 600);
         for (int i = 0; i < all; ++i) {
             std::mt19937_64 random(i + 1);
             std::uniform_real_distribution<double> u(0, 1);
