@@ -314,6 +314,15 @@ Result<Timing> measureLiveStroke(const Job &job, double spread, int end, float m
     return timingOf(times);
 }
 
+Result<Timing> measureGroupOpacity(const Job &job, GroupId group)
+{
+    return measureFrames(job, [=](const Painting &before, int step) {
+        Painting after = before;
+        std::ranges::find(after.groups, group, &Group::id)->opacity = step % 2 == 0 ? 0.75f : 0.625f;
+        return std::make_shared<const Painting>(std::move(after));
+    });
+}
+
 StrokePtr middleStroke(const Painting &painting)
 {
     std::vector<StrokePtr> visible;
@@ -341,6 +350,26 @@ Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::siz
     out.strokes.insert(out.strokes.begin() + std::ptrdiff_t(out.strokes.size() / 2),
                        std::make_shared<const Stroke>(std::move(dragged)));
     return out;
+}
+
+Painting inLayers(Painting painting, std::size_t groups)
+{
+    const std::size_t count = painting.strokes.size();
+    painting.groups.clear();
+    for (std::size_t g = 0; g < groups; ++g) {
+        Group group;
+        group.id = g + 1;
+        group.blend = BlendMode(g % std::size_t(BlendMode::DestinationIn));
+        group.opacity = g % 3 == 0 ? 0.5f : 1;
+        group.isolated = true;
+        painting.groups.push_back(group);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        Stroke stroke = *painting.strokes[i];
+        stroke.group = 1 + i * groups / count;
+        painting.strokes[i] = std::make_shared<const Stroke>(std::move(stroke));
+    }
+    return painting;
 }
 
 Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName)

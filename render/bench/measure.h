@@ -60,6 +60,9 @@ Result<Timing> measureNodeDrag(const Job &job, StrokeId stroke);
 /// active.
 Result<Timing> measureLiveStroke(const Job &job, double spread, int segments, float maxAge = 1);
 
+/// Measures frames in which the opacity of a group changes.
+Result<Timing> measureGroupOpacity(const Job &job, GroupId group);
+
 /// An ordinary stroke from the middle of the order: of the ten strokes there, the visible one with the median number of
 /// segments. Null where no stroke is visible.
 StrokePtr middleStroke(const Painting &painting);
@@ -67,6 +70,10 @@ StrokePtr middleStroke(const Painting &painting);
 /// A painting with `stroke` among `count` strokes like those of `painting`, which are spread over the canvas, half of
 /// them below it. The stroke gets the id 1.
 Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::size_t count);
+
+/// The painting with its strokes dealt, in their order, into so many groups of all modes in turn that add paint, every
+/// third of half the opacity. Their ids are 1, 2, ….
+Painting inLayers(Painting painting, std::size_t groups);
 
 /// A row with backend and device as the renderer names them, and with the number of threads that are used.
 Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName);

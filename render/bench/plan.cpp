@@ -21,6 +21,7 @@ public:
     bool stages(const PaintingPtr &painting, const QString &name);
     bool open(const PaintingPtr &painting);
     bool drag(const PaintingPtr &painting);
+    bool layers(const Painting &painting, const StrokePtr &stroke, const QString &fewName, double few);
     bool liveStroke(const PaintingPtr &painting);
     bool growth(const PaintingPtr &painting);
     const QString &error() const { return m_error; }
@@ -159,9 +160,34 @@ bool Runner::drag(const PaintingPtr &painting)
             return failed(timing.error());
         if (!addCompared(j, name, *timing, fewName, few))
             return false;
-        few = timing->medianMs;
+        if (others == 100)
+            few = timing->medianMs;
     }
-    return true;
+    return layers(*painting, stroke, fewName, few);
+}
+
+/// The same stroke and 10,000 others in 20 groups, and the opacity of a group that has half of all.
+bool Runner::layers(const Painting &painting, const StrokePtr &stroke, const QString &fewName, double few)
+{
+    const QString dragName = QStringLiteral("drag-in-20-layers"), opacityName = QStringLiteral("layer-opacity");
+    if (!wanted(dragName) && !wanted(opacityName))
+        return true;
+    const Painting others = amongOthers(painting, stroke, 10'000);
+    if (wanted(dragName)) {
+        say(dragName);
+        const Job j = mainJob(std::make_shared<const Painting>(inLayers(others, 20)));
+        const Result<Timing> timing = measureDrag(j, 1);
+        if (!timing)
+            return failed(timing.error());
+        if (!addCompared(j, dragName, *timing, fewName, few))
+            return false;
+    }
+    if (!wanted(opacityName))
+        return true;
+    say(opacityName);
+    const Job j = mainJob(std::make_shared<const Painting>(inLayers(others, 2)));
+    const Result<Timing> timing = measureGroupOpacity(j, 1);
+    return timing ? add(j, opacityName, m_plan.name, *timing) : failed(timing.error());
 }
 
 bool Runner::liveStroke(const PaintingPtr &painting)
@@ -215,8 +241,10 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {"full-render",  "cold-render",    "zoom-render",      "node-build",  "binning",          "open",    "drag",
-            "edit-segment", "drag-among-100", "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
+    return {
+        "full-render", "cold-render",      "zoom-render",    "node-build",       "binning",           "open",
+        "drag",        "edit-segment",     "drag-among-100", "drag-among-10000", "drag-in-20-layers", "layer-opacity",
+        "live-stroke", "live-stroke-2000", growthName};
 }
 
 Result<std::vector<Row>> run(const Plan &plan, const std::function<void(const QString &)> &progress)

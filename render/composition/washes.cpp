@@ -48,9 +48,10 @@ Stroke united(const std::vector<StrokePtr> &members, GroupId group, const Wash &
     return all;
 }
 
-StrokePtr withStyle(const Stroke &stroke, const Wash &wash)
+StrokePtr restyled(const Stroke &stroke, GroupId group, const Wash &wash)
 {
     auto own = std::make_shared<Stroke>(stroke);
+    own->group = group;
     own->style = wash.style, own->mix = wash.mix;
     return own;
 }
@@ -67,7 +68,7 @@ const StrokePtr &Washes::unite(std::unordered_map<StrokeId, United> &now, std::v
         return now.emplace(first, std::move(known->second)).first->second.stroke;
     const bool isFilled = bool(members.front()->fill);
     StrokePtr stroke =
-        isFilled ? withStyle(*members.front(), wash) : std::make_shared<Stroke>(united(members, group, wash));
+        isFilled ? restyled(*members.front(), group, wash) : std::make_shared<Stroke>(united(members, group, wash));
     return now.emplace(first, United{wash, std::move(members), std::move(stroke)}).first->second.stroke;
 }
 
@@ -96,7 +97,7 @@ PaintingPtr Washes::drawn(const PaintingPtr &painting)
         if (!wash)
             drawn->strokes.push_back(stroke);
         else if (stroke->fill)
-            drawn->strokes.push_back(unite(now, {stroke}, stroke->group, *wash->wash));
+            drawn->strokes.push_back(unite(now, {stroke}, wash->id, *wash->wash));
         else if (std::vector<StrokePtr> &all = members[wash->id]; !all.empty() && all.front() == stroke)
             drawn->strokes.push_back(unite(now, std::move(all), wash->id, *wash->wash));
     }

@@ -12,9 +12,9 @@ namespace suffuse {
 /// snapshots can be compared.
 class Washes {
 public:
-    /// The painting as it is drawn. In place of a wash's visible strokes it has one, in the order where the first of
-    /// them was. Three kinds of stroke stay by themselves: filled ones, which get the wash's style and mixing, hidden
-    /// ones, and those of a mask within the wash. A painting without a wash is returned as it is.
+    /// The painting as it is drawn. In place of a wash's visible strokes it has one, in the order where the first of them
+    /// was; groups within the wash are not put by themselves. Filled strokes are drawn each by itself, with the wash's
+    /// style and mixing. Masks within the wash are no part of it. A painting without a wash is returned as it is.
     PaintingPtr drawn(const PaintingPtr &painting);
 
 private:

@@ -276,31 +276,29 @@ void put(const Item &group, double share, const Spot &source, const Rgb *canvas,
     double coverage = as + paint * (1 - as);
     for (std::size_t i = 0; i < 3; ++i) {
         const double bare = canvas ? (*canvas)[i] : 1;
-        double premultiplied = 0, alpha = as + ab * (1 - as);
         switch (group.blend) {
-        case BlendMode::Plus:
-            alpha = std::min(1.0, as + ab), premultiplied = std::min(1.0, as * cs[i] + ab * cb[i]);
+        case BlendMode::Plus: {
+            const double alpha = std::min(1.0, as + ab);
+            out[i] = std::min(1.0, as * cs[i] + under[i] - (1 - ab)) + 1 - alpha;
             coverage = std::min(1.0, as + paint);
             break;
+        }
         case BlendMode::DestinationIn:
             out[i] = bare + as * (under[i] - bare);
             coverage = paint * as;
-            continue;
+            break;
         case BlendMode::DestinationOut:
             out[i] = bare + (1 - as) * (under[i] - bare);
             coverage = paint * (1 - as);
-            continue;
-        case BlendMode::SourceAtop:
-            // On a transparent ground this is as·ab·Cs + (1 − as)·ab·Cb. On the canvas it shows on paint alone.
-            alpha = ab, premultiplied = as * paint * cs[i] + (ab - as * paint) * cb[i];
+            break;
+        case BlendMode::SourceAtop: // On the canvas it shows on paint alone.
+            out[i] = under[i] + as * paint * (cs[i] - cb[i]);
             coverage = paint;
             break;
-        default: {
-            const double source = (1 - ab) * cs[i] + ab * mixed[i];
-            premultiplied = as * source + (1 - as) * ab * cb[i];
+        default:
+            out[i] = as * ((1 - ab) * cs[i] + ab * mixed[i]) + (1 - as) * under[i];
         }
-        }
-        out[i] = std::clamp(premultiplied + (1 - alpha), 0.0, 1.0);
+        out[i] = std::clamp(out[i], 0.0, 1.0);
     }
     below = {rybOfRgb(out), coverage};
 }

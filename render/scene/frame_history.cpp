@@ -122,8 +122,10 @@ void FrameHistory::followEdits(Step &step, bool interactive)
         step.raisesUnder = step.keepsUnder && first > m_edited + slack;
         if (!step.keepsUnder || step.raisesUnder)
             m_edited = first;
-        const int put =
+        int put =
             step.scene.reordered && step.scene.before == m_scene.strokes() ? layerPutAnew(before, now) : Layer::none;
+        if (put != Layer::none && now.layers[std::size_t(put)].first != first) // It acts everywhere.
+            put = Layer::none;
         if (first == m_edited && (put != Layer::none || step.scene.replaced.size() == 1))
             m_edits = put != Layer::none ? Edits::OnePut : Edits::OneStroke;
         step.keepsOver =

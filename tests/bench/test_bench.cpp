@@ -152,10 +152,22 @@ void TestBench::planTakesEveryRow()
         QCOMPARE(row.backend, QString("CPU"));
         QVERIFY(!row.device.isEmpty());
     }
-    const std::map<QString, int> expected = {
-        {"full-render", 4}, {"cold-render", 4},    {"zoom-render", 4},      {"node-build", 4},      {"binning", 4},
-        {"open", 1},        {"drag", 1},           {"edit-segment", 1},     {"growth-50", 1},       {"growth-100", 1},
-        {"live-stroke", 1}, {"drag-among-100", 1}, {"drag-among-10000", 1}, {"live-stroke-2000", 1}};
+    const std::map<QString, int> expected = {{"full-render", 4},
+                                             {"cold-render", 4},
+                                             {"zoom-render", 4},
+                                             {"node-build", 4},
+                                             {"binning", 4},
+                                             {"open", 1},
+                                             {"drag", 1},
+                                             {"edit-segment", 1},
+                                             {"growth-50", 1},
+                                             {"growth-100", 1},
+                                             {"live-stroke", 1},
+                                             {"drag-among-100", 1},
+                                             {"drag-among-10000", 1},
+                                             {"live-stroke-2000", 1},
+                                             {"drag-in-20-layers", 1},
+                                             {"layer-opacity", 1}};
     QVERIFY(names == expected);
 
     plan.only = {"drag"};

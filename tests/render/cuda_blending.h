@@ -9,12 +9,12 @@ namespace suffuse::test {
 
 /// Random trees of groups, of strokes and fills of all kinds: as the CPU and the reference draw them, and the same bits
 /// for whoever evaluates costly strokes, and however many devices share the picture.
-inline void checkBlending(const OpenDevice &open, int trees)
+inline void checkBlending(const OpenDevice &open, int from, int to)
 {
     constexpr std::uint32_t never = UINT32_MAX;
     CudaRenderer cuda({open()}, 0), several({open(), open(), open()}, 0), apart({open()}, 0, true, {0, 0, 0, 0});
     CudaRenderer together({open()}, 0, true, {never, never, never, never}), uncut({open()}, 0, false);
-    for (int i = 0; i < trees; ++i) {
+    for (int i = from; i < to; ++i) {
         std::mt19937_64 random(unsigned(i) + 31);
         auto strokes = randomStrokes(random, 8, 72, 54);
         for (StrokeId id = 9; id < 12; ++id)

@@ -38,7 +38,7 @@ private slots:
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 34); } // 102 times for each way
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(80), 7); }
-    void blending() { checkBlending(open, 60); }
+    void blending() { checkBlending(open, 0, 60); }
     void blendingEdits() { checkBlendingEdits(open, 300); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
