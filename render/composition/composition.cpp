@@ -256,6 +256,27 @@ Composition compositionOf(const Painting &painting)
     return std::move(composer).composition();
 }
 
+bool differInPuts(const std::vector<Group> &before, const std::vector<Group> &now)
+{
+    const auto alike = [](const Group &a, const Group &b) {
+        constexpr BlendMode everywhere = BlendMode::DestinationIn;
+        Group like = a;
+        like.opacity = b.opacity, like.blend = b.blend;
+        return like == b && a.isIsolated() == b.isIsolated() && (a.blend == everywhere) == (b.blend == everywhere);
+    };
+    return std::ranges::equal(before, now, alike);
+}
+
+void putAnew(Composition &composition, const std::vector<Group> &groups)
+{
+    std::unordered_map<GroupId, const Group *> known;
+    for (const Group &group : groups)
+        known.emplace(group.id, &group);
+    for (Layer &layer : composition.layers)
+        if (const auto it = known.find(layer.group); it != known.end())
+            layer.opacity = it->second->opacity, layer.blend = layer.shapeMode = it->second->blend;
+}
+
 int layerPutAnew(const Composition &before, const Composition &now)
 {
     if (before.layers.size() != now.layers.size())

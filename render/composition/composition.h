@@ -67,6 +67,11 @@ struct Composition {
 };
 
 Composition compositionOf(const Painting &painting);
+/// Whether groups differ in nothing but opacities and modes, which isolate the same ones and act in the same places.
+bool differInPuts(const std::vector<Group> &before, const std::vector<Group> &now);
+/// Takes over the groups' opacities and modes, in which alone they differ from those that the composition was made of.
+/// Nothing is clipped.
+void putAnew(Composition &composition, const std::vector<Group> &groups);
 /// The layer whose opacity or mode is all that two compositions of the same strokes differ in; Layer::none if they
 /// differ in more, or in nothing.
 int layerPutAnew(const Composition &before, const Composition &now);

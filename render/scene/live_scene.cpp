@@ -3,6 +3,7 @@
 #include "render/nodes/blocks.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace suffuse {
 
@@ -63,6 +64,16 @@ bool LiveScene::replace(const Painting &painting, Microseconds time, std::vector
             stale.push_back({place, known && sameAge(place, time) && keepsNodes(*known, *m_sources[place])});
         }
     return true;
+}
+
+bool LiveScene::isPutAnew(const Painting &painting) const
+{
+    if (painting.groups == m_groups || painting.strokes.size() != m_seen.size() || !m_composition.bases.empty() ||
+        !differInPuts(m_groups, painting.groups))
+        return false;
+    bool isSame = true;
+    painting.strokes.forEachDifference(m_seen, [&](std::size_t) { isSame = false; });
+    return isSame;
 }
 
 /// Where strokes stand now. Most stand in the same order, so the next place is looked at first.
@@ -263,7 +274,16 @@ SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &g
     const PaintingPtr drawn = m_washes.drawn(request.painting);
     const Painting &painting = *drawn;
     const bool samePlace = m_grid.samePlace(grid);
-    if (samePlace && replace(painting, request.time, stale)) {
+    if (samePlace && isPutAnew(painting)) {
+        change.reordered = true;
+        change.before = m_strokes;
+        change.places.resize(m_strokes.size());
+        std::iota(change.places.begin(), change.places.end(), std::size_t(0));
+        change.composed = m_composition;
+        putAnew(m_composition, painting.groups);
+        m_groups = painting.groups;
+        addWet(request.time, stale);
+    } else if (samePlace && replace(painting, request.time, stale)) {
         addWet(request.time, stale);
         for (const Stale &s : stale)
             change.replaced.push_back({s.index, m_strokes[s.index]});

@@ -63,6 +63,8 @@ private:
     /// Takes over the painting's strokes in place, and lists where they differ. Returns false if strokes were added,
     /// removed or moved.
     bool replace(const Painting &painting, Microseconds time, std::vector<Stale> &stale);
+    /// Whether the painting differs from the last one in nothing but the opacities and modes of groups.
+    bool isPutAnew(const Painting &painting) const;
     /// Brings the strokes into the painting's order, and keeps what is known of each. Returns SceneChange::places.
     std::vector<std::size_t> align(const Painting &painting);
     std::vector<std::size_t> placesOf(const std::vector<StrokePtr> &strokes) const;
