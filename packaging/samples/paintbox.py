@@ -324,11 +324,11 @@ class Painting:
     def rounded(colour):
         return [round(min(1.0, max(0.0, v)), 3) for v in colour]
 
-    # -- groups: with painting.group("lemon"): …
-    def group(self, name):
+    # -- groups: with painting.group("lemon"): … or painting.group("shade", blend="multiply", clips=True): …
+    def group(self, name, **how):
         parent = self.open_groups[-1] if self.open_groups else None
         self.groups.append({"id": len(self.groups) + 1, "name": name, "parent": parent,
-                            "visible": True, "locked": False})
+                            "visible": True, "locked": False, **how})
         self.open_groups.append(len(self.groups))
         return self
 
@@ -488,6 +488,7 @@ class Painting:
             rows.append(line(head)[:-1] + ',"segments":[\n' + ",\n".join(map(line, stroke["segments"])) + "]}")
         with open(path, "w", encoding="utf-8") as out:
             new = any("fill" in s for s in self.strokes) or any("text" in g for g in self.groups)
-            version = 2 if new else 1
+            layers = any(key in g for g in self.groups for key in ("opacity", "blend", "isolated", "clips", "mask", "wash"))
+            version = 3 if layers else 2 if new else 1
             out.write(f'{{"format":"suffuse-text","version":{version},\n"canvas":' + line(self.canvas) + ',\n"groups":'
                       + line(self.groups) + ',\n"strokes":[\n' + ",\n".join(rows) + "]}\n")

@@ -111,11 +111,12 @@ void findClips(const Painting &painting, GroupTree &tree, Bounds &bounds)
         levels.back().base = ClipBase{0, 0, stroke->id};
     }
     // Coverage is followed for one base at a time. A base in which something is clipped has its own picture.
-    for (const Group &group : painting.groups)
-        if (group.clips)
-            for (const Group *around : tree.path(group.parent))
-                if (std::ranges::any_of(bounds.bases, [&](const ClipBase &b) { return b.group == around->id; }))
-                    bounds.isolated.insert(around->id);
+    for (const auto &[clipped, base] : bounds.clips) {
+        const std::vector<const Group *> &path = tree.path(clipped.first);
+        for (auto around = path.begin(); around + 1 < path.end(); ++around)
+            if (std::ranges::any_of(bounds.bases, [&](const ClipBase &b) { return b.group == (*around)->id; }))
+                bounds.isolated.insert((*around)->id);
+    }
 }
 
 Bounds boundsOf(const Painting &painting, GroupTree &tree, const Visibility &isVisible)

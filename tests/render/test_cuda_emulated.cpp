@@ -46,7 +46,7 @@ private slots:
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 1); }
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(15), 1); }
-    void blending() { checkBlending(open, 12, 16); }
+    void blending() { checkBlending(open, 41, 45); }
     void blendingEdits() { checkBlendingEdits(open, 30); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
