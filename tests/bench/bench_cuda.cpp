@@ -56,7 +56,7 @@ struct Case {
 };
 
 /// The samples that come with the program; each is drawn at the widths below.
-const QStringList samples{"ink-landscape", "still-life", "flat", "moonrise", "sheet"};
+const QStringList samples{"ink-landscape", "still-life", "flat", "moonrise", "lanterns", "sheet"};
 constexpr int sampleWidths[] = {512, 1024, 2048};
 
 std::vector<Case> cases()
