@@ -37,7 +37,8 @@ def differs(ours, theirs, path):
             return f"{path}: {len(ours)} and {len(theirs)} values"
         return next(filter(None, (differs(a, b, f"{path}[{k}]") for k, (a, b) in enumerate(zip(ours, theirs)))), None)
     is_number = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in (ours, theirs))
-    is_single = path.endswith((".weight", ".letterSpacing", ".lineHeight", ".opacity"))  # in ".groups", which ".group" names, too
+    # These are in ".groups", which ".group" names, too.
+    is_single = ".wash." in path or path.endswith((".weight", ".letterSpacing", ".lineHeight", ".opacity"))
     is_number = is_number and (is_single or not any(name in path for name in EXACT))
     if ours == theirs or (is_number and read_suffuse.single(ours) == read_suffuse.single(theirs)):
         return None
