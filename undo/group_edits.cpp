@@ -52,13 +52,6 @@ GroupId groupWithin(std::vector<Sibling> &siblings, GroupId around, Sibling &mad
     return around;
 }
 
-const Group *findGroup(const Painting &painting, GroupId id)
-{
-    const auto it =
-        std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
-    return it == painting.groups.end() ? nullptr : &*it;
-}
-
 bool isLocked(const Painting &painting, GroupId group)
 {
     Stroke member;
@@ -80,7 +73,7 @@ Edit dissolve(const Painting &painting, const std::set<GroupId> &gone)
         return edit;
     const auto staying = [&](GroupId id) {
         while (gone.contains(id))
-            id = findGroup(painting, id)->parent;
+            id = painting.findGroup(id)->parent;
         return id;
     };
     edit.groups.emplace();
@@ -245,7 +238,7 @@ std::vector<GroupId> selectedGroups(const Document &document)
 Edit ungroup(const Document &document, GroupId group)
 {
     const Painting &painting = *document.painting();
-    if (!findGroup(painting, group) || isLocked(painting, group))
+    if (!painting.findGroup(group) || isLocked(painting, group))
         return {};
     return dissolve(painting, {group});
 }
@@ -301,7 +294,7 @@ Edit changeBlending(const Document &document, const Painting &before, const std:
     return changeGroups(painting, [&](Group &group) {
         if (std::ranges::find(groups, group.id) == groups.end() || isLocked(painting, group.id))
             return;
-        const Group *then = findGroup(before, group.id);
+        const Group *then = before.findGroup(group.id);
         Group changed = group;
         change(changed, then ? *then : group);
         if (changed.opacity >= 0 && changed.opacity <= 1)

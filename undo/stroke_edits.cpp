@@ -33,7 +33,7 @@ struct Copies {
     void add(const Sibling &sibling, GroupId around)
     {
         if (sibling.group != 0) {
-            Group group = *std::ranges::find(painting.groups, sibling.group, &Group::id);
+            Group group = *painting.findGroup(sibling.group);
             group.id = document.takeGroupId();
             group.parent = around;
             group.text = moved(group.text, offset);
@@ -65,7 +65,7 @@ GroupId aroundOf(const Painting &painting, const Sibling &sibling)
 {
     if (sibling.group == 0)
         return painting.find(sibling.stroke)->group;
-    return std::ranges::find(painting.groups, sibling.group, &Group::id)->parent;
+    return painting.findGroup(sibling.group)->parent;
 }
 
 /// The indices of the selected segments of a stroke. It is empty where the stroke is selected as a whole.
@@ -138,8 +138,8 @@ std::ptrdiff_t placeAbove(const Painting &painting, const Sibling &sibling)
 }
 
 /// Copies of strokes above the topmost of them. `originals` says for each stroke what a copy of it is made of.
-Edit copiesOf(Document &document, const std::set<StrokeId> &selected,
-              std::unordered_map<StrokeId, StrokePtr> originals, Point offset)
+Edit copiesOf(Document &document, const std::set<StrokeId> &selected, std::unordered_map<StrokeId, StrokePtr> originals,
+              Point offset)
 {
     const PaintingPtr painting = document.painting();
     // A click on a group does not select what is hidden or locked in it. The group counts as selected all the same.

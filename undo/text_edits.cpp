@@ -14,33 +14,6 @@ namespace suffuse {
 
 namespace {
 
-const Group *groupOf(const Painting &painting, GroupId id)
-{
-    const auto at = std::ranges::find(painting.groups, id, &Group::id);
-    return at == painting.groups.end() ? nullptr : &*at;
-}
-
-/// Tells strokes of a group, and of those within it. Most often neighbours are of one group, of which it is asked once.
-class Within {
-public:
-    Within(const Painting &painting, GroupId outer) : m_painting(painting), m_outer(outer) {}
-
-    bool operator()(const Stroke &stroke)
-    {
-        if (stroke.group != m_asked) {
-            m_asked = stroke.group;
-            const std::vector<GroupId> around = groupsAround(m_painting, m_asked);
-            m_is = std::ranges::find(around, m_outer) != around.end();
-        }
-        return m_is;
-    }
-
-private:
-    const Painting &m_painting;
-    GroupId m_outer, m_asked = 0;
-    bool m_is = false;
-};
-
 /// What stands where in a text, for comparing two states of it.
 struct Letter {
     const LaidCluster *cluster = nullptr;
@@ -106,7 +79,7 @@ std::vector<StrokePtr> findStrokes(const Painting &painting, GroupId group, std:
 {
     std::vector<StrokePtr> own, others;
     own.reserve(letters.size());
-    Within within(painting, group);
+    WithinGroup within(painting, group);
     for (const StrokePtr &stroke : painting.strokes)
         if (stroke->group == group)
             own.push_back(stroke);
@@ -326,7 +299,7 @@ Stroke letterWith(const Brush &brush, double size, Microseconds born)
 
 SharedText textOf(const Painting &painting, GroupId group)
 {
-    const Group *found = group ? groupOf(painting, group) : nullptr;
+    const Group *found = group ? painting.findGroup(group) : nullptr;
     return found ? found->text : SharedText();
 }
 
@@ -350,7 +323,7 @@ GroupId textAround(const Painting &painting, const Stroke &stroke)
 std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group)
 {
     std::set<StrokeId> ids;
-    Within within(painting, group);
+    WithinGroup within(painting, group);
     for (const StrokePtr &stroke : painting.strokes)
         if (within(*stroke))
             ids.insert(ids.end(), stroke->id);
@@ -391,7 +364,7 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
              const TextChange &change)
 {
     const Painting &painting = *document.painting();
-    const Group *present = groupOf(painting, group);
+    const Group *present = painting.findGroup(group);
     const Text was = present && present->text && before ? *present->text : Text();
     if ((present && isTextLocked(painting, group)) || !problemOf(text).isEmpty())
         return {};
@@ -454,7 +427,7 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
         const std::vector<StrokeId> together = orderOfText(painting, letters, others);
         order.insert(order.end(), together.begin(), together.end());
     };
-    Within within(painting, group);
+    WithinGroup within(painting, group);
     for (const StrokePtr &stroke : painting.strokes)
         if (within(*stroke))
             put();

@@ -88,8 +88,8 @@ std::vector<GroupId> groupsAround(const Painting &painting, GroupId id)
     std::vector<GroupId> chain;
     while (id != 0 && chain.size() <= painting.groups.size()) {
         chain.push_back(id);
-        const auto it = std::ranges::find(painting.groups, id, &Group::id);
-        id = it == painting.groups.end() ? 0 : it->parent;
+        const Group *group = painting.findGroup(id);
+        id = group ? group->parent : 0;
     }
     return chain;
 }
@@ -97,13 +97,22 @@ std::vector<GroupId> groupsAround(const Painting &painting, GroupId id)
 GroupId outermostGroup(const Painting &painting, GroupId id)
 {
     for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
-        const auto it =
-            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
-        if (it == painting.groups.end() || it->parent == 0)
+        const Group *group = painting.findGroup(id);
+        if (!group || group->parent == 0)
             return id;
-        id = it->parent;
+        id = group->parent;
     }
     return id;
+}
+
+bool WithinGroup::operator()(const Stroke &stroke)
+{
+    if (stroke.group != m_asked && m_outer != 0) {
+        m_asked = stroke.group;
+        const std::vector<GroupId> around = groupsAround(m_painting, m_asked);
+        m_is = std::ranges::find(around, m_outer) != around.end();
+    }
+    return m_is;
 }
 
 } // namespace suffuse

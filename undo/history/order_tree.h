@@ -33,4 +33,18 @@ std::vector<GroupId> groupsAround(const Painting &painting, GroupId id);
 /// The group that this group is in and that is in no other.
 GroupId outermostGroup(const Painting &painting, GroupId id);
 
+/// Tells strokes of a group, and of those within it; in 0 are all. Most often neighbours are of one group, of which it
+/// is asked once.
+class WithinGroup {
+public:
+    WithinGroup(const Painting &painting, GroupId outer) : m_painting(painting), m_outer(outer), m_is(outer == 0) {}
+
+    bool operator()(const Stroke &stroke);
+
+private:
+    const Painting &m_painting;
+    GroupId m_outer, m_asked = 0;
+    bool m_is;
+};
+
 } // namespace suffuse
