@@ -1240,6 +1240,30 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Distributing takes three strokes or groups that are not locked. A group counts as one.</source>
         <translation>Zum Verteilen braucht es drei Striche oder Gruppen, die nicht gesperrt sind. Eine Gruppe zählt als eins.</translation>
     </message>
+    <message>
+        <source>Clip group to what lies below</source>
+        <translation>Gruppe auf Unteres begrenzen</translation>
+    </message>
+    <message>
+        <source>Clip group no more</source>
+        <translation>Gruppe nicht mehr begrenzen</translation>
+    </message>
+    <message>
+        <source>Use group as mask</source>
+        <translation>Gruppe als Maske verwenden</translation>
+    </message>
+    <message>
+        <source>Use group as mask no more</source>
+        <translation>Gruppe nicht mehr als Maske verwenden</translation>
+    </message>
+    <message>
+        <source>Make group a wash</source>
+        <translation>Gruppe zur Lavierung machen</translation>
+    </message>
+    <message>
+        <source>Make wash a plain group</source>
+        <translation>Lavierung zur einfachen Gruppe machen</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -8366,6 +8390,37 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Not possible for all that is selected: a value would be out of range.</source>
         <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
     </message>
+    <message>
+        <source>The mixing of the wash is seen in place of this one.</source>
+        <translation>Statt dieser Mischung ist die der Lavierung zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WashRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>How the density of all strokes of the wash becomes coverage.</source>
+        <translation>Wie aus der Dichte aller Striche der Lavierung Deckung wird.</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>How the wash mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>Wie sich die Lavierung mit dem mischt, was darunter liegt: Sie deckt, oder Pigmente summieren sich.</translation>
+    </message>
+    <message>
+        <source>Change wash</source>
+        <translation>Lavierung ändern</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: %1</source>
+        <translation>Nicht für alles Ausgewählte möglich: %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesModel</name>
@@ -8648,6 +8703,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Not possible for all that is selected: %1</source>
         <translation>Nicht für die ganze Auswahl möglich: %1</translation>
+    </message>
+    <message>
+        <source>The style of the wash is seen in place of this one.</source>
+        <translation>Statt dieses Stils ist der der Lavierung zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -9959,8 +10018,104 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Die Striche der Gruppe mischen sich untereinander, und ihr Bild kommt auf das, was darunter liegt. Sonst mischen sie sich mit dem, was darunter liegt, als gäbe es keine Gruppe.</translation>
     </message>
     <message>
-        <source>Its opacity or its mode has the group mix by itself in any case.</source>
-        <translation>Durch ihre Deckkraft oder ihren Modus mischt sich die Gruppe in jedem Fall für sich.</translation>
+        <source>Clip to below</source>
+        <translation>Auf Unteres begrenzen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Wash</source>
+        <translation>Lavierung</translation>
+    </message>
+    <message>
+        <source>The group is seen only where the next thing below it in the same group is: for shading a shape without leaving it.</source>
+        <translation>Die Gruppe ist nur dort zu sehen, wo in derselben Gruppe das Nächste unter ihr ist: um eine Form zu schattieren, ohne über sie hinauszumalen.</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself; what else is in the same group is seen only where it has paint.</source>
+        <translation>Die Gruppe selbst ist nicht zu sehen; was sonst in derselben Gruppe ist, ist nur dort zu sehen, wo sie Farbe hat.</translation>
+    </message>
+    <message>
+        <source>All strokes of the group are one, laid wet into wet: their densities add up, with one style and one mixing. Filled strokes, hidden ones and those of a mask within it stay by themselves.</source>
+        <translation>Alle Striche der Gruppe sind einer, nass in nass aufgetragen: Ihre Dichten summieren sich, mit einem Stil und einer Mischung. Gefüllte und ausgeblendete Striche und die einer Maske darin bleiben für sich.</translation>
+    </message>
+    <message>
+        <source>There is nothing below it to clip to.</source>
+        <translation>Unter ihr ist nichts, worauf sie begrenzt werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is nothing beside it to mask.</source>
+        <translation>Neben ihr ist nichts, was sie maskieren könnte.</translation>
+    </message>
+    <message>
+        <source>It is in a wash already.</source>
+        <translation>Sie ist schon in einer Lavierung.</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>A colour that marks the group for you, in lists. It is not seen in the picture.</source>
+        <translation>Eine Farbe, die die Gruppe in Listen für Sie markiert. Im Bild ist sie nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Mark group</source>
+        <translation>Gruppe markieren</translation>
+    </message>
+    <message>
+        <source>The group mixes by itself in any case: by its opacity or its mode, or since it is clipped or a mask.</source>
+        <translation>Die Gruppe mischt sich in jedem Fall für sich: durch ihre Deckkraft oder ihren Modus, oder weil sie begrenzt oder eine Maske ist.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupTag</name>
+    <message>
+        <source>None</source>
+        <comment>mark of a group</comment>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <comment>mark of a group</comment>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <comment>mark of a group</comment>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <comment>mark of a group</comment>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <comment>mark of a group</comment>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <comment>mark of a group</comment>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <comment>mark of a group</comment>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <comment>mark of a group</comment>
+        <translation>Braun</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <comment>mark of a group</comment>
+        <translation>Grau</translation>
     </message>
 </context>
 </TS>

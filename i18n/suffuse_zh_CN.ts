@@ -1229,6 +1229,30 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Distributing takes three strokes or groups that are not locked. A group counts as one.</source>
         <translation>分布需要三个未锁定的笔画或群组。一个群组算作一个。</translation>
     </message>
+    <message>
+        <source>Clip group to what lies below</source>
+        <translation>将组剪贴到下方</translation>
+    </message>
+    <message>
+        <source>Clip group no more</source>
+        <translation>不再剪贴组</translation>
+    </message>
+    <message>
+        <source>Use group as mask</source>
+        <translation>将组用作蒙版</translation>
+    </message>
+    <message>
+        <source>Use group as mask no more</source>
+        <translation>不再将组用作蒙版</translation>
+    </message>
+    <message>
+        <source>Make group a wash</source>
+        <translation>将组变为淡彩</translation>
+    </message>
+    <message>
+        <source>Make wash a plain group</source>
+        <translation>将淡彩变为普通组</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -8318,6 +8342,37 @@ Arrow keys work too.</source>
         <source>Not possible for all that is selected: a value would be out of range.</source>
         <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
     </message>
+    <message>
+        <source>The mixing of the wash is seen in place of this one.</source>
+        <translation>看到的是淡彩组的混合，而不是这里的混合。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WashRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>How the density of all strokes of the wash becomes coverage.</source>
+        <translation>淡彩组所有笔画的密度如何变为覆盖。</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>How the wash mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>淡彩组如何与其下方混合：覆盖，或颜料相加。</translation>
+    </message>
+    <message>
+        <source>Change wash</source>
+        <translation>更改淡彩组</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: %1</source>
+        <translation>不能用于全部所选内容：%1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesModel</name>
@@ -8597,6 +8652,10 @@ Arrow keys work too.</source>
     <message>
         <source>Not possible for all that is selected: %1</source>
         <translation>无法应用于全部所选内容：%1</translation>
+    </message>
+    <message>
+        <source>The style of the wash is seen in place of this one.</source>
+        <translation>看到的是淡彩组的样式，而不是这里的样式。</translation>
     </message>
 </context>
 <context>
@@ -9905,8 +9964,104 @@ Arrow keys work too.</source>
         <translation>组内笔画彼此混合，其图像再置于下方内容之上。否则它们与下方内容混合，就像没有组一样。</translation>
     </message>
     <message>
-        <source>Its opacity or its mode has the group mix by itself in any case.</source>
-        <translation>由于其不透明度或模式，该组总是自行混合。</translation>
+        <source>Clip to below</source>
+        <translation>剪贴到下方</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>蒙版</translation>
+    </message>
+    <message>
+        <source>Wash</source>
+        <translation>淡彩</translation>
+    </message>
+    <message>
+        <source>The group is seen only where the next thing below it in the same group is: for shading a shape without leaving it.</source>
+        <translation>该组只在同一组内紧挨其下的对象所在之处可见：用于给形状上阴影而不超出它。</translation>
+    </message>
+    <message>
+        <source>The group is not seen itself; what else is in the same group is seen only where it has paint.</source>
+        <translation>该组本身不可见；同一组内的其他内容只在它有颜料的地方可见。</translation>
+    </message>
+    <message>
+        <source>All strokes of the group are one, laid wet into wet: their densities add up, with one style and one mixing. Filled strokes, hidden ones and those of a mask within it stay by themselves.</source>
+        <translation>该组的所有笔画合为一笔，湿画在湿上：密度相加，共用一种样式和一种混合。填充的笔画、隐藏的笔画以及其中蒙版的笔画保持独立。</translation>
+    </message>
+    <message>
+        <source>There is nothing below it to clip to.</source>
+        <translation>它下方没有可剪贴到的对象。</translation>
+    </message>
+    <message>
+        <source>There is nothing beside it to mask.</source>
+        <translation>它旁边没有可遮罩的内容。</translation>
+    </message>
+    <message>
+        <source>It is in a wash already.</source>
+        <translation>它已在一个淡彩组中。</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>A colour that marks the group for you, in lists. It is not seen in the picture.</source>
+        <translation>在列表中为您标记该组的颜色。画面中看不到它。</translation>
+    </message>
+    <message>
+        <source>Mark group</source>
+        <translation>标记组</translation>
+    </message>
+    <message>
+        <source>The group mixes by itself in any case: by its opacity or its mode, or since it is clipped or a mask.</source>
+        <translation>该组无论如何都自行混合：因其不透明度或模式，或因它被剪贴或是蒙版。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupTag</name>
+    <message>
+        <source>None</source>
+        <comment>mark of a group</comment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <comment>mark of a group</comment>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <comment>mark of a group</comment>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <comment>mark of a group</comment>
+        <translation>黄色</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <comment>mark of a group</comment>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <comment>mark of a group</comment>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <comment>mark of a group</comment>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <comment>mark of a group</comment>
+        <translation>棕色</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <comment>mark of a group</comment>
+        <translation>灰色</translation>
     </message>
 </context>
 </TS>

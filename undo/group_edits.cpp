@@ -1,5 +1,6 @@
 #include "undo/group_edits.h"
 
+#include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
 
 #include <algorithm>
@@ -57,6 +58,14 @@ bool isLocked(const Painting &painting, GroupId group)
     Stroke member;
     member.group = group;
     return painting.isLocked(member);
+}
+
+/// Whether its numbers are in their domains.
+bool isValid(const Group &group)
+{
+    const bool hasWash =
+        !group.wash || (problemOf(group.wash->style).isEmpty() && problemOf(group.wash->mix).isEmpty());
+    return group.opacity >= 0 && group.opacity <= 1 && hasWash;
 }
 
 StrokePtr inGroup(const Stroke &stroke, GroupId group)
@@ -297,7 +306,7 @@ Edit changeBlending(const Document &document, const Painting &before, const std:
         const Group *then = before.findGroup(group.id);
         Group changed = group;
         change(changed, then ? *then : group);
-        if (changed.opacity >= 0 && changed.opacity <= 1)
+        if (isValid(changed))
             group = std::move(changed);
     });
 }

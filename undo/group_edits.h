@@ -33,12 +33,13 @@ Edit showAll(const Document &document);
 Edit renameStroke(const Document &document, StrokeId stroke, const QString &name);
 Edit renameGroup(const Document &document, GroupId group, const QString &name);
 
-/// Applies `change` to opacity, mode or isolation of those of the groups that are neither locked nor in a locked one.
+/// Applies `change` to how groups blend (opacity, mode, isolation, what group_roles.h has) or to the colour that marks
+/// them, of those of the groups that are neither locked nor in a locked one.
 /// `then` is the group in `before`, or the present one where it was not there. A group that becomes invalid stays as it
 /// was.
 Edit changeBlending(const Document &document, const Painting &before, const std::vector<GroupId> &groups,
                     const std::function<void(Group &now, const Group &then)> &change);
-/// These set one of the three.
+/// These set one of the first three.
 Edit setGroupOpacity(const Document &document, const std::vector<GroupId> &groups, float opacity);
 Edit setGroupBlend(const Document &document, const std::vector<GroupId> &groups, BlendMode blend);
 Edit setGroupIsolated(const Document &document, const std::vector<GroupId> &groups, bool isolated);

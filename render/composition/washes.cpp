@@ -1,29 +1,12 @@
 #include "render/composition/washes.h"
 
+#include "model/painting/wash_groups.h"
+
 #include <algorithm>
 
 namespace suffuse {
 
 namespace {
-
-/// For each group that lies in a wash, or is one, that wash: the outermost one. Masks within it belong to no wash.
-std::unordered_map<GroupId, const Group *> washesOf(const Painting &painting)
-{
-    std::unordered_map<GroupId, const Group *> washes;
-    for (const Group &group : painting.groups) {
-        const Group *wash = nullptr, *around = &group;
-        bool isMasked = false, isWithinMask = false; // whether a mask lies within the wash, or within what comes next
-        for (std::size_t steps = 0; around && steps <= painting.groups.size(); ++steps) {
-            if (around->wash)
-                wash = around, isMasked = isWithinMask;
-            isWithinMask = isWithinMask || around->mask;
-            around = painting.findGroup(around->parent);
-        }
-        if (wash && !isMasked)
-            washes.emplace(group.id, wash);
-    }
-    return washes;
-}
 
 Stroke united(const std::vector<StrokePtr> &members, GroupId group, const Wash &wash)
 {

@@ -1,5 +1,6 @@
 #include "app/panels/inspector/fill_section.h"
 
+#include "app/panels/inspector/combo_row.h"
 #include "app/panels/inspector/gradient_rows.h"
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
@@ -62,17 +63,11 @@ FillSection::FillSection(Editor &editor, QWidget *parent) : QWidget(parent), m_e
     addRow(densitySpec(), *grid, &Fill::density);
     addRow(specOf(Quantity::Granulation), *grid, &Fill::granulation);
     addRow(specOf(Quantity::MaxAge), *grid, &Fill::maxAge);
-    auto *label = m_ruleLabel = new QLabel(tr("Inside"), m_values);
-    m_rule = new QComboBox(m_values);
-    m_rule->addItems({tr("All that is enclosed"), tr("Every other area")});
-    m_rule->setPlaceholderText(QStringLiteral("—"));
-    m_rule->setAccessibleName(tr("Inside"));
-    m_rule->setToolTip(tr("What is inside where the outline overlaps itself (nonzero and even-odd in SVG)"));
-    m_rule->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_rule->setMinimumContentsLength(8);
-    label->setBuddy(m_rule);
-    grid->addWidget(label, grid->rowCount(), 0);
-    grid->addWidget(m_rule, grid->rowCount() - 1, 1, 1, 2);
+    const ComboRow rule =
+        ComboRow::add(*grid, grid->rowCount(), tr("Inside"),
+                      tr("What is inside where the outline overlaps itself (nonzero and even-odd in SVG)"),
+                      {tr("All that is enclosed"), tr("Every other area")}, m_values);
+    m_ruleLabel = rule.label, m_rule = rule.box;
     m_colour = new ColourRows(true, m_values);
     values->addWidget(m_colour);
     m_gradient = new GradientRows(editor, m_values);

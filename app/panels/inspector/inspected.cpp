@@ -1,5 +1,7 @@
 #include "app/panels/inspector/inspected.h"
 
+#include "model/painting/wash_groups.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -26,6 +28,13 @@ std::vector<const Stroke *> selectedStrokes(const Painting &painting, const std:
 }
 
 } // namespace
+
+bool areInWashes(const Inspected &inspected)
+{
+    const auto washes = washesOf(*inspected.painting);
+    return !washes.empty() &&
+           std::ranges::all_of(inspected.strokes, [&](const Stroke *stroke) { return washes.contains(stroke->group); });
+}
 
 Inspected inspect(const Document &document)
 {

@@ -23,6 +23,9 @@ struct Inspected {
     bool isEmpty() const { return segments.empty(); }
 };
 
+/// Whether all of the strokes lie in washes (Group::wash), whose style and mixing are seen in place of their own.
+bool areInWashes(const Inspected &inspected);
+
 /// Finds what is inspected by the document's selection (see targetSegments), in one pass over the painting.
 Inspected inspect(const Document &document);
 

@@ -1,5 +1,6 @@
 #include "app/panels/inspector/stroke_section.h"
 
+#include "app/panels/inspector/combo_row.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
@@ -14,8 +15,6 @@
 namespace suffuse {
 
 namespace {
-constexpr float usualBeta = 0.5f;
-
 /// A change that is shown is forgotten when β is not what it made of it any more.
 void forgetBetaUnless(SliderField &row, const Painting &now, const std::vector<const Stroke *> &strokes)
 {
@@ -38,6 +37,8 @@ StrokeSection::StrokeSection(Editor &editor, QWidget *parent) : QWidget(parent),
 
     addName(*grid);
     addMixing(*grid);
+    m_washNote = quietLabel(tr("The mixing of the wash is seen in place of this one."), this);
+    column->addWidget(m_washNote);
 }
 
 void StrokeSection::addName(QGridLayout &grid)
@@ -58,17 +59,10 @@ void StrokeSection::addName(QGridLayout &grid)
 
 void StrokeSection::addMixing(QGridLayout &grid)
 {
-    auto *modeLabel = new QLabel(tr("Mixing"), this);
-    m_mode = new QComboBox(this);
-    m_mode->addItems(mixingNames());
-    m_mode->setPlaceholderText(QStringLiteral("—"));
-    m_mode->setAccessibleName(tr("Mixing"));
-    m_mode->setToolTip(tr("How the paint mixes with what lies below it: it covers, or pigments add up."));
-    m_mode->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_mode->setMinimumContentsLength(8);
-    modeLabel->setBuddy(m_mode);
-    grid.addWidget(modeLabel, 1, 0);
-    grid.addWidget(m_mode, 1, 1, 1, 2);
+    m_mode = ComboRow::add(grid, 1, tr("Mixing"),
+                           tr("How the paint mixes with what lies below it: it covers, or pigments add up."),
+                           mixingNames(), this)
+                 .box;
     connect(m_mode, &QComboBox::activated, this, [this](int index) { chooseMode(MixMode(index)); });
 
     m_beta = new SliderField(specOf(Quantity::Beta), grid, 2, this);
@@ -110,13 +104,18 @@ void StrokeSection::addMixing(QGridLayout &grid)
     });
 }
 
+Mix StrokeSection::usualMix(MixMode mode)
+{
+    return {mode, mode == MixMode::Beta ? float(specOf(Quantity::Beta).defaultValue) : 0};
+}
+
 void StrokeSection::chooseMode(MixMode mode)
 {
     Document &document = m_editor.document();
     m_editor.push(changeStrokes(document, document.selection().strokes,
                                 [=](Stroke &s) {
                                     if (s.mix.mode != mode)
-                                        s.mix = {mode, mode == MixMode::Beta ? usualBeta : 0};
+                                        s.mix = usualMix(mode);
                                 }),
                   tr("Change mixing"));
     refresh(inspect(document));
@@ -130,6 +129,7 @@ void StrokeSection::refresh(const Inspected &inspected)
     m_name->setPlaceholderText(name ? tr("unnamed") : QStringLiteral("—"));
     const auto mode = commonValue(strokes, [](const Stroke *s) { return s->mix.mode; });
     m_mode->setCurrentIndex(mode ? int(*mode) : -1);
+    m_washNote->setVisible(areInWashes(inspected));
     std::vector<const Stroke *> pigments;
     std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(pigments),
                  [](const Stroke *s) { return s->mix.mode == MixMode::Beta; });

@@ -22,6 +22,11 @@ public:
     EntryField *name() const { return m_name; }
     QComboBox *mode() const { return m_mode; }
     SliderField *beta() const { return m_beta; }
+    /// Says that mixing is not seen, since all that is selected lies in washes.
+    QLabel *washNote() const { return m_washNote; }
+
+    /// The mixing with which a mode begins.
+    static Mix usualMix(MixMode mode);
 
 signals:
     /// Emitted when a text that was typed is no value; says why.
@@ -36,6 +41,7 @@ private:
     EntryField *m_name = nullptr;
     QComboBox *m_mode = nullptr;
     SliderField *m_beta = nullptr;
+    QLabel *m_washNote = nullptr;
 };
 
 } // namespace suffuse

@@ -1,9 +1,10 @@
 #include "app/panels/inspector/style_section.h"
 
+#include "app/panels/inspector/combo_row.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
-#include "model/painting/fields.h"
+#include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 
@@ -11,14 +12,9 @@
 #include <QGridLayout>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace suffuse {
 
 namespace {
-
-/// The factor is a little smaller than allowed, since the bound must hold after rounding to float.
-const double edgeFactor = greatestLightening() * (1 - 1e-7);
 
 /// The indices of the target segments of each stroke.
 std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
@@ -59,33 +55,24 @@ StyleSection::StyleSection(Editor &editor, QWidget *parent) : QWidget(parent), m
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addWidget(sectionTitle(tr("Style"), this));
+    m_washNote = quietLabel(tr("The style of the wash is seen in place of this one."), this);
+    column->addWidget(m_washNote);
     QGridLayout *grid = addFieldGrid(*column);
     addCombos(*grid);
-    addXiRows(*grid);
+    m_xi = XiFields(*grid, 2, this);
+    connectXi();
 }
 
 void StyleSection::addCombos(QGridLayout &grid)
 {
-    const auto add = [&](int row, const QString &name, const QString &tip, const QStringList &items) {
-        auto *label = new QLabel(name, this);
-        auto *combo = new QComboBox(this);
-        combo->addItems(items);
-        combo->setPlaceholderText(QStringLiteral("—"));
-        combo->setAccessibleName(name);
-        combo->setToolTip(tip);
-        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        combo->setMinimumContentsLength(8);
-        label->setBuddy(combo);
-        grid.addWidget(label, row, 0);
-        grid.addWidget(combo, row, 1, 1, 2);
-        return combo;
-    };
-    m_source = add(0, tr("Belongs to"), tr("Whether the segments follow their stroke's style or have their own."),
-                   {tr("The stroke"), tr("These segments")});
-    m_kind = add(1, tr("Kind"), tr("How density becomes coverage."), styleNames());
+    m_source = ComboRow::add(grid, 0, tr("Belongs to"),
+                             tr("Whether the segments follow their stroke's style or have their own."),
+                             {tr("The stroke"), tr("These segments")}, this)
+                   .box;
+    m_kind = ComboRow::add(grid, 1, tr("Kind"), tr("How density becomes coverage."), styleNames(), this).box;
     connect(m_source, &QComboBox::activated, this, [this](int index) { chooseSource(index == 1); });
     connect(m_kind, &QComboBox::activated, this, [this](int index) {
-        const Style style = defaultStyle(StyleKind(index));
+        const Style style = XiFields::defaultStyle(StyleKind(index));
         changeStyles(
             [style](Style &s) {
                 if (s.kind != style.kind)
@@ -95,11 +82,10 @@ void StyleSection::addCombos(QGridLayout &grid)
     });
 }
 
-void StyleSection::addXiRows(QGridLayout &grid)
+void StyleSection::connectXi()
 {
     for (int i = 0; i < 3; ++i) {
-        auto *row = new SliderField(xiSpec(Style{}.kind, i), grid, 2 + i, this);
-        m_xi[std::size_t(i)] = row;
+        SliderField *row = m_xi[std::size_t(i)];
         connect(row, &SliderField::refused, this, &StyleSection::refused);
         connect(row, &SliderField::edited, this, [this, i](double value, ValueEntry *entry) {
             changeStyles(
@@ -119,19 +105,6 @@ void StyleSection::addXiRows(QGridLayout &grid)
             changeStyles(change, tr("Change style"), nullptr);
         });
     }
-}
-
-Style StyleSection::defaultStyle(StyleKind kind)
-{
-    switch (kind) {
-    case StyleKind::Uniform:
-        return {kind, {0.5f, 0.05f, 0}};
-    case StyleKind::Feathering:
-        return {kind, {1, 1.5f, 0}};
-    case StyleKind::Edge:
-        return {kind, {0.6f, 0.65f, 0.9f}};
-    }
-    return {};
 }
 
 void StyleSection::chooseSource(bool own)
@@ -212,55 +185,15 @@ void StyleSection::refresh(const Inspected &inspected)
     const auto kind = commonValue(segments, [](const InspectedSegment &s) { return s.style().kind; });
     m_source->setCurrentIndex(own ? int(*own) : -1);
     m_kind->setCurrentIndex(kind ? int(*kind) : -1);
-    refreshXi(inspected, kind);
-}
-
-void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind> kind)
-{
-    for (int i = 0; i < 3; ++i)
-        m_xi[std::size_t(i)]->setVisible(kind && i < xiCount(*kind));
-    if (!kind)
-        return;
-    nameXi(*kind);
-    limitXi(inspected, *kind);
-    for (std::size_t i = 0; i < 3; ++i)
+    m_washNote->setVisible(own == false && areInWashes(inspected));
+    std::vector<Style> styles;
+    styles.reserve(segments.size());
+    for (const InspectedSegment &segment : segments)
+        styles.push_back(segment.style());
+    m_xi.show(styles);
+    for (std::size_t i = 0; kind && i < 3; ++i)
         forgetStyleChange(*m_xi[i], inspected, i);
-    for (std::size_t i = 0; i < 3; ++i)
-        m_xi[i]->setValue(commonNumber(inspected.segments, [i](const InspectedSegment &s) { return s.style().xi[i]; }));
-}
-
-void StyleSection::nameXi(StyleKind kind)
-{
-    const Style fallback = defaultStyle(kind);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const FieldSpec spec = xiSpec(kind, int(i));
-        m_xi[i]->rename(spec.name, spec.toolTip);
-        m_xi[i]->setDefaultValue(double(fallback.xi[i]));
-    }
-}
-
-void StyleSection::limitXi(const Inspected &inspected, StyleKind kind)
-{
-    double lowestXi1 = positive.greatest, highestXi2 = positive.leastFloat();
-    for (const InspectedSegment &s : inspected.segments) {
-        lowestXi1 = std::min(lowestXi1, double(s.style().xi[0]));
-        highestXi2 = std::max(highestXi2, double(s.style().xi[1]));
-    }
-    const auto domain = [kind](int index) { return domainOfXi(kind, index); };
-    double xi1From = domain(0).leastFloat(), xi2To = domain(1).greatest;
-    if (hasRim(kind)) {
-        xi1From = highestXi2 / edgeFactor;
-        xi2To = lowestXi1 * edgeFactor;
-    }
-    m_xi[0]->setRange(xi1From, domain(0).greatest);
-    m_xi[1]->setRange(domain(1).leastFloat(), xi2To);
-    m_xi[2]->setRange(domain(2).leastFloat(), domain(2).greatest);
-    m_xi[0]->setSliderRange(std::max(0.02, xi1From), std::max(hasRim(kind) ? 2.0 : 4.0, 2 * xi1From));
-    if (kind == StyleKind::Uniform)
-        m_xi[1]->setSliderRange(0.002, 1);
-    else
-        m_xi[1]->setSliderRange(kind == StyleKind::Feathering ? 0.5 : std::min(0.02, xi2To / 2), std::min(xi2To, 64.0));
-    m_xi[2]->setSliderRange(0.05, 1);
+    m_xi.setValues(styles);
 }
 
 } // namespace suffuse

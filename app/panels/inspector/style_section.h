@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app/panels/inspector/inspected.h"
-#include "app/widgets/numbers/slider_field.h"
+#include "app/panels/inspector/xi_fields.h"
 
-#include <array>
 #include <functional>
 
 class QComboBox;
@@ -25,9 +24,8 @@ public:
     QComboBox *source() const { return m_source; }
     QComboBox *kind() const { return m_kind; }
     SliderField *xi(int index) const { return m_xi[std::size_t(index)]; }
-
-    /// The style with which a kind begins.
-    static Style defaultStyle(StyleKind kind);
+    /// Says that none of this is seen, since all that is selected lies in washes.
+    QLabel *washNote() const { return m_washNote; }
 
 signals:
     /// Emitted when a text that was typed is no value; says why.
@@ -35,19 +33,17 @@ signals:
 
 private:
     void addCombos(QGridLayout &grid);
-    void addXiRows(QGridLayout &grid);
+    void connectXi();
     void chooseSource(bool own);
     void changeStyles(const std::function<void(Style &)> &change, const QString &text, ValueEntry *entry);
     /// Changes ξ `index` of each style from what it was when the entry began.
     void changeXiTogether(int index, const ValueChange &change, ValueEntry *entry);
-    void refreshXi(const Inspected &inspected, std::optional<StyleKind> kind);
-    void nameXi(StyleKind kind);
-    void limitXi(const Inspected &inspected, StyleKind kind);
 
     Editor &m_editor;
+    QLabel *m_washNote = nullptr;
     QComboBox *m_source = nullptr;
     QComboBox *m_kind = nullptr;
-    std::array<SliderField *, 3> m_xi{};
+    XiFields m_xi;
 };
 
 } // namespace suffuse

@@ -145,6 +145,28 @@ void ungroupSelected(Editor &editor)
     editor.push(ungroupSelection(editor.document()), QCoreApplication::translate("Commands", "Ungroup"));
 }
 
+void toggleSelectedRole(Editor &editor, GroupRole role)
+{
+    const Document &document = editor.document();
+    const std::vector<GroupId> groups = selectedGroups(document);
+    const bool on = !GroupRoles(*document.painting()).of(groups, role).all();
+    const auto text = [&] {
+        switch (role) {
+        case GroupRole::Clipped:
+            return on ? QCoreApplication::translate("Commands", "Clip group to what lies below")
+                      : QCoreApplication::translate("Commands", "Clip group no more");
+        case GroupRole::Mask:
+            return on ? QCoreApplication::translate("Commands", "Use group as mask")
+                      : QCoreApplication::translate("Commands", "Use group as mask no more");
+        case GroupRole::Wash:
+            return on ? QCoreApplication::translate("Commands", "Make group a wash")
+                      : QCoreApplication::translate("Commands", "Make wash a plain group");
+        }
+        return QString();
+    };
+    editor.push(setGroupRole(document, groups, role, on), text());
+}
+
 QString combineSelected(Editor &editor)
 {
     bool keepsFills = true;

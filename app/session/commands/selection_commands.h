@@ -3,6 +3,7 @@
 
 #include "app/session/editor.h"
 #include "undo/group_edits.h"
+#include "undo/group_roles.h"
 #include "undo/transform_edits.h"
 
 namespace suffuse::commands {
@@ -32,6 +33,9 @@ QString distributeSelected(Editor &editor, Axis axis, Spacing spacing);
 
 void groupSelected(Editor &editor);
 void ungroupSelected(Editor &editor);
+/// Gives a role to the groups that are selected as a whole and can have it. Where all of those have it, it takes it
+/// from them.
+void toggleSelectedRole(Editor &editor, GroupRole role);
 /// Returns why nothing was done, or nothing.
 QString combineSelected(Editor &editor);
 void breakSelectedApart(Editor &editor);

@@ -1,6 +1,4 @@
 // How groups blend, in the inspector and in the Strokes dock: what is there, by events, as one step, and undone.
-#include "app/panels/inspector/group_section.h"
-#include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/widgets/habits/house_rules.h"
@@ -8,71 +6,14 @@
 #include "app/widgets/numbers/blend_modes.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/painting/fields.h"
-#include "tests/app/panel_bench.h"
-#include "undo/group_edits.h"
+#include "tests/app/group_bench.h"
 
-#include <QAbstractItemView>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QMenu>
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTreeView>
 
 using namespace suffuse;
-
-namespace {
-
-/// Six strokes; 1 and 2 are a group, and so are 3 and 4.
-struct GroupBench : Bench {
-    GroupBench() : Bench(6)
-    {
-        first = group({1, 2}, "first");
-        second = group({3, 4}, "second");
-        editor.undoStack().clear();
-        select({});
-    }
-    GroupId group(std::set<StrokeId> strokes, const QString &name)
-    {
-        select(std::move(strokes));
-        editor.push(groupSelection(editor.document(), name), "group");
-        return editor.document().painting()->groups.back().id;
-    }
-    const Group &of(GroupId id) { return *std::ranges::find(editor.document().painting()->groups, id, &Group::id); }
-
-    GroupId first = 0, second = 0;
-};
-
-struct Inspecting : GroupBench {
-    Inspecting()
-    {
-        panel.resize(320, 1400);
-        panel.show();
-    }
-    GroupSection &section() { return *panel.groupSection(); }
-    NumberField &opacity() { return *section().opacity()->number(); }
-    /// Chooses an item by keys, as a hand does that has opened the list.
-    void choose(BlendMode mode)
-    {
-        QComboBox &box = *section().mode();
-        box.setFocus();
-        box.showPopup();
-        QAbstractItemView &list = *box.view();
-        QVERIFY(QTest::qWaitForWindowExposed(list.window()));
-        const QModelIndex row = list.model()->index(box.findData(int(mode)), 0);
-        QVERIFY(row.isValid());
-        list.setCurrentIndex(row);
-        QTest::keyClick(&list, Qt::Key_Return);
-    }
-    void clickIsolated()
-    {
-        QTest::mouseClick(section().isolated(), Qt::LeftButton, {}, {8, section().isolated()->height() / 2});
-    }
-
-    InspectorPanel panel{editor};
-};
-
-} // namespace
 
 class TestGroupSection : public QObject {
     Q_OBJECT

@@ -309,7 +309,7 @@ private slots:
         // ξ2 ≤ 2^(1/3) ξ1
         type(*section->xi(1)->number(), "0.9");
         QVERIFY(panel.hint()->isVisible());
-        QCOMPARE(bench.stroke(1).segments[1].style->xi[1], StyleSection::defaultStyle(StyleKind::Edge).xi[1]);
+        QCOMPARE(bench.stroke(1).segments[1].style->xi[1], XiFields::defaultStyle(StyleKind::Edge).xi[1]);
         type(*section->xi(1)->number(), "0.7");
         QCOMPARE(bench.stroke(1).segments[1].style->xi[1], 0.7f);
 
