@@ -4290,10 +4290,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Alle Striche mit demselben Namen auswählen</translation>
     </message>
     <message>
-        <source>What the group&apos;s opacity, mode or isolation did is gone with it.</source>
-        <translation>Was Deckkraft, Modus oder Eigenständigkeit der Gruppe bewirkten, ist mit ihr verschwunden.</translation>
-    </message>
-    <message>
         <source>Select &amp;Found</source>
         <translation>Gefu&amp;ndenes auswählen</translation>
     </message>
@@ -4979,6 +4975,42 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Remove gradient</source>
         <translation>Farbverlauf entfernen</translation>
+    </message>
+    <message>
+        <source>Clip to Below</source>
+        <translation>Auf Unteres begrenzen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+G</source>
+        <translation>Ctrl+Alt+G</translation>
+    </message>
+    <message>
+        <source>The selected groups are seen only where the next thing below them in the same group is; needs something below</source>
+        <translation>Die ausgewählten Gruppen sind nur dort zu sehen, wo in derselben Gruppe das Nächste unter ihnen ist; braucht etwas darunter</translation>
+    </message>
+    <message>
+        <source>Use as Mask</source>
+        <translation>Als Maske verwenden</translation>
+    </message>
+    <message>
+        <source>What is beside the selected groups is seen only where they have paint; needs something beside</source>
+        <translation>Was neben den ausgewählten Gruppen ist, ist nur dort zu sehen, wo sie Farbe haben; braucht etwas daneben</translation>
+    </message>
+    <message>
+        <source>Wash</source>
+        <translation>Lavierung</translation>
+    </message>
+    <message>
+        <source>The strokes of the selected groups are one, laid wet into wet</source>
+        <translation>Die Striche der ausgewählten Gruppen sind je einer, nass in nass aufgetragen</translation>
+    </message>
+    <message>
+        <source>What the group did as a whole (opacity, mode, isolation, clip, mask, wash) is gone with it.</source>
+        <translation>Was die Gruppe als Ganzes tat (Deckkraft, Modus, eigene Mischung, Begrenzung, Maske, Lavierung), ist mit ihr verschwunden.</translation>
+    </message>
+    <message>
+        <source>Group as a Whole</source>
+        <translation>Gruppe als Ganzes</translation>
     </message>
 </context>
 <context>

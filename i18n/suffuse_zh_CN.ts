@@ -4273,10 +4273,6 @@ Arrow keys work too.</source>
         <translation>选择名称相同的所有笔画</translation>
     </message>
     <message>
-        <source>What the group&apos;s opacity, mode or isolation did is gone with it.</source>
-        <translation>群组的不透明度、模式或隔离效果已随群组一起消失。</translation>
-    </message>
-    <message>
         <source>Select &amp;Found</source>
         <translation>选择搜索结果(&amp;F)</translation>
     </message>
@@ -4961,6 +4957,42 @@ Arrow keys work too.</source>
     <message>
         <source>Remove gradient</source>
         <translation>移除渐变</translation>
+    </message>
+    <message>
+        <source>Clip to Below</source>
+        <translation>剪贴到下方</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+G</source>
+        <translation>Ctrl+Alt+G</translation>
+    </message>
+    <message>
+        <source>The selected groups are seen only where the next thing below them in the same group is; needs something below</source>
+        <translation>所选组只在同一组内紧挨其下的对象所在之处可见；下方需有对象</translation>
+    </message>
+    <message>
+        <source>Use as Mask</source>
+        <translation>用作蒙版</translation>
+    </message>
+    <message>
+        <source>What is beside the selected groups is seen only where they have paint; needs something beside</source>
+        <translation>所选组旁边的内容只在它们有颜料的地方可见；旁边需有内容</translation>
+    </message>
+    <message>
+        <source>Wash</source>
+        <translation>淡彩</translation>
+    </message>
+    <message>
+        <source>The strokes of the selected groups are one, laid wet into wet</source>
+        <translation>所选组的笔画各自合为一笔，湿画在湿上</translation>
+    </message>
+    <message>
+        <source>What the group did as a whole (opacity, mode, isolation, clip, mask, wash) is gone with it.</source>
+        <translation>该组作为整体的作用（不透明度、模式、自行混合、剪贴、蒙版、淡彩）随之消失。</translation>
+    </message>
+    <message>
+        <source>Group as a Whole</source>
+        <translation>组作为整体</translation>
     </message>
 </context>
 <context>

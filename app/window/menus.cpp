@@ -98,6 +98,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
                              {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
+    addMenu(*object, Commands::tr("Group as a Whole"), table, {{ClipGroups, MaskGroups, WashGroups}});
     addMenu(*object, Commands::tr("Areas"), table,
             {{UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},
              {InsetAreas, OutsetAreas},

@@ -261,6 +261,67 @@ private slots:
         QVERIFY(editor.document().painting()->groups.empty());
     }
 
+    /// The switches of groups say what all of the selected ones are, and what was lost with an ungrouped one is said.
+    void groupsHaveRoles()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        addStroke(editor);
+        addStroke(editor);
+        const StrokeId low = editor.document().painting()->strokes[0]->id;
+        const StrokeId high = editor.document().painting()->strokes[1]->id;
+        const auto select = [&](const std::set<StrokeId> &strokes) {
+            editor.document().setSelection({strokes, {}});
+            table.update();
+        };
+        const auto groupOf = [&](StrokeId id) {
+            const Painting &painting = *editor.document().painting();
+            return *painting.findGroup(painting.find(id)->group);
+        };
+        using enum Command;
+        select({high});
+        for (const Command command : {ClipGroups, MaskGroups, WashGroups})
+            QVERIFY(!table[command].isEnabled()); // A stroke is no group.
+        table[GroupStrokes].trigger();
+        select({low});
+        table[GroupStrokes].trigger();
+        QVERIFY(!table[ClipGroups].isEnabled() && table[MaskGroups].isEnabled() && table[WashGroups].isEnabled());
+        select({high});
+        for (const Command command : {ClipGroups, MaskGroups, WashGroups})
+            QVERIFY(table[command].isEnabled() && !table[command].isChecked());
+        table[ClipGroups].trigger();
+        QVERIFY(groupOf(high).clips && !groupOf(low).clips);
+        table[WashGroups].trigger();
+        QVERIFY(groupOf(high).wash && !groupOf(low).wash);
+        QVERIFY(table[ClipGroups].isChecked() && !table[MaskGroups].isChecked() && table[WashGroups].isChecked());
+        select({low, high});
+        QVERIFY(!table[WashGroups].isChecked());
+        table[WashGroups].trigger();
+        QVERIFY(groupOf(low).wash && groupOf(high).wash);
+        QVERIFY(table[WashGroups].isChecked());
+        table[WashGroups].trigger();
+        QVERIFY(!groupOf(low).wash && !groupOf(high).wash);
+        table[MaskGroups].trigger();
+        QVERIFY(groupOf(low).mask && groupOf(high).mask);
+        editor.undo();
+        table.update();
+        QVERIFY(!groupOf(low).mask && !table[MaskGroups].isChecked());
+        // Ungrouping tells where something is lost.
+        const QSignalSpy said(&table, &Commands::said);
+        select({low});
+        table[UngroupStrokes].trigger();
+        QCOMPARE(said.count(), 0);
+        editor.undo();
+        select({low});
+        table[WashGroups].trigger();
+        table[UngroupStrokes].trigger();
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().contains("wash"));
+    }
+
     /// What has nothing to do says so.
     void commandsSaySomething()
     {

@@ -8,7 +8,9 @@
 #include "undo/text_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <memory>
 
 namespace suffuse {
 
@@ -87,6 +89,65 @@ void addSelectingRows(Commands &table, Editor &editor)
     table.makeExclusive({Lasso, TouchPath}, QActionGroup::ExclusionPolicy::ExclusiveOptional);
 }
 
+/// What the groups that are selected as a whole are and can be, found once for all rows that ask while nothing changes.
+class SelectedRoles {
+public:
+    explicit SelectedRoles(const Editor &editor) : m_editor(editor) {}
+
+    const GroupRoles::State &operator()(GroupRole role)
+    {
+        const Document &document = m_editor.unsettled();
+        if (m_painting != document.painting() || !(m_selection == document.selection())) {
+            m_painting = document.painting();
+            m_selection = document.selection();
+            find(selectedGroups(document));
+        }
+        return m_states[std::size_t(role)];
+    }
+
+private:
+    void find(const std::vector<GroupId> &groups)
+    {
+        m_states = {};
+        if (groups.empty())
+            return;
+        const GroupRoles roles(*m_painting);
+        for (const GroupRole role : groupRoles)
+            m_states[std::size_t(role)] = roles.of(groups, role);
+    }
+
+    const Editor &m_editor;
+    PaintingPtr m_painting;
+    Selection m_selection;
+    std::array<GroupRoles::State, groupRoles.size()> m_states;
+};
+
+void addRoleRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    const auto roles = std::make_shared<SelectedRoles>(editor);
+    const auto add = [&](GroupRole role, CommandRow &row) {
+        row.when([roles, role] { return !(*roles)(role).possible.empty(); })
+            .checkedWhen([roles, role] { return (*roles)(role).all(); })
+            .runs([&editor, role] { commands::toggleSelectedRole(editor, role); });
+    };
+    add(GroupRole::Clipped,
+        table.add(ClipGroups, "clipGroups", Commands::tr("Clip to Below"), "", key(Commands::tr("Ctrl+Alt+G")),
+                  Commands::tr("The selected groups are seen only where the next thing below them in the same group "
+                               "is; needs something below")));
+    add(GroupRole::Mask, table.add(MaskGroups, "maskGroups", Commands::tr("Use as Mask"), "", {},
+                                   Commands::tr("What is beside the selected groups is seen only where they have "
+                                                "paint; needs something beside")));
+    add(GroupRole::Wash, table.add(WashGroups, "washGroups", Commands::tr("Wash"), "", {},
+                                   Commands::tr("The strokes of the selected groups are one, laid wet into wet")));
+}
+
+/// How many groups do something as a whole.
+std::ptrdiff_t actingGroups(const Painting &painting)
+{
+    return std::ranges::count_if(painting.groups, [](const Group &group) { return group.isIsolated() || group.wash; });
+}
+
 void addGroupRows(Commands &table, Editor &editor)
 {
     using enum Command;
@@ -97,14 +158,14 @@ void addGroupRows(Commands &table, Editor &editor)
     table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
         .when([&editor] { return canUngroup(editor.unsettled()); })
         .runs([&table, &editor] {
-            const auto blending = [&editor] {
-                return std::ranges::count_if(editor.unsettled().painting()->groups, &Group::isIsolated);
-            };
-            const auto before = blending();
+            const auto before = actingGroups(*editor.unsettled().painting());
             commands::ungroupSelected(editor);
-            if (blending() < before)
-                emit table.said(Commands::tr("What the group's opacity, mode or isolation did is gone with it."), 5000);
+            if (actingGroups(*editor.unsettled().painting()) < before)
+                emit table.said(Commands::tr("What the group did as a whole (opacity, mode, isolation, clip, mask, "
+                                             "wash) is gone with it."),
+                                5000);
         });
+    addRoleRows(table, editor);
     table
         .add(TextToStrokes, "textToStrokes", Commands::tr("Text to Strokes"), "", {},
              Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))
