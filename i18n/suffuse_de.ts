@@ -988,8 +988,20 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>  Gruppen   %1</translation>
     </message>
     <message>
-        <source>%1, %2 of them blending</source>
-        <translation>%1, davon %2 mit eigener Mischung</translation>
+        <source>%1 of them blending</source>
+        <translation>davon %1 mit eigener Mischung</translation>
+    </message>
+    <message>
+        <source>%1 clipped</source>
+        <translation>%1 begrenzt</translation>
+    </message>
+    <message>
+        <source>%1 masking</source>
+        <translation>%1 als Maske</translation>
+    </message>
+    <message>
+        <source>%1 a wash</source>
+        <translation>%1 als Lavierung</translation>
     </message>
 </context>
 <context>

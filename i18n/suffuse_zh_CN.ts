@@ -982,8 +982,20 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>  组        %1</translation>
     </message>
     <message>
-        <source>%1, %2 of them blending</source>
-        <translation>%1，其中 %2 个自行混合</translation>
+        <source>%1 of them blending</source>
+        <translation>其中 %1 个自行混合</translation>
+    </message>
+    <message>
+        <source>%1 clipped</source>
+        <translation>%1 个被剪贴</translation>
+    </message>
+    <message>
+        <source>%1 masking</source>
+        <translation>%1 个作为蒙版</translation>
+    </message>
+    <message>
+        <source>%1 a wash</source>
+        <translation>%1 个淡彩</translation>
     </message>
 </context>
 <context>

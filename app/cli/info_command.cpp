@@ -135,16 +135,22 @@ Result<Facts> factsOf(const QString &path)
     return facts;
 }
 
-/// How many groups mix by themselves and are put on what lies below as a whole.
-qint64 blendingGroups(const Painting &painting)
-{
-    return std::ranges::count_if(painting.groups, &Group::isIsolated);
-}
+/// How many groups there are of each kind that is more than strokes which stand together.
+struct GroupCounts {
+    explicit GroupCounts(const std::vector<Group> &groups)
+        : blending(std::ranges::count_if(groups, &Group::isIsolated)),
+          clipped(std::ranges::count_if(groups, &Group::clips)), masks(std::ranges::count_if(groups, &Group::mask)),
+          washes(std::ranges::count_if(groups, [](const Group &group) { return group.wash.has_value(); }))
+    {}
+
+    qint64 blending, clipped, masks, washes;
+};
 
 QJsonObject jsonOf(const Facts &f)
 {
     const Canvas &canvas = f.painting.canvas;
     const Colour &b = canvas.background;
+    const GroupCounts counts(f.painting.groups);
     QJsonObject object{
         {"file", f.file},
         {"format", idOf(f.format)},
@@ -159,7 +165,10 @@ QJsonObject jsonOf(const Facts &f)
         {"strokes", qint64(f.painting.strokes.size())},
         {"segments", qint64(f.painting.segmentCount())},
         {"groups", qint64(f.painting.groups.size())},
-        {"blendingGroups", blendingGroups(f.painting)},
+        {"blendingGroups", counts.blending},
+        {"clippedGroups", counts.clipped},
+        {"masks", counts.masks},
+        {"washes", counts.washes},
         {"begin", toSeconds(f.begin)},
         {"end", toSeconds(f.end)},
         {"duration", toSeconds(f.end - f.begin)},
@@ -203,9 +212,17 @@ QString lineOf(const ChunkInfo &c)
 
 QString groupsLine(const Painting &painting)
 {
-    const QString line = QCoreApplication::translate("Cli", "  groups    %1").arg(painting.groups.size());
-    const qint64 blending = blendingGroups(painting);
-    return blending == 0 ? line : QCoreApplication::translate("Cli", "%1, %2 of them blending").arg(line).arg(blending);
+    const GroupCounts counts(painting.groups);
+    QStringList said{QCoreApplication::translate("Cli", "  groups    %1").arg(painting.groups.size())};
+    if (counts.blending > 0)
+        said << QCoreApplication::translate("Cli", "%1 of them blending").arg(counts.blending);
+    if (counts.clipped > 0)
+        said << QCoreApplication::translate("Cli", "%1 clipped").arg(counts.clipped);
+    if (counts.masks > 0)
+        said << QCoreApplication::translate("Cli", "%1 masking").arg(counts.masks);
+    if (counts.washes > 0)
+        said << QCoreApplication::translate("Cli", "%1 a wash").arg(counts.washes);
+    return said.join(QLatin1String(", "));
 }
 
 QString textOf(const Facts &f)
