@@ -1063,6 +1063,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>There it would not be seen: what was pasted lies in the middle of what is seen of the canvas.</source>
         <translation>Dort wäre es nicht zu sehen: Das Eingefügte liegt in der Mitte dessen, was von der Leinwand zu sehen ist.</translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no washes: the strokes of %n group(s) lie over each other there.</source>
+        <translation>
+            <numerusform>SVG kennt keine Lavierungen: Die Striche von %n Gruppe liegen dort übereinander.</numerusform>
+            <numerusform>SVG kennt keine Lavierungen: Die Striche von %n Gruppen liegen dort übereinander.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

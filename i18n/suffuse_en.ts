@@ -82,6 +82,13 @@
             <numerusform>SVG has no groups that mask, erase or clip what lies below: %n groups became plain.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no washes: the strokes of %n group(s) lie over each other there.</source>
+        <translation>
+            <numerusform>SVG has no washes: the strokes of %n group lie over each other there.</numerusform>
+            <numerusform>SVG has no washes: the strokes of %n groups lie over each other there.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Renderer</name>

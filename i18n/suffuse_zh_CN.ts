@@ -1054,6 +1054,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>There it would not be seen: what was pasted lies in the middle of what is seen of the canvas.</source>
         <translation>在那里会看不到：粘贴的内容已放在画布可见部分的中央。</translation>
     </message>
+    <message numerus="yes">
+        <source>SVG has no washes: the strokes of %n group(s) lie over each other there.</source>
+        <translation>
+            <numerusform>SVG 没有淡彩：有 %n 个组的笔画在其中彼此叠放。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

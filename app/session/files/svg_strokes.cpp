@@ -3,6 +3,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/files/svg_widths.h"
 #include "model/area/outline.h"
+#include "model/formats/svg/css_blending.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
 #include "model/painting/fields.h"
@@ -13,6 +14,7 @@
 #include <QXmlStreamWriter>
 
 #include <cmath>
+#include <set>
 
 namespace suffuse {
 
@@ -249,14 +251,6 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
         xml.writeEndElement();
 }
 
-/// The value of mix-blend-mode; null where CSS has none.
-const char *cssOf(BlendMode mode)
-{
-    if (mode == BlendMode::Plus)
-        return "plus-lighter";
-    return mode < BlendMode::Plus ? WordsOf<BlendMode>::list[std::size_t(mode)].data() : nullptr;
-}
-
 /// Writes the beginnings and ends of groups between strokes.
 class WrittenGroups {
 public:
@@ -275,7 +269,7 @@ public:
             m_xml.writeEndElement();
         for (; m_open.size() < wanted.size(); m_open.push_back(wanted[m_open.size()])) {
             m_xml.writeStartElement("g");
-            const Group *group = find(wanted[m_open.size()]);
+            const Group *group = m_painting.findGroup(wanted[m_open.size()]);
             if (group)
                 writeBlending(*group);
             if (group && !group->name.isEmpty())
@@ -288,20 +282,17 @@ private:
     {
         if (group.opacity < 1)
             m_xml.writeAttribute("opacity", number(double(group.opacity)));
-        const char *mode = cssOf(group.blend);
-        if (mode && group.blend != BlendMode::Normal)
-            m_xml.writeAttribute("style", QLatin1String("mix-blend-mode:") + QLatin1String(mode));
-        else if (group.isolated)
-            m_xml.writeAttribute("style", "isolation:isolate");
-    }
-    const Group *find(GroupId id) const
-    {
-        const auto at = std::ranges::find(m_painting.groups, id, &Group::id);
-        return at == m_painting.groups.end() ? nullptr : &*at;
+        QStringList style;
+        if (const char *mode = cssOf(group.blend); mode && group.blend != BlendMode::Normal)
+            style << QLatin1String("mix-blend-mode:") + QLatin1String(mode);
+        if (group.isolated)
+            style << QStringLiteral("isolation:isolate");
+        if (!style.isEmpty())
+            m_xml.writeAttribute("style", style.join(u';'));
     }
     GroupId parentOf(GroupId id) const
     {
-        const Group *group = find(id);
+        const Group *group = m_painting.findGroup(id);
         return group ? group->parent : 0;
     }
 
@@ -327,11 +318,21 @@ void writeBackground(QXmlStreamWriter &xml, const Rect &page, const Colour &colo
 SvgStrokes lossesOf(const Painting &painting)
 {
     SvgStrokes svg;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (painting.isVisible(*stroke))
-            svg.erasures += erasureCount(*stroke);
-    for (const Group &group : painting.groups)
-        svg.masks += cssOf(group.blend) == nullptr;
+    const Visibility isVisible(painting.groups);
+    std::set<GroupId> written;
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!isVisible(*stroke))
+            continue;
+        svg.erasures += erasureCount(*stroke);
+        for (const Group *group = painting.findGroup(stroke->group); group && written.insert(group->id).second;)
+            group = painting.findGroup(group->parent);
+    }
+    for (const Group &group : painting.groups) {
+        if (!written.contains(group.id))
+            continue;
+        svg.masks += group.clips || group.mask || cssOf(group.blend) == nullptr;
+        svg.washes += group.wash.has_value();
+    }
     return svg;
 }
 
@@ -348,6 +349,10 @@ QString leftOutOf(const SvgStrokes &svg)
                                             "SVG has no groups that mask, erase or clip what lies below: %n group(s) "
                                             "became plain.",
                                             nullptr, svg.masks);
+    if (svg.washes > 0)
+        said << QCoreApplication::translate("Clipboard",
+                                            "SVG has no washes: the strokes of %n group(s) lie over each other there.",
+                                            nullptr, svg.washes);
     return said.join(QLatin1Char(' '));
 }
 
@@ -371,16 +376,17 @@ SvgStrokes svgOf(const Painting &painting, const Rect &area)
     if (!area.isEmpty() && painting.canvas.background.opacity == 1)
         writeBackground(xml, area, painting.canvas.background);
     std::vector<SvgLine> lines;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
         for (std::size_t k = 0; k < stroke->segments.size(); ++k)
-            if (painting.isVisible(*stroke) && isLine(*stroke, k))
+            if (isVisible(*stroke) && isLine(*stroke, k))
                 lines.push_back(lineOf(*stroke, stroke->segments[k]));
     const std::vector<double> halves = joinedHalfWidths(lines);
     auto half = halves.begin();
     int gradients = 0;
     WrittenGroups groups(xml, painting);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!painting.isVisible(*stroke))
+        if (!isVisible(*stroke))
             continue;
         groups.goTo(stroke->group);
         writeStroke(xml, *stroke, half, gradients);

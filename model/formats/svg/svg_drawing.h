@@ -1,6 +1,7 @@
 // What a document of SVG shows, as curves with their colours.
 #pragma once
 
+#include "model/painting/blend.h"
 #include "model/painting/geometry.h"
 #include "model/painting/text.h"
 
@@ -39,6 +40,9 @@ struct SvgGroup {
     SharedText text{};       ///< of a <text> that can be typed in again; its place is in units of the document
     std::size_t letters = 0; ///< how many paths such a text has
     QString words{};         ///< of any <text>, for people
+    float opacity = 1;       ///< as Suffuse's groups have these three
+    BlendMode blend = BlendMode::Normal;
+    bool isIsolated = false;
 };
 
 /// How much of a drawing strokes cannot show.
@@ -48,7 +52,7 @@ struct SvgLosses {
     int fixedTexts = 0; ///< that came in as letters alone, and cannot be typed in again
     /// definitions that are used by what is drawn
     int gradients = 0, patterns = 0, clipPaths = 0, masks = 0, filters = 0, markers = 0;
-    int blendModes = 0; ///< other than normal
+    int blendModes = 0; ///< that are not known, or of groups too deep within each other
     QStringList fonts;  ///< families that are not installed, so that others stand in
     int cycles = 0;     ///< <use> elements that contain themselves
     int rules = 0;      ///< selectors of style sheets that were not understood
@@ -58,8 +62,8 @@ struct SvgLosses {
 /// The paths of a document, and the size that it gives itself.
 struct SvgDrawing {
     std::vector<SvgPath> paths;
-    /// The groups with more than one thing in them. The paths of a group, including those of groups within it, stand
-    /// together.
+    /// The groups with more than one thing in them, and those that blend. The paths of a group, including those of
+    /// groups within it, stand together.
     std::vector<SvgGroup> groups;
     SvgLosses losses;
     /// what is to be seen, in the units of the document (viewBox, or width and height); empty if the document does not

@@ -1,5 +1,6 @@
 #include "model/formats/svg/svg_frame.h"
 
+#include "model/formats/svg/css_blending.h"
 #include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 
@@ -65,7 +66,9 @@ void dissolveGroups(SvgDrawing &drawing)
         if (group.name.isEmpty()) // A text that can be typed is called by its words anyway.
             group.name = group.words.left(longestWords);
     }
-    const auto isKept = [&](std::size_t i) { return held[i] > 1 || (held[i] > 0 && groups[i].text); };
+    const auto isKept = [&](std::size_t i) {
+        return held[i] > 1 || (held[i] > 0 && (groups[i].text || blends(groups[i])));
+    };
     std::vector<SvgGroup> kept;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const int parent = groups[i].parent;
@@ -77,7 +80,8 @@ void dissolveGroups(SvgDrawing &drawing)
         if (!isKept(i))
             continue;
         into[i] = int(kept.size());
-        kept.push_back({name, outer, groups[i].text, groups[i].letters});
+        kept.push_back(groups[i]);
+        kept.back().name = name, kept.back().parent = outer;
     }
     for (SvgPath &path : drawing.paths) {
         if (path.group < 0)

@@ -83,6 +83,21 @@ Rect svgBox(const std::vector<PenLine> &lines)
     return box;
 }
 
+std::vector<PenLine> svgLinesOf(const Rect &box)
+{
+    PenLine line;
+    const Point a{box.left, box.top}, b{box.right, box.top}, c{box.right, box.bottom}, d{box.left, box.bottom};
+    line.curves = {straightCubic(a, b), straightCubic(b, c), straightCubic(c, d), straightCubic(d, a)};
+    return {line};
+}
+
+void closeLine(PenLine &line)
+{
+    if (const auto &c = line.curves; !line.isClosed && !c.empty() && c.back().p[3] != c.front().p[0])
+        line.curves.push_back(straightCubic(c.back().p[3], c.front().p[0]));
+    line.isClosed = true;
+}
+
 bool isRoundStroke(const std::vector<PenLine> &lines, const SvgStyle &style)
 {
     const Pen &pen = style.pen;

@@ -26,6 +26,10 @@ std::vector<PenLine> svgMapped(std::vector<PenLine> lines, const SvgMatrix &matr
 SvgLoops svgClosed(SvgLoops loops);
 /// The box of lines.
 Rect svgBox(const std::vector<PenLine> &lines);
+/// The line around a rectangle, from its left top corner clockwise.
+std::vector<PenLine> svgLinesOf(const Rect &box);
+/// Goes back to where the line began.
+void closeLine(PenLine &line);
 
 /// Whether a stroke of the style along these lines, in user units, can be a stroke of a painting: that is round
 /// wherever the line begins, ends or turns, equally wide in all directions, and has no dashes.

@@ -156,9 +156,14 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const Str
             held[id] = true;
     std::vector<Group> groups;
     for (std::size_t i = 0; i < drawing.groups.size(); ++i)
-        if (held[i + 1])
-            groups.push_back({GroupId(i + 1), drawing.groups[i].name, GroupId(drawing.groups[i].parent + 1), true,
-                              false, placedText(drawing.groups[i].text, corner, drawing.scale)});
+        if (held[i + 1]) {
+            const SvgGroup &drawn = drawing.groups[i];
+            Group &group = groups.emplace_back();
+            group.id = GroupId(i + 1), group.parent = GroupId(drawn.parent + 1);
+            group.name = drawn.name;
+            group.text = placedText(drawn.text, corner, drawing.scale);
+            group.opacity = drawn.opacity, group.blend = drawn.blend, group.isolated = drawn.isIsolated;
+        }
     return groups;
 }
 

@@ -1,7 +1,9 @@
 #include "model/formats/svg/svg_paths.h"
 
 #include "model/area/offset_curve.h"
+#include "model/formats/svg/css_blending.h"
 #include "model/formats/svg/svg_clip.h"
+#include "model/formats/svg/svg_elements.h"
 #include "model/formats/svg/svg_frame.h"
 #include "model/formats/svg/svg_markers.h"
 #include "model/formats/svg/svg_painter.h"
@@ -28,51 +30,6 @@ constexpr int mostDrawn = 200'000;               ///< the greatest number of ele
 constexpr int mostCopied = 50'000;               ///< the greatest number of elements among these that a <use> repeats
 constexpr std::uint64_t mostSteps = 100'000'000; ///< for the areas of clips
 
-bool isOnlyDefined(const QString &element)
-{
-    static const std::set<QString> names{"defs",   "clipPath", "mask",  "pattern", "marker",
-                                         "symbol", "metadata", "title", "desc",    "style"};
-    return names.contains(element);
-}
-
-void close(PenLine &line)
-{
-    if (const auto &c = line.curves; !line.isClosed && !c.empty() && c.back().p[3] != c.front().p[0])
-        line.curves.push_back(straightCubic(c.back().p[3], c.front().p[0]));
-    line.isClosed = true;
-}
-
-/// Whether an element asks for no extension, and for no language but English.
-bool isForAll(const SvgElement &element)
-{
-    const QString extensions = QStringLiteral("requiredExtensions"), languages = QStringLiteral("systemLanguage");
-    if (!element.attributes.value(extensions).isEmpty())
-        return false;
-    if (!element.attributes.hasAttribute(languages))
-        return true;
-    return std::ranges::any_of(element.attributes.value(languages).toString().split(u','), [](const QString &language) {
-        return language.trimmed().section(u'-', 0, 0).compare(QLatin1String("en"), Qt::CaseInsensitive) == 0;
-    });
-}
-
-bool mayHaveMarkers(const QString &element)
-{
-    return element == QLatin1String("path") || element == QLatin1String("line") ||
-           element == QLatin1String("polyline") || element == QLatin1String("polygon");
-}
-
-/// The view box of the document, or its size.
-Rect viewportOf(const SvgTree &tree)
-{
-    if (tree.root().children.empty())
-        return {};
-    const QXmlStreamAttributes &root = tree.root().children.front()->attributes;
-    if (const Rect viewBox = svgViewBox(root); !viewBox.isEmpty())
-        return viewBox;
-    return Rect::of(0, 0, svgLength(root.value(QLatin1String("width")).toString()).value_or(0),
-                    svgLength(root.value(QLatin1String("height")).toString()).value_or(0));
-}
-
 /// Collects what a document draws.
 class Drawing {
 public:
@@ -87,7 +44,7 @@ public:
             around.units.width = m_viewport.width(), around.units.height = m_viewport.height();
             const SvgStyle style = SvgStyle::of(*root, around, m_tree.sheet());
             if (root->name == QLatin1String("svg") && style.isDisplayed)
-                drawChildren(*root, style, {}), m_painter.fade(0, style.opacity);
+                drawRoot(*root, style);
             else
                 draw(*root, around, {});
         }
@@ -130,6 +87,15 @@ private:
             m_lost.insert(definition);
     }
 
+    void drawRoot(const SvgElement &root, const SvgStyle &style)
+    {
+        const auto draw = [&](const Place &within) { drawChildren(root, style, within); };
+        if (style.opacity < 1)
+            inLayer(style, {}, draw);
+        else
+            draw({});
+    }
+
     void drawChildren(const SvgElement &element, const SvgStyle &style, const Place &place)
     {
         for (const auto &child : element.children)
@@ -151,14 +117,32 @@ private:
         if (isTooMuch(place))
             return;
         ++place.depth;
-        const SvgStyle style = SvgStyle::of(element, parent, m_tree.sheet());
+        SvgStyle style = SvgStyle::of(element, parent, m_tree.sheet());
         if (!style.isDisplayed || !isForAll(element))
             return;
         if (const SvgElement *clip = m_tree.find(svgReference(style.clipPath));
             clip && clip->name == QLatin1String("clipPath"))
             place.clip = clippedBy(*clip, element, style, place.clip);
-        const auto is = [&element](const char *name) { return element.name == QLatin1String(name); };
         const std::size_t before = m_out.paths.size();
+        if (isGroup(element.name)) {
+            style.isFaded = parent.isFaded; // Its opacity is the group's.
+            drawContent(element, style, place);
+        } else if (blendsAsOne(element, style)) {
+            style.isFaded = parent.isFaded;
+            inLayer(style, place, [&](const Place &within) { drawContent(element, style, within); });
+        } else {
+            drawContent(element, style, place);
+            m_painter.fade(before, style.opacity);
+        }
+        m_out.losses.blendModes += style.isBlendUnknown && m_out.paths.size() > before;
+        if (m_out.paths.size() > before)
+            for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
+                lose(reference, kind);
+    }
+
+    void drawContent(const SvgElement &element, const SvgStyle &style, const Place &place)
+    {
+        const auto is = [&element](const char *name) { return element.name == QLatin1String(name); };
         if (is("use"))
             use(element, style, place);
         else if (is("text"))
@@ -167,17 +151,47 @@ private:
             m_out.losses.images += style.isVisible ? 1 : 0;
         else if (const QString data = svgPathData(element.name, element.attributes, style.units); !data.isEmpty())
             addShape(element, style, data, place);
-        else if (is("g") || is("a"))
-            drawGroup(element, style, place);
         else if (is("switch"))
             drawSwitch(element, style, place);
         else if (is("svg"))
             drawNested(element, style, element, place);
-        m_painter.fade(before, style.opacity);
-        m_out.losses.blendModes += style.blends && m_out.paths.size() > before;
-        if (m_out.paths.size() > before)
-            for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
-                lose(reference, kind);
+        else if (isGroup(element.name))
+            drawGroup(element, style, place);
+    }
+
+    /// Begins a group that blends as a style says. Where groups are too deep within each other it does nothing.
+    bool openGroup(const QString &name, const SvgStyle &style, Place &place)
+    {
+        if (place.groupDepth >= deepestGroups)
+            return false;
+        m_out.groups.push_back({name, place.group});
+        setBlending(m_out.groups.back(), style);
+        place.group = int(m_out.groups.size()) - 1;
+        ++place.groupDepth;
+        return true;
+    }
+
+    /// Does for all paths behind the first ones what a style says of them together, without a group.
+    void blendPlainly(std::size_t first, const SvgStyle &style)
+    {
+        m_painter.fade(first, style.opacity);
+        m_out.losses.blendModes += style.blend != BlendMode::Normal && m_out.paths.size() > first;
+    }
+
+    /// Draws what a style's opacity and mode are about as a whole, in a group that has them. A single path has an
+    /// opacity itself. `draw` gets the place within the group.
+    template <class Draw>
+    void inLayer(const SvgStyle &style, Place place, Draw draw)
+    {
+        const std::size_t first = m_out.paths.size();
+        const bool isOpen = openGroup({}, style, place);
+        draw(place);
+        if (!isOpen)
+            return blendPlainly(first, style);
+        SvgGroup &layer = m_out.groups[std::size_t(place.group)];
+        const bool isSingle = m_out.paths.size() == first + 1 && m_out.paths.back().group == place.group;
+        if (isSingle && layer.blend == BlendMode::Normal)
+            m_painter.fade(first, std::exchange(layer.opacity, 1.0f));
     }
 
     /// Draws the first child that may be drawn.
@@ -191,13 +205,12 @@ private:
 
     void drawGroup(const SvgElement &element, const SvgStyle &style, Place place)
     {
-        if (place.groupDepth < deepestGroups) {
-            m_out.groups.push_back({place.name.isEmpty() ? element.givenName() : place.name, place.group});
-            place.group = int(m_out.groups.size()) - 1;
-            ++place.groupDepth;
-        }
+        const std::size_t first = m_out.paths.size();
+        const bool isOpen = openGroup(place.name.isEmpty() ? element.givenName() : place.name, style, place);
         place.name.clear();
         drawChildren(element, style, place);
+        if (!isOpen)
+            blendPlainly(first, style);
     }
 
     /// What of `outer` a clip path shows.
@@ -226,7 +239,7 @@ private:
         Rect box;
         if (element.name == QLatin1String("text")) {
             const std::optional<SvgSetText> set = m_texts.set(element, style);
-            return set ? svgBox(svgMapped(boxLines(set->box), style.matrix)) : box;
+            return set ? svgBox(svgMapped(svgLinesOf(set->box), style.matrix)) : box;
         }
         if (element.name == QLatin1String("use")) {
             const SvgElement *target = m_tree.target(element);
@@ -304,9 +317,7 @@ private:
         if (isTooMuch(place) || !own.isDisplayed)
             return;
         ++place.depth;
-        const std::size_t before = m_out.paths.size();
         drawNested(*target, own, element, place);
-        m_painter.fade(before, own.opacity);
     }
 
     void addShape(const SvgElement &element, const SvgStyle &style, const QString &data, const Place &place)
@@ -315,7 +326,7 @@ private:
                        place.group};
         if (element.name == QLatin1String("polygon")) // It is closed even where its points end in a mistake.
             for (PenLine &line : shape.lines)
-                close(line);
+                closeLine(line);
         m_painter.paint(shape);
         if (mayHaveMarkers(element.name) && style.isVisible)
             drawMarkers(shape, data.contains(u'a', Qt::CaseInsensitive), place);
@@ -351,21 +362,13 @@ private:
         const bool isPlain = look.stroke == QLatin1String("none") && look.isVisible &&
                              svgReference(look.inContext(look.fill)).isEmpty() && look.fill != QLatin1String("none");
         if (!set.text || !isPlain ||
-            (place.clip && !place.clip->holds(svgBox(svgMapped(boxLines(set.box), style.matrix)))))
+            (place.clip && !place.clip->holds(svgBox(svgMapped(svgLinesOf(set.box), style.matrix)))))
             return;
         Text text = *set.text;
         const SvgMatrix &m = style.matrix;
         text.place = Affine{m.a, m.c, m.b, m.d, {m.e, m.f}} * text.place;
         m_out.groups.back().text = SharedText(std::move(text));
         m_out.groups.back().letters = set.letters.size();
-    }
-
-    static std::vector<PenLine> boxLines(const Rect &box)
-    {
-        PenLine line;
-        const Point a{box.left, box.top}, b{box.right, box.top}, c{box.right, box.bottom}, d{box.left, box.bottom};
-        line.curves = {straightCubic(a, b), straightCubic(b, c), straightCubic(c, d), straightCubic(d, a)};
-        return {line};
     }
 
     /// Draws markers at the nodes of a shape. Those in the middle of one with arcs are left out, since arcs have more
@@ -399,9 +402,10 @@ private:
             Place inside = place;
             if (!view->style.overflows)
                 inside.clip = m_clips.within(place.clip, view->port, view->style.matrix);
-            const std::size_t before = m_out.paths.size();
-            drawChildren(*marker, view->style, inside);
-            m_painter.fade(before, view->style.opacity);
+            if (view->style.opacity < 1 || view->style.blend != BlendMode::Normal)
+                inLayer(view->style, inside, [&](const Place &within) { drawChildren(*marker, view->style, within); });
+            else
+                drawChildren(*marker, view->style, inside);
         }
     }
 

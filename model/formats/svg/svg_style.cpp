@@ -1,5 +1,6 @@
 #include "model/formats/svg/svg_style.h"
 
+#include "model/formats/svg/css_blending.h"
 #include "model/formats/svg/css_colours.h"
 #include "model/formats/svg/svg_shapes.h"
 
@@ -47,13 +48,13 @@ std::vector<double> dashesFrom(const QString &text, const SvgUnits &units)
 const QSet<QString> &knownProperties()
 {
     static const QStringList list =
-        QStringLiteral(
-            "fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
-            "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
-            "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
-            "filter mix-blend-mode transform vector-effect overflow paint-order font-size font-family font-weight "
-            "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
-            "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
+        QStringLiteral("fill stroke fill-opacity stroke-opacity opacity stroke-width stroke-linecap stroke-linejoin "
+                       "stroke-miterlimit stroke-dasharray stroke-dashoffset visibility display color stop-color "
+                       "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
+                       "filter mix-blend-mode isolation transform vector-effect overflow paint-order font-size "
+                       "font-family font-weight "
+                       "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
+                       "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
             .split(u' ');
     static const QSet<QString> names(list.begin(), list.end());
     return names;
@@ -143,7 +144,8 @@ bool paintsOnce(const SvgElement &element, const SvgStyle &style)
 SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
 {
     SvgStyle style = parent;
-    style.isDisplayed = true, style.keepsWidth = style.overflows = style.blends = false;
+    style.isDisplayed = true, style.keepsWidth = style.overflows = false;
+    style.blend = BlendMode::Normal, style.isBlendUnknown = style.isIsolated = false;
     style.clipPath.clear(), style.mask.clear(), style.filter.clear();
     const Properties all = propertiesOf(element, sheet);
     const auto take = [&all](const char *name, auto use) { svgTake(all, name, use); };
@@ -180,7 +182,12 @@ SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssShee
         text("marker", marker);
     text("marker-start", style.markers[0]), text("marker-mid", style.markers[1]), text("marker-end", style.markers[2]);
     text("clip-path", style.clipPath), text("mask", style.mask), text("filter", style.filter);
-    take("mix-blend-mode", [&](const QString &v) { style.blends = v != QLatin1String("normal"); });
+    take("mix-blend-mode", [&](const QString &v) {
+        const std::optional<BlendMode> mode = blendModeFrom(v);
+        style.blend = mode.value_or(BlendMode::Normal);
+        style.isBlendUnknown = !mode;
+    });
+    take("isolation", [&](const QString &v) { style.isIsolated = v == QLatin1String("isolate"); });
     if (paintsOnce(element, style)) {
         style.fillOpacity *= std::exchange(style.opacity, 1.0);
         style.isFaded = parent.isFaded;

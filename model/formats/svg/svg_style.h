@@ -6,6 +6,7 @@
 #include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 #include "model/formats/svg/svg_tree.h"
+#include "model/painting/blend.h"
 
 #include <array>
 #include <optional>
@@ -34,9 +35,11 @@ struct SvgStyle {
     // What follows counts for this element alone.
     double opacity = 1;
     bool isDisplayed = true;
-    bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
-    bool blends = false;     ///< mix-blend-mode: whether it is another one than normal
-    bool overflows = false;  ///< overflow: whether a nested drawing shows what lies beyond its viewport
+    bool keepsWidth = false;             ///< vector-effect: non-scaling-stroke
+    BlendMode blend = BlendMode::Normal; ///< mix-blend-mode
+    bool isBlendUnknown = false;         ///< whether that is none that is known
+    bool isIsolated = false;             ///< isolation
+    bool overflows = false;              ///< overflow: whether a nested drawing shows what lies beyond its viewport
     QString clipPath, mask, filter;
 
     /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 #include <set>
 
 using namespace suffuse;
@@ -175,13 +176,74 @@ private slots:
         group.isolated = true;
         QVERIFY(written().contains("<g style=\"isolation:isolate\">"));
         group.opacity = 0.5f, group.blend = BlendMode::ColourDodge;
-        QVERIFY(written().contains("<g opacity=\"0.5\" style=\"mix-blend-mode:color-dodge\">"));
+        QVERIFY(written().contains("<g opacity=\"0.5\" style=\"mix-blend-mode:color-dodge;isolation:isolate\">"));
         group.blend = BlendMode::Plus;
         QVERIFY(written().contains("mix-blend-mode:plus-lighter"));
         QCOMPARE(leftOutOf(svgOf(painting)), QString());
         group.blend = BlendMode::DestinationIn;
         QVERIFY(!written().contains("mix-blend-mode"));
         QVERIFY2(leftOutOf(svgOf(painting)).contains("1 group"), qPrintable(leftOutOf(svgOf(painting))));
+        // Groups become plain that SVG has nothing for; of what is not written nothing is lost.
+        const auto lost = [&](const std::function<void(Group &)> &change) {
+            group = {};
+            group.id = 1;
+            change(group);
+            painting.groups = {group};
+            const SvgStrokes svg = svgOf(painting);
+            return std::pair(svg.masks, svg.washes);
+        };
+        QCOMPARE(lost([](Group &g) { g.clips = true; }), std::pair(1, 0));
+        QCOMPARE(lost([](Group &g) { g.mask = true; }), std::pair(1, 0));
+        QCOMPARE(lost([](Group &g) { g.wash = Wash(); }), std::pair(0, 1));
+        QVERIFY(leftOutOf(svgOf(painting)).contains("washes"));
+        QCOMPARE(lost([](Group &g) { g.wash = Wash(), g.clips = true, g.visible = false; }), std::pair(0, 0));
+        QCOMPARE(lost([](Group &g) { g.solo = true, g.tag = GroupTag::Red; }), std::pair(0, 0));
+    }
+
+    /// What is beside a solo group is not seen, and not written.
+    void soloGroupsAreWrittenAlone()
+    {
+        Painting painting;
+        Stroke inside = *makeStroke(1, 3, 25), beside = *makeStroke(2, 3, 25);
+        inside.group = 1, inside.name = "inside", beside.name = "beside";
+        painting.strokes = {std::make_shared<const Stroke>(inside), std::make_shared<const Stroke>(beside)};
+        Group group;
+        group.id = 1;
+        for (const bool solo : {false, true}) {
+            group.solo = solo;
+            painting.groups = {group};
+            const QByteArray svg = svgOf(painting).bytes;
+            QVERIFY(svg.contains("inside"));
+            QCOMPARE(svg.contains("beside"), !solo);
+        }
+    }
+
+    void groupsThatBlendComeBack()
+    {
+        for (int mode = 0; mode <= int(BlendMode::Plus); ++mode)
+            for (const float opacity : {1.0f, 0.37f, 0.1f, 0.0f})
+                for (const bool isolated : {false, true}) {
+                    Painting painting;
+                    Group outer, inner;
+                    outer.id = 1, inner.id = 2, inner.parent = 1;
+                    outer.name = "outer", inner.name = "inner";
+                    outer.opacity = opacity, outer.blend = BlendMode(mode), outer.isolated = isolated;
+                    inner.opacity = 0.5f, inner.blend = BlendMode::Screen;
+                    painting.groups = {outer, inner};
+                    for (StrokeId id = 1; id <= 3; ++id) {
+                        Stroke stroke = *makeStroke(id, 3, 25);
+                        stroke.group = id < 3 ? 1 : 2;
+                        painting.strokes.push_back(std::make_shared<const Stroke>(stroke));
+                    }
+                    const auto back = readSvg(svgOf(painting).bytes, "a.svg", builtinBrushes().front());
+                    QVERIFY2(bool(back), qPrintable(back.error()));
+                    QCOMPARE(back->groups, painting.groups);
+                    QCOMPARE(back->strokes.size(), painting.strokes.size());
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        QCOMPARE(back->strokes[i]->group, painting.strokes[i]->group);
+                        QCOMPARE(back->strokes[i]->segments[0].colour.opacity, 1.0f);
+                    }
+                }
     }
 
     void pathData()
@@ -233,13 +295,15 @@ private slots:
             "<path d='M0 0L10 0' style='fill:none; stroke-opacity: 50%'/>"
             "<path d='M0 0L10 0L10 1' style='stroke:none' fill='rgb(255,0,0)' transform='translate(0 9) rotate(90)'/>"
             "<path d='M0 0L10 0' display='none'/><path d='M0 0L10 0' fill='none' style='stroke:none'/></g></svg>";
-        const auto paths = readSvgPaths(svg);
-        QVERIFY2(bool(paths), qPrintable(paths.error()));
-        QCOMPARE(paths->size(), std::size_t(2));
-        const SvgPath &line = (*paths)[0], &filled = (*paths)[1];
+        const auto drawing = readSvgDrawing(svg);
+        QVERIFY2(bool(drawing), qPrintable(drawing.error()));
+        QCOMPARE(drawing->paths.size(), std::size_t(2));
+        QCOMPARE(drawing->groups.size(), std::size_t(1));
+        QCOMPARE(drawing->groups[0].opacity, 0.5f);
+        const SvgPath &line = drawing->paths[0], &filled = drawing->paths[1];
         QVERIFY(near(line.curves[0].p[0], {10, 20}) && near(line.curves[0].p[3], {30, 20}));
         QCOMPARE(line.strokeWidth, 6.0);
-        QVERIFY(!line.fill && line.stroke && std::abs((*line.stroke)[3] - 0.25) < 1e-12 && (*line.stroke)[2] == 1);
+        QVERIFY(!line.fill && line.stroke && std::abs((*line.stroke)[3] - 0.5) < 1e-12 && (*line.stroke)[2] == 1);
         QVERIFY(near(filled.curves[0].p[3], {10, 58}));
         QVERIFY(!filled.stroke && filled.fill && (*filled.fill)[0] == 1);
         const auto broken = readSvgPaths("<svg><path d='M0 0h1'>\n</svg>");

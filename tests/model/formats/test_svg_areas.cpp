@@ -2,6 +2,7 @@
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
 #include "model/formats/files.h"
+#include "model/formats/svg/svg_painting.h"
 #include "model/painting/ryb.h"
 #include "tests/model/formats/svg_text.h"
 
@@ -47,21 +48,20 @@ private slots:
         QTest::addColumn<std::vector<double>>("sizes"); ///< by opacity: from thin to strong
         QTest::addColumn<std::vector<double>>("opacities");
         using Row = std::vector<double>;
-        const QByteArray a = "<rect width='10' height='10'/>", b = "<rect x='5' width='10' height='10'/>";
-        QTest::newRow("two opaque areas") << "<g opacity='.5'>" + a + b + "</g>" << Row{50, 100} << Row{.5, .5};
-        QTest::newRow("beside each other")
-            << "<g opacity='.5'>" + a + "<rect x='10' width='9' height='10'/></g>" << Row{100, 90} << Row{.5, .5};
+        const QByteArray a = "<rect width='10' height='10'/>";
         // Where the upper one lets half through: 1 − (1 − .25)(1 − x) = .5 · (1 − .5 · 0)
-        QTest::newRow("an upper one that lets through") << "<g opacity='.5'>" + a + "<g opacity='.5'>" + b + "</g></g>"
-                                                        << Row{50, 50, 100} << Row{.5, .5 * .5 / (1 - .25), .25};
+        QTest::newRow("an outline that lets through")
+            << QByteArray("<rect x='10' y='10' width='10' height='10' opacity='.5' stroke='red' stroke-width='2' "
+                          "stroke-opacity='.5'/>")
+            << Row{64, 36, 12 * 12 - 64} << Row{.5, .5 * .5 / (1 - .25), .25};
         QTest::newRow("a fill below its stroke")
             << QByteArray("<rect x='10' y='10' width='10' height='10' opacity='.5' stroke='red' stroke-width='2'/>")
             << Row{64, 12 * 12 - 64} << Row{.5, .5};
         QTest::newRow("a round stroke over a fill")
-            << QByteArray("<g opacity='.5'><path d='M10 15h10' stroke='red' stroke-linecap='round' stroke-width='4'/>"
-                          "<rect x='10' y='10' width='10' height='10'/></g>")
-            << Row{4 * std::numbers::pi, 100} << Row{.5, .5};
-        QTest::newRow("nothing") << "<g opacity='0'>" + a + "</g>" + b << Row{100} << Row{1};
+            << QByteArray("<rect x='10' y='10' width='10' height='10' opacity='.5' stroke='red' stroke-width='2' "
+                          "stroke-linecap='round' stroke-linejoin='round' paint-order='stroke'/>")
+            << Row{40 + std::numbers::pi, 100} << Row{.5, .5};
+        QTest::newRow("nothing") << "<rect width='9' height='9' stroke='red' opacity='0'/>" + a << Row{100} << Row{1};
     }
 
     void opacityIsThatOfTheWhole()
@@ -78,6 +78,64 @@ private slots:
             QVERIFY2(std::abs(size - sizes[i]) < 0.01, qPrintable(QStringLiteral("%1: %2").arg(i).arg(size)));
             QVERIFY(std::abs(double(stroke.fill->colour.opacity) - opacities[i]) < 1e-6);
         }
+    }
+
+    /// Opacity, mode and isolation of a <g> are those of its group, and divide nothing.
+    void groupsBlend()
+    {
+        const auto read = [](const QByteArray &content, QString *leftOut = nullptr) {
+            const Result<Painting> painting = readSvg(svg("viewBox='0 0 100 100'", content), "a.svg", nullptr, leftOut);
+            return painting ? *painting : Painting();
+        };
+        const auto opacitiesOf = [](const Painting &painting) {
+            std::vector<float> opacities;
+            for (const StrokePtr &stroke : painting.strokes)
+                opacities.push_back(stroke->fill->colour.opacity);
+            return opacities;
+        };
+        const auto isPut = [](const Group &group, float opacity, BlendMode mode, bool isolated = false) {
+            return group.opacity == opacity && group.blend == mode && group.isolated == isolated;
+        };
+        const QByteArray a = "<rect width='10' height='10'/>", b = "<rect x='5' width='10' height='10'/>";
+        using enum BlendMode;
+        const Painting both = read("<g opacity='.5' style='mix-blend-mode:multiply;isolation:isolate'>" + a + b +
+                                   "</g><a mix-blend-mode='Color-Burn'>" + a + b + "</a>");
+        QCOMPARE(opacitiesOf(both), (std::vector<float>{1, 1, 1, 1}));
+        QCOMPARE(both.groups.size(), std::size_t(2));
+        QVERIFY(isPut(both.groups[0], 0.5f, Multiply, true) && isPut(both.groups[1], 1, ColourBurn));
+        // A group that blends is one with a single thing in it, too.
+        const Painting single = read("<g opacity='0'>" + a + "</g><g style='isolation:isolate'>" + a + "</g><g>" + a +
+                                     "</g><g style='mix-blend-mode:normal;isolation:auto'>" + a + "</g>");
+        QCOMPARE(single.strokes.size(), std::size_t(4));
+        QCOMPARE(single.groups.size(), std::size_t(2));
+        QVERIFY(isPut(single.groups[0], 0, Normal) && isPut(single.groups[1], 1, Normal, true));
+        QCOMPARE(single.strokes[2]->group, GroupId(0));
+        // Neither is inherited, and each counts where it stands.
+        const Painting nested = read("<g opacity='.5'>" + a + "<svg opacity='.25'>" + a + b + "</svg></g>");
+        QCOMPARE(nested.groups.size(), std::size_t(2));
+        QVERIFY(isPut(nested.groups[0], 0.5f, Normal) && isPut(nested.groups[1], 0.25f, Normal));
+        QCOMPARE(nested.groups[1].parent, nested.groups[0].id);
+        QCOMPARE(opacitiesOf(nested), (std::vector<float>{1, 1, 1}));
+        // What repeats a group, and a shape with a mode, gets one around it. A single path has an opacity itself.
+        const Painting used = read("<g id='u'>" + a + b + "</g><use href='#u' x='20' opacity='.5'/>");
+        QCOMPARE(opacitiesOf(used), (std::vector<float>{1, 1, 1, 1}));
+        QCOMPARE(used.groups.size(), std::size_t(3));
+        QVERIFY(isPut(used.groups[1], 0.5f, Normal) && used.groups[2].parent == used.groups[1].id);
+        const Painting one = read("<defs><rect id='r' width='9' height='9'/></defs><use href='#r' opacity='.5'/>");
+        QVERIFY(one.groups.empty());
+        QCOMPARE(opacitiesOf(one), std::vector<float>{0.5f});
+        const Painting shape =
+            read("<rect width='9' height='9' opacity='.5' style='mix-blend-mode:plus-lighter'/>" + a);
+        QCOMPARE(shape.groups.size(), std::size_t(1));
+        QVERIFY(isPut(shape.groups[0], 1, Plus));
+        QCOMPARE(opacitiesOf(shape), (std::vector<float>{0.5f, 1}));
+        // Where groups are too deep within each other, what can be is done without one, and the rest is counted.
+        QString leftOut;
+        const Painting deep = read(QByteArray("<g>").repeated(40) + "<g opacity='.5' style='mix-blend-mode:hue'>" + a +
+                                       b + "</g>" + QByteArray("</g>").repeated(40),
+                                   &leftOut);
+        QCOMPARE(opacitiesOf(deep), (std::vector<float>{0.5f, 0.5f}));
+        QCOMPARE(leftOut, QString("1 blend mode(s) were left out."));
     }
 
     /// What a pen with corners, flat ends or dashes covers is an area, whose outline is exact.
