@@ -123,7 +123,7 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
     if (!added.groups.empty()) {
         edit.groups = document.painting()->groups;
         for (Group group : added.groups) {
-            group.visible = true, group.locked = false;
+            group.visible = true, group.locked = group.solo = false; // What comes hides nothing that is there.
             group.id = fresh[group.id];
             group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
             group.text = moved(group.text, by);

@@ -151,6 +151,37 @@ private slots:
         }
     }
 
+    /// All that a group does comes along, but for what hides others.
+    void copiesOfAGroupDoWhatItDoes()
+    {
+        Session s;
+        auto painting = std::make_shared<Painting>();
+        Group base, group;
+        base.id = 1, group.id = 2;
+        group.name = "Shade", group.opacity = 0.5f, group.blend = BlendMode::Multiply, group.isolated = true;
+        group.clips = group.mask = group.solo = true;
+        group.wash = Wash{{StyleKind::Feathering, {1, 1.5f, 0}}, {MixMode::Beta, 0.25f}};
+        group.tag = GroupTag::Violet;
+        painting->groups = {base, group};
+        for (StrokeId id = 1; id <= 4; ++id) {
+            Stroke stroke = *makeStroke(id, 3, 10);
+            stroke.group = id <= 2 ? 1 : 2;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        for (const bool duplicates : {true, false}) {
+            s.editor().document().reset(painting);
+            s.editor().document().setSelection({{3, 4}, {}});
+            if (!duplicates)
+                s.use(Command::Copy);
+            s.use(duplicates ? Command::Duplicate : Command::PasteInPlace);
+            QCOMPARE(s.painting().groups.size(), std::size_t(3));
+            Group copy = s.painting().groups[2];
+            QCOMPARE(copy.solo, duplicates);
+            copy.id = group.id, copy.solo = true;
+            QCOMPARE(copy, group);
+        }
+    }
+
     void whatIsPastedIsSeen()
     {
         Session session;
