@@ -71,8 +71,8 @@ struct Group {
     bool isolated = false;               ///< whether it is isolated in any case
     bool clips = false; ///< whether it is seen only where that is which lies below it in the same group; isolates it
     bool mask = false;  ///< whether it is not seen itself, but the others of the same group only where it is
-    std::optional<Wash> wash; ///< if its strokes, and those of the groups in it, are one
-    bool solo = false;        ///< whether only such groups are visible, as long as there are any
+    std::optional<Wash> wash{}; ///< if its strokes, and those of the groups in it, are one
+    bool solo = false;          ///< whether only such groups are visible, as long as there are any
     GroupTag tag = GroupTag::None;
     /// Whether the way in which it is put on what lies below isolates it, whatever its switch says.
     bool blends() const { return opacity < 1 || blend != BlendMode::Normal || clips || mask; }
