@@ -158,6 +158,7 @@ void GroupSection::addIsolated(QGridLayout &grid)
 void GroupSection::addRole(QGridLayout &grid, GroupRole role)
 {
     auto *box = m_roles[std::size_t(role)] = new QCheckBox(nameOf(role), this);
+    box->setToolTip(tipOf(role));
     grid.addWidget(box, grid.rowCount(), 1, 1, 2);
     connect(box, &QCheckBox::clicked, this, [this, role] {
         commands::toggleSelectedRole(m_editor, role);

@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPainter>
-#include <QPalette>
 
 namespace suffuse {
 
@@ -77,7 +76,7 @@ QIcon iconOf(GroupTag tag)
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor colour = colourOf(tag);
-    painter.setPen(colour.isValid() ? QPen(Qt::NoPen) : QPen(QGuiApplication::palette().color(QPalette::Mid)));
+    painter.setPen(colour.isValid() ? QPen(Qt::NoPen) : QPen(colourOf(GroupTag::Grey)));
     painter.setBrush(colour.isValid() ? QBrush(colour) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(QRectF(0, 0, side, side).adjusted(2.5, 2.5, -2.5, -2.5), 2, 2);
     painter.end();
