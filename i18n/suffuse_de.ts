@@ -5031,6 +5031,134 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Group as a Whole</source>
         <translation>Gruppe als Ganzes</translation>
     </message>
+    <message>
+        <source>Not merged: nothing lies below the layer in its group.</source>
+        <translation>Nicht vereint: In ihrer Gruppe liegt nichts unter der Ebene.</translation>
+    </message>
+    <message>
+        <source>Not merged: what lies just below the layer is no layer.</source>
+        <translation>Nicht vereint: Was direkt unter der Ebene liegt, ist keine Ebene.</translation>
+    </message>
+    <message>
+        <source>Not merged: one of the two layers is hidden.</source>
+        <translation>Nicht vereint: Eine der beiden Ebenen ist ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Not merged: one of the two layers is locked.</source>
+        <translation>Nicht vereint: Eine der beiden Ebenen ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Merge layer down</source>
+        <translation>Ebene nach unten vereinen</translation>
+    </message>
+    <message>
+        <source>What the upper layer&apos;s opacity, mode, mask or wash did is gone with it.</source>
+        <translation>Was Deckkraft, Modus, Maske oder Lavierung der oberen Ebene bewirkten, ist mit ihr verschwunden.</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>Ebene duplizieren</translation>
+    </message>
+    <message>
+        <source>Raise layer</source>
+        <translation>Ebene anheben</translation>
+    </message>
+    <message>
+        <source>Lower layer</source>
+        <translation>Ebene absenken</translation>
+    </message>
+    <message>
+        <source>&amp;New Layer</source>
+        <translation>&amp;Neue Ebene</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Paint on a new layer above this one; it comes with its first stroke</source>
+        <translation>Auf einer neuen Ebene über dieser malen; sie entsteht mit ihrem ersten Strich</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Layer</source>
+        <translation>Ebene &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>&amp;Mit darunterliegender vereinen</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Put what is on the layer onto the layer just below it, which keeps what it is</source>
+        <translation>Legt, was auf der Ebene ist, auf die direkt darunter, die bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>&amp;Raise Layer</source>
+        <translation>Ebene an&amp;heben</translation>
+    </message>
+    <message>
+        <source>&amp;Lower Layer</source>
+        <translation>Ebene a&amp;bsenken</translation>
+    </message>
+    <message>
+        <source>Layer &amp;Above</source>
+        <translation>Ebene da&amp;rüber</translation>
+    </message>
+    <message>
+        <source>Paint on the next layer above; above all of them there is none</source>
+        <translation>Auf der nächsthöheren Ebene malen; über allen ist keine</translation>
+    </message>
+    <message>
+        <source>Layer &amp;Below</source>
+        <translation>Ebene dar&amp;unter</translation>
+    </message>
+    <message>
+        <source>Paint on the next layer below</source>
+        <translation>Auf der nächsttieferen Ebene malen</translation>
+    </message>
+    <message>
+        <source>N&amp;o Layer</source>
+        <translation>&amp;Keine Ebene</translation>
+    </message>
+    <message>
+        <source>Paint on top of all again</source>
+        <translation>Wieder über allem malen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Others</source>
+        <translation>&amp;Andere ausblenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>Show only this layer, or all again</source>
+        <translation>Nur diese Ebene zeigen oder wieder alle</translation>
+    </message>
+    <message>
+        <source>Show other layers</source>
+        <translation>Andere Ebenen zeigen</translation>
+    </message>
+    <message>
+        <source>Hide other layers</source>
+        <translation>Andere Ebenen ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>&amp;Ebene</translation>
+    </message>
+    <message>
+        <source>Nothing changes.</source>
+        <translation>Nichts ändert sich.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5056,6 +5184,29 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Covers up to %1</source>
         <translation>Deckt bis %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CurrentLayer</name>
+    <message>
+        <source>Layer: %1</source>
+        <translation>Ebene: %1</translation>
+    </message>
+    <message>
+        <source>No layer: paint goes on top of all</source>
+        <translation>Keine Ebene: Farbe kommt über alles</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>New layer: %1. Paint on it.</source>
+        <translation>Neue Ebene: %1. Malen Sie darauf.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden or locked: the paint lies above it</source>
+        <translation>%1 ist ausgeblendet oder gesperrt: Die Farbe liegt darüber</translation>
     </message>
 </context>
 <context>
@@ -8605,6 +8756,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>mixes by itself</source>
         <translation>mischt für sich</translation>
     </message>
+    <message>
+        <source>%1, painted on</source>
+        <translation>%1, hierauf wird gemalt</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -8707,6 +8862,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Mix group with what lies below</source>
         <translation>Gruppe mit dem Bild darunter mischen</translation>
+    </message>
+    <message>
+        <source>New layer: %1</source>
+        <translation>Neue Ebene: %1</translation>
+    </message>
+    <message>
+        <source>Painting on: %1</source>
+        <translation>Gemalt wird auf: %1</translation>
+    </message>
+    <message>
+        <source>The layer comes into the list with the first stroke that is painted.</source>
+        <translation>Die Ebene kommt mit dem ersten Strich, der gemalt wird, in die Liste.</translation>
+    </message>
+    <message>
+        <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
+        <translation>Was gemalt wird, kommt in diese Gruppe. Klick neben alle Zeilen: wieder über alles.</translation>
     </message>
 </context>
 <context>

@@ -5012,6 +5012,134 @@ Arrow keys work too.</source>
         <source>Group as a Whole</source>
         <translation>组作为整体</translation>
     </message>
+    <message>
+        <source>Not merged: nothing lies below the layer in its group.</source>
+        <translation>未合并：在其群组中，图层之下没有内容。</translation>
+    </message>
+    <message>
+        <source>Not merged: what lies just below the layer is no layer.</source>
+        <translation>未合并：紧接图层之下的不是图层。</translation>
+    </message>
+    <message>
+        <source>Not merged: one of the two layers is hidden.</source>
+        <translation>未合并：两个图层之一被隐藏。</translation>
+    </message>
+    <message>
+        <source>Not merged: one of the two layers is locked.</source>
+        <translation>未合并：两个图层之一被锁定。</translation>
+    </message>
+    <message>
+        <source>Merge layer down</source>
+        <translation>向下合并图层</translation>
+    </message>
+    <message>
+        <source>What the upper layer&apos;s opacity, mode, mask or wash did is gone with it.</source>
+        <translation>上面图层的不透明度、模式、蒙版或渲染的效果已随之消失。</translation>
+    </message>
+    <message>
+        <source>Duplicate layer</source>
+        <translation>复制图层</translation>
+    </message>
+    <message>
+        <source>Raise layer</source>
+        <translation>上移图层</translation>
+    </message>
+    <message>
+        <source>Lower layer</source>
+        <translation>下移图层</translation>
+    </message>
+    <message>
+        <source>&amp;New Layer</source>
+        <translation>新建图层(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Paint on a new layer above this one; it comes with its first stroke</source>
+        <translation>在此图层之上的新图层上绘画；画下第一笔时图层才会出现</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Layer</source>
+        <translation>复制图层(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>向下合并(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Put what is on the layer onto the layer just below it, which keeps what it is</source>
+        <translation>把图层上的内容放到紧接其下的图层上，后者的属性不变</translation>
+    </message>
+    <message>
+        <source>&amp;Raise Layer</source>
+        <translation>上移图层(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Lower Layer</source>
+        <translation>下移图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Layer &amp;Above</source>
+        <translation>上一图层(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Paint on the next layer above; above all of them there is none</source>
+        <translation>在上面一个图层上绘画；最上面之上则不用图层</translation>
+    </message>
+    <message>
+        <source>Layer &amp;Below</source>
+        <translation>下一图层(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Paint on the next layer below</source>
+        <translation>在下面一个图层上绘画</translation>
+    </message>
+    <message>
+        <source>N&amp;o Layer</source>
+        <translation>不用图层(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Paint on top of all again</source>
+        <translation>重新在所有内容之上绘画</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Others</source>
+        <translation>隐藏其他图层(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>Show only this layer, or all again</source>
+        <translation>只显示此图层，或重新显示全部</translation>
+    </message>
+    <message>
+        <source>Show other layers</source>
+        <translation>显示其他图层</translation>
+    </message>
+    <message>
+        <source>Hide other layers</source>
+        <translation>隐藏其他图层</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Nothing changes.</source>
+        <translation>没有变化。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5037,6 +5165,29 @@ Arrow keys work too.</source>
     <message>
         <source>Covers up to %1</source>
         <translation>最高覆盖 %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CurrentLayer</name>
+    <message>
+        <source>Layer: %1</source>
+        <translation>图层：%1</translation>
+    </message>
+    <message>
+        <source>No layer: paint goes on top of all</source>
+        <translation>不用图层：颜料画在所有内容之上</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>图层 %1</translation>
+    </message>
+    <message>
+        <source>New layer: %1. Paint on it.</source>
+        <translation>新图层：%1。请在上面绘画。</translation>
+    </message>
+    <message>
+        <source>%1 is hidden or locked: the paint lies above it</source>
+        <translation>%1 被隐藏或锁定：颜料画在其上方</translation>
     </message>
 </context>
 <context>
@@ -8553,6 +8704,10 @@ Arrow keys work too.</source>
         <source>mixes by itself</source>
         <translation>自行混合</translation>
     </message>
+    <message>
+        <source>%1, painted on</source>
+        <translation>%1，正在其上绘画</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -8655,6 +8810,22 @@ Arrow keys work too.</source>
     <message>
         <source>Mix group with what lies below</source>
         <translation>组与下方混合</translation>
+    </message>
+    <message>
+        <source>New layer: %1</source>
+        <translation>新图层：%1</translation>
+    </message>
+    <message>
+        <source>Painting on: %1</source>
+        <translation>正在绘画：%1</translation>
+    </message>
+    <message>
+        <source>The layer comes into the list with the first stroke that is painted.</source>
+        <translation>画下第一笔时，图层才会出现在列表中。</translation>
+    </message>
+    <message>
+        <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
+        <translation>所画内容进入此群组。在行外单击：重新画在所有内容之上。</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
+#include "undo/layer_edits.h"
 
 #include <limits>
 #include <numbers>
@@ -231,19 +232,6 @@ bool takesPaint(const Painting &painting, GroupId group)
     return painting.isVisible(member) && !painting.isLocked(member);
 }
 
-/// If an edit does nothing but add strokes on top of all others, the strokes that it adds; otherwise none. The parts of
-/// strokes that are cut stay where the strokes are.
-std::vector<StrokeId> addedOnTop(const Painting &painting, const Edit &edit)
-{
-    if (!edit.order || edit.order->size() <= painting.strokes.size() ||
-        edit.order->size() - painting.strokes.size() != edit.strokes.size())
-        return {};
-    for (std::size_t i = 0; i < painting.strokes.size(); ++i)
-        if ((*edit.order)[i] != painting.strokes[i]->id)
-            return {};
-    return {edit.order->begin() + std::ptrdiff_t(painting.strokes.size()), edit.order->end()};
-}
-
 /// Strokes that an edit adds, which stay together: one, or those of a group that it adds, as those of a text.
 struct Added {
     GroupId group = 0; ///< the group, which is in no other one; 0: none
@@ -256,14 +244,9 @@ std::vector<Added> addedTogether(const Painting &painting, const Edit &edit)
 {
     std::vector<Added> all;
     Painting after;
-    if (edit.groups)
-        after.groups = *edit.groups;
+    after.groups = edit.groups ? *edit.groups : painting.groups;
     for (const StrokeId id : addedOnTop(painting, edit)) {
         const Stroke &stroke = *edit.strokes.at(id);
-        if (!edit.groups) {
-            all.push_back({0, {id}, stroke.born()});
-            continue;
-        }
         const std::vector<GroupId> around = groupsAround(after, stroke.group);
         const auto isOld = [&](GroupId group) { return std::ranges::count(painting.groups, group, &Group::id) > 0; };
         if (std::ranges::any_of(around, isOld))

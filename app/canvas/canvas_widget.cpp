@@ -1,6 +1,7 @@
 #include "app/canvas/canvas_widget.h"
 
 #include "app/session/colour_convert.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/renderer_options.h"
@@ -48,6 +49,8 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     // The canvas may have become bare, or is no longer bare.
     connect(&editor, &Editor::comparedChanged, this, [this] { updateOverlay(); });
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
+    connect(&m_note, &CanvasNote::changed, this, [this] { updateOverlay(); });
+    connect(&editor.layer(), &CurrentLayer::noted, &m_note, &CanvasNote::show);
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
@@ -348,6 +351,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
     paintAngle(painter, dpr);
+    m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
     m_editor.laterChanges().painted();
 }

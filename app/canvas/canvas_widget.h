@@ -4,6 +4,7 @@
 #include "app/canvas/canvas_lift.h"
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/input/canvas_input.h"
+#include "app/canvas/overlay/canvas_note.h"
 #include "app/canvas/overlay/erasure_lines.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/canvas/overlay/overlay_repaint.h"
@@ -80,6 +81,9 @@ public:
     void rotateBy(double degrees) { m_view.rotateAt(m_view.centre(), degrees * std::numbers::pi / 180); }
     void resetRotation() { m_view.resetRotation(); }
     void mirror() { m_view.mirror(); }
+
+    /// What is written over the picture for a moment.
+    CanvasNote &note() { return m_note; }
 
     /// Repaints the overlay, or the part of it in `pixels`.
     void updateOverlay() { m_repaint.all(); }
@@ -214,6 +218,7 @@ private:
     ErasureLines m_erasures;
     ShownSelection m_selected;
     OverlayRepaint m_repaint;
+    CanvasNote m_note;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;

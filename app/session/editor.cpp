@@ -1,6 +1,7 @@
 #include "app/session/editor.h"
 
 #include "app/session/colour/colour_target.h"
+#include "app/session/current_layer.h"
 #include "app/session/files/opened_file.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
@@ -63,6 +64,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     connect(&m_gestures, &GestureDesk::restTold, this, &Editor::edited);
     connect(&m_document, &Document::changed, this, &Editor::followDocument);
     m_colourTarget = std::make_unique<ColourTarget>(*this);
+    m_layer = std::make_unique<CurrentLayer>(m_document, m_clock);
     connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 
@@ -267,13 +269,8 @@ PaintingPtr Editor::unsettledShown() const
 
 PaintingPtr Editor::snapshotInTime() const
 {
-    const StrokePtr &draft = m_document.draft();
-    if (!draft || !m_clock.isInPast())
-        return m_document.snapshot();
-    auto painting = std::make_shared<Painting>(*m_document.painting());
-    const PlaceInTime place = placeInTime(*painting, draft->born());
-    painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(place.index), draft);
-    return painting;
+    const bool isOnTop = m_layer->group() == 0 && !m_clock.isInPast();
+    return !m_document.draft() || isOnTop ? m_document.snapshot() : m_layer->withDraft();
 }
 
 void Editor::noteDrawn(const Edit &edit)

@@ -25,6 +25,7 @@
 namespace suffuse {
 
 class ColourTarget;
+class CurrentLayer;
 struct OpenedFile;
 
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
@@ -93,6 +94,10 @@ public:
     void setColour(const Colour &colour);
     /// Whose colour the colour dock changes: the brush's, or that of what is selected.
     ColourTarget &colourTarget() { return *m_colourTarget; }
+
+    /// The group that what is painted goes into.
+    CurrentLayer &layer() { return *m_layer; }
+    const CurrentLayer &layer() const { return *m_layer; }
 
     /// The moment that is looked at.
     PaintingClock &clock() { return m_clock; }
@@ -207,6 +212,7 @@ private:
     PaintingPtr m_compared; ///< null: none
     Brush m_brush;
     std::unique_ptr<ColourTarget> m_colourTarget;
+    std::unique_ptr<CurrentLayer> m_layer;
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
     bool m_isRecovered = false;

@@ -118,6 +118,15 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
             {{DistributeGapsAcross, DistributeCentresAcross, DistributeGapsDown, DistributeCentresDown}});
 }
 
+void addLayerMenu(QMenuBar &bar, const Commands &table)
+{
+    addMenu(bar, Commands::tr("&Layer"), table,
+            {{NewLayer, DuplicateLayer, MergeLayerDown},
+             {RaiseLayer, LowerLayer},
+             {LayerAbove, LayerBelow, NoLayer},
+             {HideOtherLayers}});
+}
+
 void addTimeMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *time = addMenu(bar, Commands::tr("Ti&me"), table,
@@ -196,6 +205,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
     addEditMenu(bar, table);
     open.docks = addViewMenu(bar, table);
     addObjectMenu(bar, table);
+    addLayerMenu(bar, table);
     addTimeMenu(bar, table);
     addMenu(bar, Commands::tr("&Nodes"), table,
             {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,

@@ -82,15 +82,51 @@ QString angleText(double angle)
     return QLocale().toString(degrees, 'f', 1).replace('-', QChar(0x2212)) + QChar(0xB0);
 }
 
-void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr)
+namespace {
+
+constexpr double platePad = 6; ///< logical pixels beside a text on its plate
+
+void setPlateFont(QPainter &painter, double dpr)
 {
-    painter.save();
     QFont font = painter.font();
     font.setPixelSize(qRound(13 * dpr));
     painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    const double pad = 6 * dpr, gap = 18 * dpr;
-    const QSizeF size(metrics.horizontalAdvance(text) + 2 * pad, metrics.height() + pad);
+}
+
+/// The size of the plate of a text in the painter's font.
+QSizeF plateSize(const QPainter &painter, const QString &text, double dpr)
+{
+    const QFontMetricsF metrics(painter.font());
+    return {metrics.horizontalAdvance(text) + 2 * platePad * dpr, metrics.height() + platePad * dpr};
+}
+
+void drawOnPlate(QPainter &painter, const QString &text, const QRectF &box, double dpr)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 24));
+    painter.drawRoundedRect(box, 4 * dpr, 4 * dpr);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+} // namespace
+
+void paintPlate(QPainter &painter, const QString &text, Point top, double widest, double dpr)
+{
+    painter.save();
+    setPlateFont(painter, dpr);
+    const QString shown = QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, widest - 2 * platePad * dpr);
+    const QSizeF size = plateSize(painter, shown, dpr);
+    drawOnPlate(painter, shown, QRectF(QPointF(top.x - size.width() / 2, top.y), size), dpr);
+    painter.restore();
+}
+
+void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr)
+{
+    painter.save();
+    setPlateFont(painter, dpr);
+    const double gap = 18 * dpr;
+    const QSizeF size = plateSize(painter, text, dpr);
     // The badge stands below the pointer on the right or, where there is no room, elsewhere beside the circle.
     const double off = std::max(gap, std::sqrt(0.5) * radius + 4 * dpr);
     const QRectF window(0, 0, view.width, view.height);
@@ -104,11 +140,7 @@ void paintBadge(QPainter &painter, const QString &text, Point pixel, double radi
         box = QRectF(QPointF(pixel.x + gap, pixel.y + gap), size);
     box.moveLeft(std::clamp(box.left(), 0.0, std::max(0.0, view.width - size.width())));
     box.moveTop(std::clamp(box.top(), 0.0, std::max(0.0, view.height - size.height())));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(20, 20, 24));
-    painter.drawRoundedRect(box, 4 * dpr, 4 * dpr);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
+    drawOnPlate(painter, text, box, dpr);
     painter.restore();
 }
 

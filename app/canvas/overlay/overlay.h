@@ -44,6 +44,10 @@ QString angleText(double angle);
 /// view.
 void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr);
 
+/// Draws a line of text on such a plate, below `top` in the middle. It is cut short where it is wider than `widest`
+/// device pixels.
+void paintPlate(QPainter &painter, const QString &text, Point top, double widest, double dpr);
+
 /// Draws a line in two tones, which is seen on any picture. `weight` is a factor of its opacity; the rim fades faster,
 /// since it is wider.
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width,

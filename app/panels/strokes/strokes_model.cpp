@@ -19,15 +19,6 @@ QString titleOf(const Stroke &stroke)
     return stroke.name.isEmpty() ? StrokesModel::tr("Stroke %1").arg(stroke.id) : stroke.name;
 }
 
-QString titleOf(const Group &group)
-{
-    constexpr int mostShown = 60;
-    QString title = group.name;
-    if (title.isEmpty() && group.text)
-        title = group.text->string.simplified().left(mostShown);
-    return title.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : title;
-}
-
 namespace {
 
 /// This bit in a row's internal pointer says that the row is a segment of the node's stroke.
@@ -40,6 +31,7 @@ StrokesModel::StrokesModel(Editor &editor, QObject *parent) : QAbstractItemModel
 {
     rebuild();
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesModel::follow);
+    connect(&editor.layer(), &CurrentLayer::changed, this, &StrokesModel::announceGroups);
 }
 
 const StrokesModel::Node &StrokesModel::nodeAt(const QModelIndex &index) const
@@ -151,6 +143,11 @@ QVariant StrokesModel::data(const QModelIndex &index, int role) const
         const Group *group = m_tree.groupOf(node.group);
         if (role == WhollySelectedRole)
             return isWhollySelected(node);
+        const bool isLayer = node.group == m_editor.layer().group();
+        if (role == CurrentLayerRole)
+            return isLayer;
+        if (group && isLayer && index.column() == NameColumn && role == Qt::AccessibleTextRole)
+            return tr("%1, painted on").arg(titleOf(*group));
         return group ? groupRowData(*group, marksOf(node.group), index.column(), role) : QVariant();
     }
     const StrokePtr stroke = m_tree.strokeOf(node.stroke);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/panels/strokes/group_marks.h"
+#include "app/session/current_layer.h"
 
 #include <QAbstractItemModel>
 
@@ -9,9 +10,8 @@ namespace suffuse {
 class Editor;
 class ValueEntry;
 
-/// The name that people see. A stroke or group without a name has what it is and its number.
+/// The name that people see. A stroke without a name has what it is and its number.
 QString titleOf(const Stroke &stroke);
-QString titleOf(const Group &group);
 
 /// Shows groups, strokes and their segments as a tree, the topmost first. It compares the document with the state
 /// before: a change of values touches only rows that changed, strokes that are new or gone are inserted or removed in
@@ -30,9 +30,10 @@ public:
         SwitchRole,                  ///< bool of an eye (visible) or lock (locked); for a group also what is in it
         PartRole,                    ///< bool of a group's eye or lock: some strokes in it are hidden, or locked
         SegmentRole,                 ///< int: the index of a segment in its stroke; -1 for other rows
-        MakeUpRole,        ///< QString: "3 pieces, 12 erasures" of a stroke, "Multiply · 60 %" of a group; empty where
-                           ///< there is nothing unusual
-        WhollySelectedRole ///< bool: whether all strokes of a group are selected
+        MakeUpRole, ///< QString: "3 pieces, 12 erasures" of a stroke, "Multiply · 60 %" of a group; empty where
+                    ///< there is nothing unusual
+        WhollySelectedRole, ///< bool: whether all strokes of a group are selected
+        CurrentLayerRole    ///< bool: whether what is painted goes into the group
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);

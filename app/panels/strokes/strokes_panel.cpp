@@ -38,6 +38,10 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     m_notFound = quietLabel({}, this);
     m_notFound->hide();
     column->addWidget(m_notFound);
+    m_layer = quietLabel({}, this);
+    m_layer->setObjectName("layer");
+    m_layer->setTextFormat(Qt::PlainText);
+    column->addWidget(m_layer);
 
     m_model = new StrokesModel(editor, this);
     m_filter = new StrokesFilter(this);
@@ -54,6 +58,9 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
             tr("While the list is searched, rows are not dragged: between those that show there may be others. Clear "
                "the search first."));
     });
+    connect(m_view, &StrokesView::chosen, this, &StrokesPanel::chooseLayer);
+    connect(&editor.layer(), &CurrentLayer::changed, this, &StrokesPanel::showLayer);
+    showLayer();
     connect(m_search, &QLineEdit::returnPressed, this, &StrokesPanel::selectFound);
     // Strokes may come, go and be renamed during a search.
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
@@ -116,6 +123,25 @@ void StrokesPanel::showWhetherFound()
     if (!found)
         m_notFound->setText(tr("No stroke is called “%1”.").arg(m_filter->text()));
     m_notFound->setVisible(!found);
+}
+
+void StrokesPanel::showLayer()
+{
+    const CurrentLayer &layer = m_editor.layer();
+    m_layer->setVisible(layer.group() != 0);
+    m_layer->setText(layer.isComing() ? tr("New layer: %1").arg(layer.title())
+                                      : tr("Painting on: %1").arg(layer.title()));
+    m_layer->setToolTip(layer.isComing()
+                            ? tr("The layer comes into the list with the first stroke that is painted.")
+                            : tr("What is painted goes into this group. A click beside all rows: on top of "
+                                 "all again."));
+}
+
+void StrokesPanel::chooseLayer(const QModelIndex &index)
+{
+    const QModelIndex row = m_filter->mapToSource(index);
+    const StrokePtr stroke = m_model->strokeValueAt(row);
+    m_editor.layer().choose(stroke ? stroke->group : row.data(StrokesModel::GroupIdRole).toULongLong());
 }
 
 void StrokesPanel::forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const

@@ -62,6 +62,9 @@ private:
     bool sweep(const QEvent &event);
     void search(const QString &text);
     void showWhetherFound();
+    void showLayer();
+    /// What is painted goes to where a row is: into the group, or into the one that the stroke is in.
+    void chooseLayer(const QModelIndex &index);
     /// Moves the focus from the search to the first row that was found.
     void goToFirstFound();
     void documentChanged(const Change &change);
@@ -93,6 +96,7 @@ private:
     StrokesView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
     QLabel *m_notFound = nullptr;     ///< shown only while nothing is found
+    QLabel *m_layer = nullptr;        ///< shown only while there is a layer
     std::set<GroupId> m_openBefore;   ///< the groups that were open when the rows were made anew
     int m_scrolledTo = 0;             ///< the place of the scroll bar then
     std::set<GroupId> m_openGroups;   ///< the groups that were open before the search

@@ -37,6 +37,8 @@ public:
     {
         QStyledItemDelegate::initStyleOption(option, index);
         addPicture(option, index);
+        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::CurrentLayerRole).toBool())
+            option->font.setBold(true);
         // A name that nobody gave is paler, not in italics, which Chinese does not have. This comes last, since
         // pictures are remembered by the palette.
         if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::UnnamedRole).toBool())
@@ -140,7 +142,10 @@ private:
         QFont font = option.font;
         font.setPointSizeF(smaller * font.pointSizeF());
         const QFontMetrics metrics(font);
-        const int name = StrokeThumbnails::size.width() + option.fontMetrics.horizontalAdvance(index.data().toString());
+        QFont nameFont = option.font;
+        nameFont.setBold(index.data(StrokesModel::CurrentLayerRole).toBool());
+        const int name =
+            StrokeThumbnails::size.width() + QFontMetrics(nameFont).horizontalAdvance(index.data().toString());
         const int room = option.rect.width() - name - 2 * gap;
         if (room < leastRoom)
             return;
@@ -334,6 +339,7 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     if (const QModelIndex row = event->key() == Qt::Key_F2 && !event->modifiers() ? rowToRename() : QModelIndex();
         row.isValid())
         selectionModel()->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
+    const QPersistentModelIndex before = currentIndex();
     const bool plain = !(event->modifiers() & ~Qt::KeypadModifier), none = !selectionModel()->hasSelection();
     const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     const bool jumps = event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
@@ -344,6 +350,8 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
         setCurrentIndex(currentIndex());
         event->accept();
     }
+    if (plain && currentIndex().isValid() && currentIndex() != before)
+        emit chosen(currentIndex());
 }
 
 bool StrokesView::isGroup(const QModelIndex &index)
@@ -402,7 +410,11 @@ void StrokesView::mousePressEvent(QMouseEvent *event)
             selectWholeGroups();
         }
     }
+    const bool onArrow = index.isValid() && event->position().x() < visualRect(index).left();
+    const QPersistentModelIndex pressed = index;
     QTreeView::mousePressEvent(event);
+    if (event->button() == Qt::LeftButton && !event->modifiers() && !onArrow)
+        emit chosen(pressed);
 }
 
 void StrokesView::startDrag(Qt::DropActions actions)

@@ -27,6 +27,8 @@ public:
     void selectWholeGroups();
 
 signals:
+    /// Emitted when a person has gone to a row by a plain click or key; invalid where they clicked beside all rows.
+    void chosen(const QModelIndex &index);
     /// Emitted where rows would have been dragged during a search, which hides rows between which they could be put.
     void dragRefused();
 

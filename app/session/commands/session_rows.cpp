@@ -16,6 +16,7 @@ void addSessionRows(Commands &table, OpenPainting &open)
 {
     addEditRows(table, open);
     addObjectRows(table, open);
+    addLayerRows(table, open);
     addAreaRows(table, open);
     addReshapeRows(table, open);
     addRestyleRows(table, open);

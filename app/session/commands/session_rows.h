@@ -11,6 +11,7 @@ void addSessionRows(Commands &table, OpenPainting &open);
 
 void addEditRows(Commands &table, OpenPainting &open);
 void addObjectRows(Commands &table, OpenPainting &open);
+void addLayerRows(Commands &table, OpenPainting &open);
 void addAreaRows(Commands &table, OpenPainting &open);
 void addReshapeRows(Commands &table, OpenPainting &open);
 void addRestyleRows(Commands &table, OpenPainting &open);

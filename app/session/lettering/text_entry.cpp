@@ -1,5 +1,6 @@
 #include "app/session/lettering/text_entry.h"
 
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
@@ -385,6 +386,8 @@ void TextEntry::show(std::optional<qsizetype> at)
         change.letter = letterWith(m_editor.brush(), shown.size * scaleOf(shown.place), m_editor.clock().time());
         change.likeNeighbours = !m_usesBrush;
         Edit edit = setText(m_editor.document(), m_group, shown, &m_laid, laid, change);
+        if (!m_isThere)
+            edit = m_editor.layer().take(std::move(edit));
         m_editor.noteComing(edit);
         m_laid = std::move(laid);
         put(std::move(edit), std::move(shown));

@@ -1,6 +1,7 @@
 #include "app/tools/brush/brush_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
@@ -205,7 +206,7 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
     if (end)
         if (Edit edit = extendStroke(document, *end, *stroke); !edit.isEmpty())
             return m_editor.push(std::move(edit), tr("Extend stroke"));
-    m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
+    m_editor.push(m_editor.layer().take(addStrokes(document, {stroke}, false)), tr("Brush stroke"));
 }
 
 void BrushTool::tellAbout(const Stroke &stroke)

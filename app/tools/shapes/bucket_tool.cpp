@@ -1,6 +1,7 @@
 #include "app/tools/shapes/bucket_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
@@ -125,7 +126,9 @@ void BucketTool::take(const BucketOrder &order, const StrokePtr &stroke)
         say(tr("The painting has changed meanwhile: nothing was filled."));
     } else if (stroke) {
         Edit edit = addStrokes(document, {stroke}, true);
-        if (order.isUnder && edit.order) {
+        if (m_editor.layer().group() != 0) {
+            edit = m_editor.layer().take(std::move(edit), order.isUnder ? LayerEnd::Bottom : LayerEnd::Top);
+        } else if (order.isUnder && edit.order) {
             edit.order->pop_back();
             edit.order->insert(edit.order->begin(), stroke->id);
         }

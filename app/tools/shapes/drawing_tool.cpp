@@ -1,6 +1,7 @@
 #include "app/tools/shapes/drawing_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
@@ -121,7 +122,7 @@ void DrawingTool::cancel()
 void DrawingTool::addOrSay(const StrokePtr &stroke, const QString &name)
 {
     if (stroke)
-        m_editor.push(addStrokes(m_editor.document(), {stroke}, true), name);
+        m_editor.push(m_editor.layer().take(addStrokes(m_editor.document(), {stroke}, true)), name);
     else
         say(tr("What was drawn encloses no area: nothing was added."));
 }

@@ -1,6 +1,7 @@
 #include "app/tools/shapes/shape_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
@@ -236,7 +237,8 @@ void ShapeTool::release(const PointerEvent &event)
 void ShapeTool::finish(const StrokePtr &stroke)
 {
     const QString names[] = {tr("Rectangle"), tr("Ellipse"), tr("Polygon"), tr("Star")};
-    m_editor.push(addStrokes(m_editor.document(), {stroke}, true), names[int(m_form.kind)]);
+    const Edit added = addStrokes(m_editor.document(), {stroke}, true);
+    m_editor.push(m_editor.layer().take(added), names[int(m_form.kind)]);
 }
 
 bool ShapeTool::wantsKey(const QKeyEvent &event) const

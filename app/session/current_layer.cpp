@@ -1,0 +1,174 @@
+#include "app/session/current_layer.h"
+
+#include "app/session/painting_clock.h"
+#include "undo/history/order_tree.h"
+#include "undo/time_edits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace suffuse {
+
+QString titleOf(const Group &group)
+{
+    constexpr int mostShown = 60;
+    QString title = group.name;
+    if (title.isEmpty() && group.text)
+        title = group.text->string.simplified().left(mostShown);
+    return title.isEmpty() ? QCoreApplication::translate("suffuse::StrokesModel", "Group %1").arg(group.id) : title;
+}
+
+CurrentLayer::CurrentLayer(Document &document, const PaintingClock &clock) : m_document(document), m_clock(clock)
+{
+    connect(&document, &Document::changed, this, &CurrentLayer::follow);
+}
+
+bool CurrentLayer::isComing() const
+{
+    return m_layer.group != 0 && !m_document.painting()->findGroup(m_layer.group);
+}
+
+QString CurrentLayer::title() const
+{
+    if (m_layer.group == 0)
+        return {};
+    const Group *group = m_document.painting()->findGroup(m_layer.group);
+    return titleOf(group ? *group : *m_layer.coming);
+}
+
+void CurrentLayer::set(PaintedLayer layer)
+{
+    m_layer = std::move(layer);
+    const Painting &painting = *m_document.painting();
+    m_around = groupsAround(painting, isComing() ? m_layer.coming->parent : m_layer.group);
+    m_title = title();
+    m_wasComing = isComing();
+    emit changed();
+}
+
+void CurrentLayer::choose(GroupId group)
+{
+    const Painting &painting = *m_document.painting();
+    const GroupId layer = painting.findGroup(group) ? layerAround(painting, group) : 0;
+    if (layer == m_layer.group)
+        return;
+    set({layer, {}, 0});
+    emit noted(layer ? tr("Layer: %1").arg(m_title) : tr("No layer: paint goes on top of all"));
+}
+
+QString CurrentLayer::newName() const
+{
+    const std::vector<Group> &groups = m_document.painting()->groups;
+    for (std::size_t n = 1;; ++n)
+        if (const QString name = tr("Layer %1").arg(n);
+            std::ranges::none_of(groups, [&name](const Group &group) { return group.name == name; }))
+            return name;
+}
+
+void CurrentLayer::beginNew()
+{
+    if (isComing())
+        return emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
+    const Group *below = m_document.painting()->findGroup(m_layer.group);
+    PaintedLayer layer;
+    layer.group = m_document.takeGroupId();
+    Group &coming = layer.coming.emplace();
+    coming.id = layer.group;
+    coming.name = newName();
+    coming.parent = below ? below->parent : 0;
+    layer.above = m_layer.group;
+    set(std::move(layer));
+    emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
+}
+
+void CurrentLayer::follow(const Change &change)
+{
+    if (change.reset)
+        return set({});
+    if (m_layer.group == 0 || (!change.canvas && !change.texts && !change.order))
+        return;
+    const Painting &painting = *m_document.painting();
+    const bool isThere = painting.findGroup(m_layer.group);
+    const bool stays =
+        isThere || (m_layer.coming && (m_layer.coming->parent == 0 || painting.findGroup(m_layer.coming->parent)));
+    if (!stays) {
+        const auto left = std::ranges::find_if(m_around, [&](GroupId id) { return painting.findGroup(id); });
+        return set({left == m_around.end() ? 0 : layerAround(painting, *left), {}, 0});
+    }
+    if (isThere && layerAround(painting, m_layer.group) != m_layer.group)
+        return set({layerAround(painting, m_layer.group), {}, 0});
+    if (isThere)
+        m_around = groupsAround(painting, m_layer.group);
+    if (title() == m_title && isComing() == m_wasComing)
+        return;
+    m_title = title();
+    m_wasComing = isComing();
+    emit changed();
+}
+
+Edit CurrentLayer::put(Edit edit, LayerEnd end) const
+{
+    std::optional<Microseconds> born;
+    if (m_clock.isInPast())
+        for (const auto &[id, stroke] : edit.strokes)
+            if (stroke)
+                born = born ? std::min(*born, stroke->born()) : stroke->born();
+    return addedToLayer(m_document, std::move(edit), m_layer, end, born);
+}
+
+Edit CurrentLayer::take(Edit edit, LayerEnd end)
+{
+    if (m_layer.group == 0 || edit.isEmpty())
+        return edit;
+    const Painting &painting = *m_document.painting();
+    const GroupId wanted = isComing() ? m_layer.coming->parent : m_layer.group;
+    const GroupId taking = groupTakingPaint(painting, wanted);
+    if (taking != wanted && !addedOnTop(painting, edit).empty())
+        emit noted(tr("%1 is hidden or locked: the paint lies above it").arg(titleOf(*painting.findGroup(wanted))));
+    return put(std::move(edit), end);
+}
+
+bool CurrentLayer::findDraftPlace() const
+{
+    const StrokePtr &draft = m_document.draft();
+    const PaintingPtr &painting = m_document.painting();
+    if (m_place.painting == painting && m_place.draft == draft->id && m_place.layer == m_layer.group &&
+        m_place.isInPast == m_clock.isInPast())
+        return true;
+    Edit edit = put(addStrokes(m_document, {draft}, false), LayerEnd::Top);
+    if (m_clock.isInPast())
+        edit = placedInTime(m_document, std::move(edit));
+    const auto it = edit.strokes.find(draft->id);
+    if (it == edit.strokes.end() || !edit.order)
+        return false;
+    const auto at = std::ranges::find(*edit.order, draft->id);
+    m_place = {painting,
+               draft->id,
+               m_layer.group,
+               m_clock.isInPast(),
+               std::size_t(at - edit.order->begin()),
+               it->second->group,
+               std::move(edit.groups)};
+    return true;
+}
+
+PaintingPtr CurrentLayer::withDraft() const
+{
+    if (!findDraftPlace())
+        return m_document.snapshot();
+    auto painting = std::make_shared<Painting>(*m_document.painting());
+    if (m_place.groups)
+        painting->groups = *m_place.groups;
+    StrokePtr draft = m_document.draft();
+    if (draft->group != m_place.group) {
+        auto member = std::make_shared<Stroke>(*draft);
+        member->group = m_place.group;
+        draft = std::move(member);
+    }
+    painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(m_place.index),
+                             std::move(draft));
+    return painting;
+}
+
+} // namespace suffuse

@@ -1,0 +1,76 @@
+// The layer that is painted on.
+#pragma once
+
+#include "undo/layer_edits.h"
+
+#include <QObject>
+
+namespace suffuse {
+
+class PaintingClock;
+
+/// The name of a group that people see. One without a name has what it is and its number; a text is called by what it
+/// says.
+QString titleOf(const Group &group);
+
+/// Remembers which group what is painted goes into, or that it is none. This is no part of the painting, and nothing
+/// that is undone by itself: where a group goes, the one around it becomes the layer, and where it comes back, it is
+/// the layer again only if it was made as one (`beginNew`).
+class CurrentLayer : public QObject {
+    Q_OBJECT
+
+public:
+    CurrentLayer(Document &document, const PaintingClock &clock);
+
+    /// The group; 0: none. It may be one that comes with its first stroke.
+    GroupId group() const { return m_layer.group; }
+    /// Whether it is not in the painting yet.
+    bool isComing() const;
+    /// The name of the layer, for people; empty where there is none.
+    QString title() const;
+
+    /// Makes a group the layer or, of a text, the group around it; 0: none.
+    void choose(GroupId group);
+    /// Begins a layer just above this one, or on top of all where there is none. It comes into being with the first
+    /// stroke that is painted on it.
+    void beginNew();
+
+    /// The edit with the strokes that it adds on top put into the layer. If that takes no paint, it says so.
+    Edit take(Edit edit, LayerEnd end = LayerEnd::Top);
+    /// The painting with the draft in the place where it will be. There must be a draft.
+    PaintingPtr withDraft() const;
+
+signals:
+    /// Emitted when another group is the layer, or it has come into being or has another name.
+    void changed();
+    /// What people should read where they paint.
+    void noted(const QString &text);
+
+private:
+    /// Where the draft is put. It is found once for each stroke.
+    struct DraftPlace {
+        PaintingPtr painting;
+        StrokeId draft = 0;
+        GroupId layer = 0;
+        bool isInPast = false;
+        std::size_t index = 0;
+        GroupId group = 0;
+        std::optional<std::vector<Group>> groups;
+    };
+
+    void follow(const Change &change);
+    void set(PaintedLayer layer);
+    QString newName() const;
+    Edit put(Edit edit, LayerEnd end) const;
+    bool findDraftPlace() const;
+
+    Document &m_document;
+    const PaintingClock &m_clock;
+    PaintedLayer m_layer;
+    std::vector<GroupId> m_around; ///< the groups around it when it was there last, the innermost first
+    QString m_title;               ///< as it was told last
+    bool m_wasComing = false;      ///< when that was told
+    mutable DraftPlace m_place;
+};
+
+} // namespace suffuse

@@ -1,0 +1,222 @@
+// The layer that is painted on: what becomes of it when groups go and come back, and the commands that work on it.
+#include "app/session/commands/session_rows.h"
+#include "app/session/current_layer.h"
+#include "model/painting/validate.h"
+#include "undo/edits.h"
+#include "undo/group_edits.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+StrokePtr lineStroke(StrokeId id, GroupId group = 0)
+{
+    Stroke stroke;
+    stroke.id = id;
+    stroke.group = group;
+    Segment segment;
+    segment.bezier = {Offset{0, 0}, {10, 0}, {20, 0}, {30, 0}};
+    segment.born = Microseconds(1000 * id);
+    stroke.segments = {segment};
+    return std::make_shared<const Stroke>(std::move(stroke));
+}
+
+/// From bottom to top: 1, group 1 {2}, group 2 {3, group 3 {4}}, 5.
+struct Stage {
+    OpenPainting open;
+    Commands table;
+    Editor &editor = open.editor;
+    CurrentLayer &layer = open.editor.layer();
+
+    Stage()
+    {
+        auto painting = std::make_shared<Painting>();
+        const GroupId groups[] = {0, 1, 2, 3, 0};
+        for (int i = 1; i <= 5; ++i)
+            painting->strokes.push_back(lineStroke(StrokeId(i), groups[i - 1]));
+        for (const auto &[id, parent] : {std::pair(1, 0), {2, 0}, {3, 2}}) {
+            Group group;
+            group.id = GroupId(id);
+            group.parent = GroupId(parent);
+            group.name = QStringLiteral("group %1").arg(id);
+            painting->groups.push_back(std::move(group));
+        }
+        addSessionRows(table, open);
+        editor.document().reset(painting);
+        editor.undoStack().clear();
+        table.update();
+    }
+    const Painting &painting() { return *editor.document().painting(); }
+    StrokeId paint()
+    {
+        const StrokePtr stroke = lineStroke(editor.document().takeStrokeId());
+        editor.push(layer.take(addStrokes(editor.document(), {stroke}, false)), "paint");
+        return stroke->id;
+    }
+    std::vector<StrokeId> order() { return orderOf(painting()); }
+};
+
+using Order = std::vector<StrokeId>;
+
+} // namespace
+
+class TestCurrentLayer : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aGroupThatGoesLeavesTheOneAroundIt()
+    {
+        Stage s;
+        s.layer.choose(3);
+        s.editor.push(ungroup(s.editor.document(), 3), "ungroup");
+        QCOMPARE(s.layer.group(), GroupId(2));
+        s.editor.push(ungroup(s.editor.document(), 2), "ungroup");
+        QCOMPARE(s.layer.group(), GroupId(0));
+        s.editor.undo();
+        QCOMPARE(s.layer.group(), GroupId(0)); // It is nothing that is undone.
+        s.layer.choose(2);
+        s.editor.document().reset(std::make_shared<const Painting>());
+        QCOMPARE(s.layer.group(), GroupId(0));
+    }
+
+    void aNewLayerIsThereFromItsFirstStrokeOn()
+    {
+        Stage s;
+        s.layer.choose(1);
+        QSignalSpy changed(&s.layer, &CurrentLayer::changed), noted(&s.layer, &CurrentLayer::noted);
+        s.table[Command::NewLayer].trigger();
+        QVERIFY(s.layer.isComing());
+        QCOMPARE(s.layer.title(), QString("Layer 1"));
+        QCOMPARE(int(noted.count()), 1);
+        QCOMPARE(s.painting().groups.size(), std::size_t(3));
+        QVERIFY(!s.table[Command::MergeLayerDown].isEnabled());
+        const GroupId made = s.layer.group();
+        const StrokeId stroke = s.paint();
+        QVERIFY(!s.layer.isComing());
+        QCOMPARE(int(changed.count()), 2);
+        QCOMPARE(s.order(), (Order{1, 2, stroke, 3, 4, 5}));
+        QCOMPARE(s.painting().find(stroke)->group, made);
+        QCOMPARE(s.editor.undoStack().count(), 1);
+        s.editor.undo();
+        QVERIFY(s.layer.isComing()); // It is painted on again.
+        QCOMPARE(s.layer.group(), made);
+        const StrokeId other = s.paint();
+        QCOMPARE(s.painting().find(other)->group, made);
+        s.table[Command::NewLayer].trigger();
+        QCOMPARE(s.layer.title(), QString("Layer 2"));
+    }
+
+    /// While a stroke is being drawn, it is where it will be, in the layer's group.
+    void theDraftIsInItsLayer_data()
+    {
+        QTest::addColumn<int>("group");
+        QTest::addColumn<bool>("isNew");
+        QTest::addColumn<int>("moment");
+        for (const int moment : {0, 1500, 3500})
+            for (const int group : {0, 1, 2, 3})
+                for (const bool isNew : {false, true})
+                    QTest::addRow("%d, %d, %d", group, isNew, moment) << group << isNew << moment;
+    }
+    void theDraftIsInItsLayer()
+    {
+        QFETCH(const int, group);
+        QFETCH(const bool, isNew);
+        QFETCH(const int, moment);
+        Stage s;
+        if (moment > 0)
+            s.editor.clock().lookAt(moment);
+        s.layer.choose(GroupId(group));
+        if (isNew)
+            s.layer.beginNew();
+        Stroke drawn = *lineStroke(s.editor.document().takeStrokeId());
+        drawn.segments[0].born = moment > 0 ? moment : 1'000'000;
+        const auto stroke = std::make_shared<const Stroke>(drawn);
+        s.editor.document().setDraft(stroke);
+        const PaintingPtr shown = s.editor.shown();
+        QCOMPARE(problemOf(*shown), QString());
+        s.editor.document().setDraft(nullptr);
+        s.editor.push(s.layer.take(addStrokes(s.editor.document(), {stroke}, false)), "paint");
+        QVERIFY(*shown == s.painting());
+    }
+
+    void whoPaintsOnALockedLayerIsTold()
+    {
+        Stage s;
+        s.layer.choose(3);
+        s.editor.push(setGroupLocked(s.editor.document(), 3, true), "lock");
+        QSignalSpy noted(&s.layer, &CurrentLayer::noted);
+        const StrokeId stroke = s.paint();
+        QCOMPARE(int(noted.count()), 1);
+        QVERIFY(noted.front().front().toString().contains("group 3"));
+        QCOMPARE(s.painting().find(stroke)->group, GroupId(2));
+        QCOMPARE(s.layer.group(), GroupId(3));
+    }
+
+    void keysGoThroughTheLayers()
+    {
+        Stage s;
+        const auto step = [&](Command command) {
+            s.table[command].trigger();
+            return s.layer.group();
+        };
+        using enum Command;
+        QCOMPARE(step(LayerAbove), GroupId(0));
+        for (const GroupId group : {2, 3, 1, 1})
+            QCOMPARE(step(LayerBelow), group);
+        for (const GroupId group : {3, 2, 0, 0})
+            QCOMPARE(step(LayerAbove), group);
+        s.layer.choose(3);
+        QVERIFY(s.table[NoLayer].isEnabled());
+        QCOMPARE(step(NoLayer), GroupId(0));
+        QVERIFY(!s.table[NoLayer].isEnabled());
+    }
+
+    void layersAreMovedCopiedAndMerged()
+    {
+        Stage s;
+        QSignalSpy said(&s.table, &Commands::said);
+        s.layer.choose(2);
+        s.table[Command::LowerLayer].trigger();
+        QCOMPARE(s.order(), (Order{1, 3, 4, 2, 5}));
+        s.table[Command::RaiseLayer].trigger();
+        QCOMPARE(s.order(), (Order{1, 2, 3, 4, 5}));
+        s.table[Command::DuplicateLayer].trigger();
+        QCOMPARE(s.painting().strokes.size(), std::size_t(7));
+        QVERIFY(s.layer.group() != 2 && !s.layer.isComing());
+        QVERIFY(said.isEmpty());
+        s.editor.push(setGroupOpacity(s.editor.document(), {s.layer.group()}, 0.5f), "opacity");
+        s.table[Command::MergeLayerDown].trigger();
+        QCOMPARE(s.layer.group(), GroupId(2));
+        QCOMPARE(int(said.count()), 1); // The opacity is gone.
+        s.table[Command::MergeLayerDown].trigger();
+        QCOMPARE(s.layer.group(), GroupId(1));
+        QCOMPARE(int(said.count()), 1); // Nothing is lost.
+        const int steps = s.editor.undoStack().count();
+        s.table[Command::MergeLayerDown].trigger();
+        QCOMPARE(int(said.count()), 2); // A stroke lies below.
+        QCOMPARE(s.editor.undoStack().count(), steps);
+        QCOMPARE(problemOf(s.painting()), QString());
+    }
+
+    void othersAreHiddenAndShown()
+    {
+        Stage s;
+        s.layer.choose(1);
+        s.editor.document().setSelection({{2, 5}, {}});
+        s.table[Command::HideOtherLayers].trigger();
+        QVERIFY(s.table[Command::HideOtherLayers].isChecked());
+        QCOMPARE(s.editor.selection().strokes, std::set<StrokeId>{2});
+        s.layer.choose(2);
+        QVERIFY(!s.table[Command::HideOtherLayers].isChecked());
+        s.table[Command::HideOtherLayers].trigger();
+        QVERIFY(s.painting().isVisible(*s.painting().find(4)) && !s.painting().isVisible(*s.painting().find(2)));
+        s.table[Command::HideOtherLayers].trigger();
+        QVERIFY(s.painting().isVisible(*s.painting().find(2)) && s.painting().isVisible(*s.painting().find(5)));
+    }
+};
+
+QTEST_MAIN(TestCurrentLayer)
+#include "test_current_layer.moc"
