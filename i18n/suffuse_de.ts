@@ -6716,6 +6716,48 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::GroupCells</name>
+    <message>
+        <source>Clipped to what lies below it in its group</source>
+        <translation>Beschnitten auf das, was in ihrer Gruppe darunterliegt</translation>
+    </message>
+    <message>
+        <source>A mask for the others in its group</source>
+        <translation>Eine Maske für die anderen in ihrer Gruppe</translation>
+    </message>
+    <message>
+        <source>A wash: its strokes are one</source>
+        <translation>Eine Lavierung: Ihre Striche sind einer</translation>
+    </message>
+    <message>
+        <source>Shown alone</source>
+        <translation>Wird allein gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupHand</name>
+    <message>
+        <source>The group is locked: nothing changes.</source>
+        <translation>Die Gruppe ist gesperrt: Nichts ändert sich.</translation>
+    </message>
+    <message>
+        <source>Change group opacity</source>
+        <translation>Deckkraft der Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Change group mode</source>
+        <translation>Modus der Gruppe ändern</translation>
+    </message>
+    <message>
+        <source>Opacity of the group</source>
+        <translation>Deckkraft der Gruppe</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::HintLabel</name>
     <message>
         <source>Hint</source>

@@ -6678,6 +6678,48 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::GroupCells</name>
+    <message>
+        <source>Clipped to what lies below it in its group</source>
+        <translation>剪切到其组中下方的内容</translation>
+    </message>
+    <message>
+        <source>A mask for the others in its group</source>
+        <translation>其组中其他内容的蒙版</translation>
+    </message>
+    <message>
+        <source>A wash: its strokes are one</source>
+        <translation>淡彩：其笔画合为一笔</translation>
+    </message>
+    <message>
+        <source>Shown alone</source>
+        <translation>单独显示</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::GroupHand</name>
+    <message>
+        <source>The group is locked: nothing changes.</source>
+        <translation>组已锁定：没有变化。</translation>
+    </message>
+    <message>
+        <source>Change group opacity</source>
+        <translation>更改组的不透明度</translation>
+    </message>
+    <message>
+        <source>Change group mode</source>
+        <translation>更改组的模式</translation>
+    </message>
+    <message>
+        <source>Opacity of the group</source>
+        <translation>组的不透明度</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>“%1”不是数字。</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::HintLabel</name>
     <message>
         <source>Hint</source>
@@ -8817,7 +8859,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Painting on: %1</source>
-        <translation>正在绘画：%1</translation>
+        <translation>绘画于：%1</translation>
     </message>
     <message>
         <source>The layer comes into the list with the first stroke that is painted.</source>

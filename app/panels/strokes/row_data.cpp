@@ -1,5 +1,6 @@
 #include "app/panels/strokes/row_data.h"
 
+#include "app/panels/strokes/group_cells.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/colour_convert.h"
 #include "app/widgets/look/icons.h"
@@ -90,6 +91,13 @@ QString tipFor(const Stroke &stroke)
     return makeUp.isEmpty() ? segments : segments + QLatin1Char('\n') + makeUp;
 }
 
+/// What is not usual about a group, a line for each thing.
+QString tipFor(const Group &group)
+{
+    const QString blending = blendingOf(group);
+    return ((blending.isEmpty() ? QStringList() : QStringList{blending}) + wordsOfMarks(group)).join(QLatin1Char('\n'));
+}
+
 } // namespace
 
 QVariant segmentRowData(const Stroke &stroke, int segment, int column, int role)
@@ -157,6 +165,7 @@ QVariant groupRowData(const Group &group, const GroupMarks &marks, int column, i
         return icon("group");
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
+        return tipFor(group);
     case StrokesModel::MakeUpRole:
         return blendingOf(group);
     case StrokesModel::UnnamedRole:

@@ -69,6 +69,12 @@ StrokeId StrokesModel::strokeAt(const QModelIndex &index) const
     return nodeAt(index).stroke;
 }
 
+const Group *StrokesModel::groupAt(const QModelIndex &index) const
+{
+    const Node &node = nodeAt(index);
+    return node.group && segmentAt(index) < 0 ? m_tree.groupOf(node.group) : nullptr;
+}
+
 std::set<StrokeId> StrokesModel::strokesBelow(const QModelIndex &index) const
 {
     return StrokesTree::strokesBelow(nodeAt(index));

@@ -68,6 +68,8 @@ public:
     StrokePtr strokeValueAt(const QModelIndex &index) const;
     /// The id of that stroke; 0 for groups.
     StrokeId strokeAt(const QModelIndex &index) const;
+    /// The group of a row; null for others.
+    const Group *groupAt(const QModelIndex &index) const;
     /// The strokes that belong to a row: the stroke itself, or all in the group.
     std::set<StrokeId> strokesBelow(const QModelIndex &index) const;
 

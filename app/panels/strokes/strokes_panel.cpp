@@ -1,10 +1,12 @@
 #include "app/panels/strokes/strokes_panel.h"
 
+#include "app/panels/strokes/group_hand.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_view.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
+#include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "undo/group_edits.h"
@@ -80,6 +82,9 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     });
     connect(m_model, &StrokesModel::droppedInto, this, &StrokesPanel::openGroup);
     m_search->installEventFilter(this);
+    m_hand = new GroupHand(editor, *m_view);
+    connect(m_hand, &GroupHand::said, this, &StrokesPanel::said);
+    m_view->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &StrokesPanel::showMenu);
@@ -238,8 +243,24 @@ bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
         goToFirstFound();
         return true;
     }
-    const bool used = watched == m_view->viewport() && sweep(*event);
+    if (watched == m_view && m_hand->isDragging() && event->type() == QEvent::KeyPress &&
+        givesUpDrag(*static_cast<QKeyEvent *>(event))) {
+        m_hand->giveUp();
+        return true;
+    }
+    const bool used = watched == m_view->viewport() && (handTakes(*event) || sweep(*event));
     return used || QWidget::eventFilter(watched, event);
+}
+
+bool StrokesPanel::handTakes(const QEvent &event)
+{
+    if (event.type() != QEvent::MouseButtonPress && event.type() != QEvent::MouseButtonDblClick &&
+        event.type() != QEvent::MouseMove && event.type() != QEvent::MouseButtonRelease)
+        return false;
+    const auto &mouse = static_cast<const QMouseEvent &>(event);
+    const QModelIndex row = m_view->indexAt(mouse.position().toPoint()).siblingAtColumn(StrokesModel::NameColumn);
+    const Group *group = row.isValid() ? m_model->groupAt(m_filter->mapToSource(row)) : nullptr;
+    return m_hand->takes(mouse, row, group, m_view->cellsOf(row));
 }
 
 bool StrokesPanel::sweep(const QEvent &event)

@@ -17,6 +17,7 @@ class QTreeView;
 namespace suffuse {
 
 class Editor;
+class GroupHand;
 class StrokesFilter;
 class StrokesModel;
 class StrokesView;
@@ -60,6 +61,8 @@ private:
     /// Eyes and locks are switched without changing the selection: that of the row that is pressed, and likewise those
     /// of the rows over which the pointer is drawn then, in one step. Returns whether the event was used for that.
     bool sweep(const QEvent &event);
+    /// Mode and opacity are changed in the rows of groups. Returns whether the event was used for that.
+    bool handTakes(const QEvent &event);
     void search(const QString &text);
     void showWhetherFound();
     void showLayer();
@@ -94,6 +97,7 @@ private:
     StrokesModel *m_model = nullptr;
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;
+    GroupHand *m_hand = nullptr;
     QLineEdit *m_search = nullptr;
     QLabel *m_notFound = nullptr;     ///< shown only while nothing is found
     QLabel *m_layer = nullptr;        ///< shown only while there is a layer

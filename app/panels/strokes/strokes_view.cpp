@@ -24,6 +24,14 @@ namespace suffuse {
 
 namespace {
 
+/// What the picture and the name of a row need, logical pixels.
+int nameWidth(const QFont &font, const QModelIndex &index)
+{
+    QFont shown = font;
+    shown.setBold(index.data(StrokesModel::CurrentLayerRole).toBool());
+    return StrokeThumbnails::size.width() + QFontMetrics(shown).horizontalAdvance(index.data().toString());
+}
+
 /// Paints a small picture of a stroke before its name, a chip of its colour before a segment's name, and eyes and locks
 /// in the middle of their columns.
 class StrokeRowDelegate : public QStyledItemDelegate {
@@ -70,7 +78,11 @@ public:
     {
         if (index.column() == StrokesModel::NameColumn) {
             QStyledItemDelegate::paint(painter, option, index);
-            paintMakeUp(*painter, option, index);
+            if (const Group *group = m_model.groupAt(m_filter.mapToSource(index)))
+                paintGroupCells(*painter, option, *group,
+                                groupCells(*group, option.rect, nameWidth(option.font, index), option.font));
+            else
+                paintMakeUp(*painter, option, index);
             return;
         }
         QStyleOptionViewItem empty = option;
@@ -130,8 +142,8 @@ public:
     }
 
 private:
-    /// Writes of how many pieces and erasures a stroke is, and how a group blends, small and pale at the end of the
-    /// row, as far as the name leaves room for that; the tool tip says all of it.
+    /// Writes of how many pieces and erasures a stroke is, small and pale at the end of the row, as far as the name
+    /// leaves room for that; the tool tip says all of it.
     static void paintMakeUp(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index)
     {
         const QString text = index.data(StrokesModel::MakeUpRole).toString();
@@ -142,10 +154,7 @@ private:
         QFont font = option.font;
         font.setPointSizeF(smaller * font.pointSizeF());
         const QFontMetrics metrics(font);
-        QFont nameFont = option.font;
-        nameFont.setBold(index.data(StrokesModel::CurrentLayerRole).toBool());
-        const int name =
-            StrokeThumbnails::size.width() + QFontMetrics(nameFont).horizontalAdvance(index.data().toString());
+        const int name = nameWidth(option.font, index);
         const int room = option.rect.width() - name - 2 * gap;
         if (room < leastRoom)
             return;
@@ -242,7 +251,7 @@ private:
 } // namespace
 
 StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilter &filter, QWidget *parent)
-    : QTreeView(parent), m_filter(filter)
+    : QTreeView(parent), m_model(model), m_filter(filter)
 {
     auto *thumbnails = new StrokeThumbnails(this);
     connect(thumbnails, &StrokeThumbnails::ready, this, [this, &model, &filter](StrokeId id) {
@@ -282,6 +291,13 @@ QItemSelectionModel::SelectionFlags StrokesView::selectionCommand(const QModelIn
                        static_cast<const QInputEvent *>(event)->modifiers().testFlag(Qt::ShiftModifier);
     m_ranging = dragged || shift;
     return QTreeView::selectionCommand(index, event);
+}
+
+GroupCells StrokesView::cellsOf(const QModelIndex &index) const
+{
+    const QModelIndex name = index.siblingAtColumn(StrokesModel::NameColumn);
+    const Group *group = index.isValid() ? m_model.groupAt(m_filter.mapToSource(name)) : nullptr;
+    return group ? groupCells(*group, visualRect(name), nameWidth(font(), name), font()) : GroupCells();
 }
 
 /// The row that F2 renames: the current one, if it is seen and selected, or the first that is. Rows that were moved or

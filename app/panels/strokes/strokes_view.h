@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/panels/strokes/group_cells.h"
+
 #include <QTreeView>
 
 namespace suffuse {
@@ -18,6 +20,8 @@ public:
     void dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight,
                      const QList<int> &roles = QList<int>()) override;
 
+    /// Where mode and opacity of a group stand in its row; nowhere in other rows.
+    GroupCells cellsOf(const QModelIndex &index) const;
     /// Whether a range of rows is being selected, and not one row after the other.
     bool isRanging() const { return m_ranging; }
 
@@ -49,6 +53,7 @@ private:
     QModelIndex rowToRename() const;
     bool holdsSelected(const QModelIndex &group) const;
 
+    const StrokesModel &m_model;
     const StrokesFilter &m_filter;
     mutable bool m_ranging = false; ///< what the last event selected
 };

@@ -1,10 +1,14 @@
 // Layers in the Strokes dock: which one is painted on, and how it is chosen there.
+#include "app/panels/strokes/group_hand.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/panels/strokes/strokes_view.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
 
 #include <QLabel>
+#include <QMenu>
+#include <QSignalSpy>
 #include <QTreeView>
 
 using namespace suffuse;
@@ -29,6 +33,15 @@ struct LayersDock {
     void click(const QModelIndex &row, Qt::KeyboardModifiers modifiers = {})
     {
         QTest::mouseClick(view().viewport(), Qt::LeftButton, modifiers, view().visualRect(row).center());
+    }
+    GroupCells cells() { return static_cast<StrokesView &>(view()).cellsOf(groupRow()); }
+    /// Drags from the middle of the opacity, and holds the button.
+    void dragOpacity(int by)
+    {
+        const QPoint from = cells().opacity.center();
+        QTest::mousePress(view().viewport(), Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 4; ++step)
+            QTest::mouseMove(view().viewport(), from + QPoint(by * step / 4, 0));
     }
     QString said()
     {
@@ -105,6 +118,100 @@ private slots:
         QCOMPARE(dock.said(), QString("Painting on: Layer 1"));
         bench.editor.push(renameGroup(bench.editor.document(), bench.editor.layer().group(), "sea"), "rename");
         QCOMPARE(dock.said(), QString("Painting on: sea"));
+    }
+
+    void aRowSaysWhatIsUnusualAboutItsGroup()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        dock.panel.resize(400, 400);
+        QVERIFY(dock.groupRow().data(Qt::ToolTipRole).toString().isEmpty());
+        const GroupCells plain = dock.cells();
+        QVERIFY(!plain.opacity.isEmpty() && !plain.mode.isEmpty() && plain.marks.isEmpty());
+        Edit edit;
+        edit.groups = bench.editor.document().painting()->groups;
+        Group &group = edit.groups->front();
+        group.blend = BlendMode::Multiply;
+        group.clips = group.mask = group.solo = true;
+        group.wash = Wash();
+        bench.editor.push(edit, "all");
+        QCOMPARE(marksOf(group).size(), 4);
+        QCOMPARE(dock.groupRow().data(Qt::ToolTipRole).toString().count('\n'), 4);
+        const GroupCells all = dock.cells();
+        QVERIFY(all.marks.width() >= 4 * 14 && all.marks.right() < all.mode.left());
+        QVERIFY(all.mode.right() < all.opacity.left());
+        QVERIFY(dock.view().viewport()->rect().contains(all.opacity));
+        const GroupCells narrow = groupCells(group, {0, 0, 120, 24}, 90, dock.view().font());
+        QVERIFY(narrow.mode.isEmpty() && narrow.marks.isEmpty()); // The name comes first.
+        QVERIFY(static_cast<StrokesView &>(dock.view()).cellsOf(dock.panel.viewIndexOf(5)).opacity.isEmpty());
+    }
+
+    void theOpacityIsDraggedInOneStep()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const auto opacity = [&] { return bench.editor.document().painting()->groups[0].opacity; };
+        const int steps = bench.steps();
+        dock.dragOpacity(-80);
+        QCOMPARE(opacity(), 0.6f);
+        QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center());
+        QCOMPARE(bench.steps(), steps + 1);
+        QCOMPARE(opacity(), 0.6f);
+        QVERIFY(bench.editor.selection().isEmpty()); // The row was not clicked.
+        bench.editor.undo();
+        QCOMPARE(opacity(), 1.0f);
+        dock.dragOpacity(-500);
+        QCOMPARE(opacity(), 0.0f);
+        QTest::keyClick(&dock.view(), Qt::Key_Escape);
+        QCOMPARE(opacity(), 1.0f);
+        QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center());
+        QCOMPARE(opacity(), 1.0f);
+        QVERIFY(!dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"));
+    }
+
+    void theOpacityIsTypedAfterAClick()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        QSignalSpy said(&dock.panel, &StrokesPanel::said);
+        const int steps = bench.steps();
+        const auto field = [&] {
+            QTest::mouseClick(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center());
+            return dock.view().viewport()->findChild<QLineEdit *>("groupOpacity");
+        };
+        QLineEdit *open = field();
+        QVERIFY(open);
+        QTest::keyClicks(open, "35");
+        QTest::keyClick(open, Qt::Key_Return);
+        QCOMPARE(bench.editor.document().painting()->groups[0].opacity, 0.35f);
+        QCOMPARE(bench.steps(), steps + 1);
+        QTRY_VERIFY(!dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"));
+        bench.editor.push(setGroupLocked(bench.editor.document(), 1, true), "lock");
+        QLineEdit *locked = field();
+        QTest::keyClicks(locked, "50");
+        QTest::keyClick(locked, Qt::Key_Return);
+        QCOMPARE(int(said.count()), 1);
+        QCOMPARE(bench.editor.document().painting()->groups[0].opacity, 0.35f);
+    }
+
+    void theModeIsChosenFromAList()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        auto *hand = dock.view().findChild<GroupHand *>();
+        QVERIFY(hand);
+        QMenu menu;
+        hand->fillModes(menu, 1);
+        QList<QAction *> modes;
+        for (QAction *action : menu.actions())
+            if (!action->isSeparator())
+                modes << action;
+        QCOMPARE(int(modes.size()), blendModes);
+        QVERIFY(modes[0]->isChecked());
+        modes[2]->trigger();
+        QCOMPARE(bench.editor.document().painting()->groups[0].blend, BlendMode::Multiply);
+        bench.editor.undo();
+        QCOMPARE(bench.editor.document().painting()->groups[0].blend, BlendMode::Normal);
     }
 };
 

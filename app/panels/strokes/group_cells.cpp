@@ -1,0 +1,128 @@
+#include "app/panels/strokes/group_cells.h"
+
+#include "app/widgets/look/icons.h"
+#include "app/widgets/numbers/blend_modes.h"
+#include "app/widgets/numbers/display.h"
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QPainter>
+#include <QStyleOptionViewItem>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+struct MarkText {
+    Q_DECLARE_TR_FUNCTIONS(suffuse::GroupCells)
+};
+
+constexpr int cellGap = 8;   ///< logical pixels between cells, and before the row's end
+constexpr int markSize = 14; ///< of an icon
+constexpr int markStep = 16;
+constexpr int roundedOff = 2; ///< of the width of a text, which must not be cut short by it
+constexpr int leastMode = 28; ///< of a mode that is cut short; below this width it says nothing
+
+QFont smallerFont(const QFont &font)
+{
+    constexpr double smaller = 0.85;
+    QFont small = font;
+    small.setBold(false);
+    small.setPointSizeF(smaller * font.pointSizeF());
+    return small;
+}
+
+QString opacityText(const Group &group)
+{
+    return shareDisplay().text(double(group.opacity));
+}
+
+} // namespace
+
+QStringList marksOf(const Group &group)
+{
+    QStringList icons;
+    for (const auto &[on, name] : {std::pair(group.clips, "group-clips"),
+                                   {group.mask, "group-mask"},
+                                   {group.wash.has_value(), "group-wash"},
+                                   {group.solo, "group-solo"}})
+        if (on)
+            icons << QString::fromLatin1(name);
+    return icons;
+}
+
+QStringList wordsOfMarks(const Group &group)
+{
+    QStringList words;
+    if (group.clips)
+        words << MarkText::tr("Clipped to what lies below it in its group");
+    if (group.mask)
+        words << MarkText::tr("A mask for the others in its group");
+    if (group.wash)
+        words << MarkText::tr("A wash: its strokes are one");
+    if (group.solo)
+        words << MarkText::tr("Shown alone");
+    return words;
+}
+
+GroupCells groupCells(const Group &group, const QRect &row, int name, const QFont &font)
+{
+    const QFontMetrics metrics(smallerFont(font));
+    int right = row.right() + 1 - cellGap / 2;
+    const int left = row.left() + name + 2 * cellGap;
+    // A cell that is wider than what is left, and need not be whole, takes the rest.
+    const auto take = [&](int width, int least) {
+        const int taken = std::min(width, right - left);
+        if (width == 0 || taken < least)
+            return QRect();
+        const QRect cell(right - taken, row.top(), taken, row.height());
+        right -= taken + cellGap;
+        return cell;
+    };
+    GroupCells cells;
+    const int percent = roundedOff + std::max(metrics.horizontalAdvance(shareDisplay().text(1)),
+                                              metrics.horizontalAdvance(opacityText(group)));
+    cells.opacity = take(percent, percent);
+    const int marks = int(marksOf(group).size()) * markStep;
+    // The mode stands between both, but gives way to the marks.
+    const int mode = metrics.horizontalAdvance(nameOf(group.blend)) + roundedOff;
+    const int besides = marks > 0 ? marks + cellGap : 0, leastOfMode = std::min(mode, leastMode);
+    if (right - left - besides >= leastOfMode)
+        cells.mode = take(std::min(mode, right - left - besides), leastOfMode);
+    cells.marks = take(marks, marks);
+    return cells;
+}
+
+void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, const Group &group, const GroupCells &cells)
+{
+    const bool selected = option.state & QStyle::State_Selected;
+    const auto colourOf = [&](bool isUsual) {
+        return option.palette.color(selected  ? QPalette::HighlightedText
+                                    : isUsual ? QPalette::PlaceholderText
+                                              : QPalette::Text);
+    };
+    painter.save();
+    painter.setFont(smallerFont(option.font));
+    const QFontMetrics metrics = painter.fontMetrics();
+    const auto write = [&](const QRect &cell, const QString &text, bool isUsual) {
+        painter.setPen(colourOf(isUsual));
+        painter.drawText(cell, Qt::AlignRight | Qt::AlignVCenter,
+                         metrics.elidedText(text, Qt::ElideRight, cell.width()));
+    };
+    if (!cells.opacity.isEmpty())
+        write(cells.opacity, opacityText(group), group.opacity >= 1);
+    if (!cells.mode.isEmpty())
+        write(cells.mode, nameOf(group.blend), group.blend == BlendMode::Normal);
+    if (!cells.marks.isEmpty()) {
+        QRect at(cells.marks.left(), cells.marks.center().y() - markSize / 2, markSize, markSize);
+        for (const QString &mark : marksOf(group)) {
+            icon(mark).paint(&painter, at, Qt::AlignCenter, selected ? QIcon::Selected : QIcon::Normal);
+            at.translate(markStep, 0);
+        }
+    }
+    painter.restore();
+}
+
+} // namespace suffuse

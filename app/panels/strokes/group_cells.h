@@ -1,0 +1,34 @@
+// What stands behind the name in a group's row: marks of its switches, its mode and its opacity.
+#pragma once
+
+#include "model/painting/painting.h"
+
+#include <QFont>
+#include <QRect>
+#include <QStringList>
+
+class QPainter;
+class QStyleOptionViewItem;
+
+namespace suffuse {
+
+/// Where these stand; what there is no room for is empty.
+struct GroupCells {
+    QRect marks;
+    QRect mode;
+    QRect opacity;
+};
+
+/// The icons of the switches of a group that are on: clips, mask, wash, solo.
+QStringList marksOf(const Group &group);
+/// What these say, for people, a line for each.
+QStringList wordsOfMarks(const Group &group);
+
+/// The places in `row`, the rectangle of the name's cell, behind what `name` needs of it, in pixels. The opacity comes
+/// first where there is little room, then the marks, then the mode.
+GroupCells groupCells(const Group &group, const QRect &row, int name, const QFont &font);
+/// Paints them as small as they are in that font.
+void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, const Group &group,
+                     const GroupCells &cells);
+
+} // namespace suffuse

@@ -1,0 +1,135 @@
+#include "app/panels/strokes/group_hand.h"
+
+#include "app/panels/strokes/group_cells.h"
+#include "app/session/editor.h"
+#include "app/widgets/habits/entry_field.h"
+#include "app/widgets/numbers/arithmetic.h"
+#include "app/widgets/numbers/blend_modes.h"
+#include "app/widgets/numbers/display.h"
+#include "undo/group_edits.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QTreeView>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace suffuse {
+
+GroupHand::GroupHand(Editor &editor, QTreeView &view) : QObject(&view), m_editor(editor), m_view(view) {}
+
+void GroupHand::setOpacity(GroupId group, double opacity, ValueEntry *entry)
+{
+    const auto rounded = float(std::round(std::clamp(opacity, 0.0, 1.0) * 1000) / 1000);
+    Edit edit = setGroupOpacity(m_editor.document(), {group}, rounded);
+    const Group *present = m_editor.document().painting()->findGroup(group);
+    if (edit.isEmpty() && present && present->opacity != rounded)
+        emit said(tr("The group is locked: nothing changes."));
+    m_editor.push(std::move(edit), tr("Change group opacity"), entry);
+}
+
+void GroupHand::fillModes(QMenu &menu, GroupId group)
+{
+    const Group *present = m_editor.document().painting()->findGroup(group);
+    QComboBox all;
+    addBlendModes(all);
+    for (int i = 0; i < all.count() && present; ++i) {
+        if (!all.itemData(i).isValid()) {
+            menu.addSeparator();
+            continue;
+        }
+        const BlendMode mode = modeAt(all, i);
+        QAction *action = menu.addAction(all.itemText(i), this, [this, group, mode] {
+            Edit edit = setGroupBlend(m_editor.document(), {group}, mode);
+            const Group *now = m_editor.document().painting()->findGroup(group);
+            if (edit.isEmpty() && now && now->blend != mode)
+                emit said(tr("The group is locked: nothing changes."));
+            m_editor.push(std::move(edit), tr("Change group mode"));
+        });
+        action->setToolTip(all.itemData(i, Qt::ToolTipRole).toString());
+        action->setCheckable(true);
+        action->setChecked(present->blend == mode);
+    }
+    menu.setToolTipsVisible(true);
+}
+
+void GroupHand::typeOpacity(const QModelIndex &row, const Group &group, const GroupCells &cells)
+{
+    constexpr int fieldWidth = 64;
+    auto *field = new EntryField(m_view.viewport());
+    field->setObjectName("groupOpacity");
+    field->setAccessibleName(tr("Opacity of the group"));
+    field->setAlignment(Qt::AlignRight);
+    QRect place = cells.opacity;
+    place.setLeft(std::min(place.left(), place.right() + 1 - fieldWidth));
+    field->setGeometry(place);
+    field->showText(shareDisplay().text(double(group.opacity)));
+    field->selectAll();
+    connect(field, &EntryField::typed, this, [this, id = group.id](const QString &text) {
+        const Group *present = m_editor.document().painting()->findGroup(id);
+        if (!present)
+            return;
+        const Display display = shareDisplay();
+        if (const auto value = evaluateArithmetic(text, display.toShown(double(present->opacity)), display.unit))
+            setOpacity(id, display.toValue(*value), nullptr);
+        else
+            emit said(tr("“%1” is no number.").arg(text));
+    });
+    connect(field, &QLineEdit::editingFinished, field, &QObject::deleteLater);
+    connect(m_view.model(), &QAbstractItemModel::layoutChanged, field, &QObject::deleteLater);
+    m_view.scrollTo(row);
+    field->show();
+    field->setFocus(Qt::MouseFocusReason);
+}
+
+void GroupHand::giveUp()
+{
+    if (m_group == 0)
+        return;
+    m_group = 0;
+    m_entry.giveUpDrag();
+}
+
+bool GroupHand::takes(const QMouseEvent &event, const QModelIndex &row, const Group *group, const GroupCells &cells)
+{
+    const QPoint at = event.position().toPoint();
+    const bool isPress = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick;
+    const bool isOwn = isPress && group && event.button() == Qt::LeftButton && !event.modifiers();
+    if (isOwn && cells.mode.contains(at)) {
+        QMenu menu(&m_view);
+        fillModes(menu, group->id);
+        menu.exec(m_view.viewport()->mapToGlobal(cells.mode.bottomLeft()));
+        return true;
+    }
+    if (isOwn && cells.opacity.contains(at)) {
+        m_group = group->id;
+        m_from = double(group->opacity);
+        m_pressed = at;
+        m_moved = false;
+        return true;
+    }
+    if (m_group == 0)
+        return false;
+    if (event.type() == QEvent::MouseMove) {
+        const int by = at.x() - m_pressed.x();
+        if (!m_moved && std::abs(by) < QApplication::startDragDistance())
+            return true;
+        if (!m_moved)
+            m_entry.beginDrag();
+        m_moved = true;
+        setOpacity(m_group, m_from + by * perPixel, &m_entry);
+    } else if (event.type() == QEvent::MouseButtonRelease) {
+        const GroupId pressed = std::exchange(m_group, 0);
+        if (m_moved)
+            m_entry.commitDrag();
+        else if (group && pressed == group->id)
+            typeOpacity(row, *group, cells);
+    }
+    return true;
+}
+
+} // namespace suffuse
