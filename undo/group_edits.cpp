@@ -283,7 +283,7 @@ Edit showAll(const Document &document)
 {
     return changeEverything(
         document, [](const Stroke &s) { return !s.visible; }, [](Stroke &s) { s.visible = true; },
-        [](Group &g) { g.visible = true; });
+        [](Group &g) { g.visible = true, g.solo = false; });
 }
 
 Edit renameStroke(const Document &document, StrokeId stroke, const QString &name)

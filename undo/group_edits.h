@@ -27,7 +27,7 @@ Edit setLocked(const Document &document, const std::set<StrokeId> &strokes, bool
 Edit setVisible(const Document &document, const std::set<StrokeId> &strokes, bool visible);
 Edit setGroupLocked(const Document &document, GroupId group, bool locked);
 Edit setGroupVisible(const Document &document, GroupId group, bool visible);
-/// Unlocks, and shows, all strokes and groups.
+/// Unlocks, and shows, all strokes and groups. None is solo any more.
 Edit unlockAll(const Document &document);
 Edit showAll(const Document &document);
 Edit renameStroke(const Document &document, StrokeId stroke, const QString &name);

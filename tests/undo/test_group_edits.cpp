@@ -343,6 +343,10 @@ private slots:
         push(unlockAll(d));
         push(showAll(d));
         QVERIFY(d.painting()->groups[0].visible && !d.painting()->groups[0].locked);
+        push(changeBlending(d, *d.painting(), {g}, [](Group &now, const Group &) { now.solo = true; }));
+        QVERIFY(!d.painting()->isVisible(strokeOf(d, 3)));
+        push(showAll(d));
+        QVERIFY(d.painting()->isVisible(strokeOf(d, 3)));
 
         push(changeStrokes(d, {1, 3}, [](Stroke &s) {
             s.brush = QStringLiteral("pencil");

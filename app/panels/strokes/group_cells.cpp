@@ -1,5 +1,6 @@
 #include "app/panels/strokes/group_cells.h"
 
+#include "app/widgets/look/group_tags.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/numbers/blend_modes.h"
 #include "app/widgets/numbers/display.h"
@@ -62,6 +63,8 @@ QStringList wordsOfMarks(const Group &group)
         words << MarkText::tr("A mask for the others in its group");
     if (group.wash)
         words << MarkText::tr("A wash: its strokes are one");
+    if (group.tag != GroupTag::None)
+        words << nameOf(group.tag);
     if (group.solo)
         words << MarkText::tr("Shown alone");
     return words;
@@ -122,6 +125,9 @@ void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, cons
             at.translate(markStep, 0);
         }
     }
+    if (group.tag != GroupTag::None) // a strip before the row
+        painter.fillRect(QRect(option.rect.left(), option.rect.top() + 2, 3, option.rect.height() - 4),
+                         suffuse::colourOf(group.tag));
     painter.restore();
 }
 

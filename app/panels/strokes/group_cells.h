@@ -27,7 +27,7 @@ QStringList wordsOfMarks(const Group &group);
 /// The places in `row`, the rectangle of the name's cell, behind what `name` needs of it, in pixels. The opacity comes
 /// first where there is little room, then the marks, then the mode.
 GroupCells groupCells(const Group &group, const QRect &row, int name, const QFont &font);
-/// Paints them as small as they are in that font.
+/// Paints them as small as they are in that font, and a strip of the colour with which the group is marked.
 void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, const Group &group,
                      const GroupCells &cells);
 

@@ -421,15 +421,14 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
         same->addAction(text, this, [this, what = what] { commands::selectSameAs(m_editor, what); });
 }
 
-/// A group whose opacity or mode isolates it mixes by itself in any case, and a locked one stays as it is.
+/// A group that blends mixes by itself in any case, and a locked one stays as it is.
 void StrokesPanel::addIsolated(QMenu &menu, GroupId id)
 {
     const Document &document = m_editor.document();
-    const std::vector<Group> &groups = document.painting()->groups;
-    const auto group = std::ranges::find(groups, id, &Group::id);
-    if (group == groups.end())
+    const Group *group = document.painting()->findGroup(id);
+    if (!group)
         return;
-    const bool on = group->isolated, isFree = group->opacity >= 1 && group->blend == BlendMode::Normal;
+    const bool on = group->isolated, isFree = !group->blends();
     QAction *action = menu.addAction(tr("Mi&x by Itself"), this, [this, id, on] {
         m_editor.push(setGroupIsolated(m_editor.document(), {id}, !on),
                       on ? tr("Mix group with what lies below") : tr("Mix group by itself"));

@@ -3,6 +3,7 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
+#include "app/widgets/look/group_tags.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
 
@@ -105,6 +106,21 @@ private slots:
         dock.click(dock.groupRow().siblingAtColumn(StrokesModel::EyeColumn));
         QVERIFY(!bench.editor.document().painting()->groups[0].visible);
         QCOMPARE(bench.editor.layer().group(), GroupId(1));
+    }
+
+    void aMarkedGroupHasAStripOfItsColour()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const auto strip = [&] {
+            const QImage image = dock.view().viewport()->grab().toImage();
+            const QRect row = dock.view().visualRect(dock.groupRow());
+            return image.pixelColor(QPoint(row.left() + 1, row.center().y()));
+        };
+        QVERIFY(strip() != colourOf(GroupTag::Green));
+        bench.editor.push(setGroupTag(bench.editor.document(), {1}, GroupTag::Green), "mark");
+        QCOMPARE(strip(), colourOf(GroupTag::Green));
+        QVERIFY(dock.groupRow().data(Qt::ToolTipRole).toString().contains(nameOf(GroupTag::Green)));
     }
 
     void aLayerThatIsToComeIsNamed()
