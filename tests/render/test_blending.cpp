@@ -182,7 +182,7 @@ private slots:
         for (int i = 0; i < all; ++i) {
             std::mt19937_64 random(firstSeed() + unsigned(i) + 1);
             auto strokes = randomStrokes(random, 9, 96, 72);
-            for (StrokeId id = 10; id < (i % 5 == 0 ? 13u : 10u); ++id) // The reference takes long for fills.
+            for (StrokeId id = 10; id < (i % 10 == 0 ? 13u : 10u); ++id) // The reference takes long for fills.
                 strokes.push_back(evenFill(random, id, id == 12 ? 0.001 : 4));
             std::ranges::shuffle(strokes, random);
             auto flat = painting(std::move(strokes), 96, 72,
