@@ -4,8 +4,7 @@ import math
 import random
 import sys
 
-from paintbox import (Painting, across_box, feather, lens, oval, placed, rectangle, ryb, tapered, through,
-                      uniform)
+from paintbox import Painting, across_box, feather, lens, oval, paint, placed, rectangle, tapered, through, uniform
 
 CREAM, CORAL, SEA, NIGHT, INK = "#fdf1dc", "#e8694c", "#2f7480", "#173a4a", "#102c3a"
 CRISP, SOFT = uniform(0.008), feather(1.0, 1.0)
@@ -13,11 +12,6 @@ WALLS = "#fdf0dd", "#fadbb4", "#f5bb8f", "#fef3e4", "#f0c873", "#f3a587", "#accd
 ROOFS = "#d96446", "#e27a54", "#c8563e"
 rng = random.Random(7)
 p = Painting(1024, 768, "#fbe3c2")
-
-
-def paint(text):
-    """'#rrggbb', or '#rrggbbaa' with its opacity."""
-    return ryb(text[:7], int(text[7:] or "ff", 16) / 255)
 
 
 def mixed(colour, other, share):

@@ -10,7 +10,7 @@ import math
 import random
 import sys
 
-from paintbox import Noise, Painting, across_box, edge, feather, lens, oval, rectangle, ryb, tapered, through, uniform
+from paintbox import Noise, Painting, edge, feather, lens, oval, paint, rectangle, tapered, through, uniform
 
 WIDTH, HEIGHT = 840, 1120
 WATER = 764
@@ -20,15 +20,7 @@ rng = random.Random(29)
 p = Painting(WIDTH, HEIGHT, "#141a33", {"kind": "procedural", "grain": "tooth", "seed": 8, "scale": 8, "strength": 0.35})
 
 
-def paint(text):
-    """'#rrggbb', or '#rrggbbaa' with its opacity."""
-    return ryb(text[:7], int(text[7:] or "ff", 16) / 255)
-
-
-def area(name, outlines, colour, slant=90, **more):
-    """Outlines in one fill. colour: one, or a pair that runs through the outlines' box, downwards or aslant."""
-    colour = across_box(outlines, slant, *map(paint, colour)) if isinstance(colour, tuple) else paint(colour)
-    p.area(name, outlines, colour, **{"style": WET, "granulation": 0.6, **more})
+area = p.washed
 
 
 # ---------------------------------------------------------------- the sky: one wash of many strokes

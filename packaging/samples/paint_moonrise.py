@@ -12,7 +12,7 @@ import random
 import sys
 
 from letters import lettered
-from paintbox import Noise, Painting, across_box, edge, feather, lens, oval, rectangle, ryb, through, uniform
+from paintbox import Noise, Painting, edge, feather, lens, oval, paint, rectangle, through, uniform
 
 WIDTH, HEIGHT = 840, 1120
 WATER = 742  # where the lake begins
@@ -21,15 +21,7 @@ rng = random.Random(11)
 p = Painting(WIDTH, HEIGHT, "#f6efdf", {"kind": "procedural", "grain": "tooth", "seed": 5, "scale": 9, "strength": 0.5})
 
 
-def paint(text):
-    """'#rrggbb', or '#rrggbbaa' with its opacity."""
-    return ryb(text[:7], int(text[7:] or "ff", 16) / 255)
-
-
-def wash(name, outlines, colour, slant=90, **more):
-    """Outlines in one fill. colour: one, or a pair that runs through the outlines' box, downwards or aslant."""
-    colour = across_box(outlines, slant, *map(paint, colour)) if isinstance(colour, tuple) else paint(colour)
-    p.area(name, outlines, colour, **{"style": WET, "granulation": 0.6, **more})
+wash = p.washed
 
 
 def ridge(base, height, length, seed, peaks=(), step=14):

@@ -27,6 +27,11 @@ def ryb(text, opacity=1.0):
     return (red / n + black, yellow / n + black, blue / n + black, opacity)
 
 
+def paint(text):
+    """'#rrggbb', or '#rrggbbaa' with its opacity."""
+    return ryb(text[:7], int(text[7:] or "ff", 16) / 255)
+
+
 def lerp(a, b, t):
     return a + (b - a) * t
 
@@ -389,6 +394,12 @@ class Painting:
             fill["gradient"] = {"from": halves(start), "to": halves(end), "colour": bytewise(other)}
         fill["colour"] = bytewise(colour)
         self.finish(name, out, style or uniform(), mix, fill=fill)
+
+    def washed(self, name, outlines, colour, slant=90, **more):
+        """An area that spreads. colour: text (see paint), or a pair that runs through the outlines' box, downwards or
+        aslant."""
+        colour = across_box(outlines, slant, *map(paint, colour)) if isinstance(colour, tuple) else paint(colour)
+        self.area(name, outlines, colour, **{"style": feather(1.0, 1.0), "granulation": 0.6, **more})
 
     def line(self, name, points, width, colour, style=None, mix=COVER, spread=None, step=None, granulation=1.0,
              smooth=True, follow=False):
