@@ -111,6 +111,20 @@ struct Backdrop {
     bool hasCoverage = false; ///< whether the coverage counts: in transparent pictures, and where there are layers
 };
 
+/// The picture of a layer, kept to be put again and again: straight RGB and coverage, in steps of 1/65535. It is half
+/// of a backdrop's bytes, since reading them is what putting it costs, and nothing is to be converted.
+struct LayerPicture {
+    /// Rows of the block, each of which has its reds, greens, blues and coverages: it is read from end to end.
+    alignas(64) std::uint16_t rows[blockSide][4][blockSide];
+
+    /// A channel (red, green, blue, coverage) of sample `sample` and those after it in its row.
+    std::uint16_t *at(int channel, int sample) { return &rows[sample / blockSide][channel][sample % blockSide]; }
+    const std::uint16_t *at(int channel, int sample) const
+    {
+        return &rows[sample / blockSide][channel][sample % blockSide];
+    }
+};
+
 /// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps can
 /// be composed (docs/solver.md, "Layers").
 struct OverMap {

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace suffuse::HWY_NAMESPACE {
@@ -250,23 +251,123 @@ void apply(const OverMap &map, Backdrop &backdrop)
     }
 }
 
+/// Calls act with the mode as a type, so that the compiler makes a loop without branches of each.
+template <class Act>
+HWY_INLINE void withMode(BlendMode mode, Act act)
+{
+    switch (mode) {
+    case BlendMode::Normal: return act(std::integral_constant<BlendMode, BlendMode::Normal>());
+    case BlendMode::Multiply: return act(std::integral_constant<BlendMode, BlendMode::Multiply>());
+    case BlendMode::Screen: return act(std::integral_constant<BlendMode, BlendMode::Screen>());
+    case BlendMode::Overlay: return act(std::integral_constant<BlendMode, BlendMode::Overlay>());
+    case BlendMode::Darken: return act(std::integral_constant<BlendMode, BlendMode::Darken>());
+    case BlendMode::Lighten: return act(std::integral_constant<BlendMode, BlendMode::Lighten>());
+    case BlendMode::ColourDodge: return act(std::integral_constant<BlendMode, BlendMode::ColourDodge>());
+    case BlendMode::ColourBurn: return act(std::integral_constant<BlendMode, BlendMode::ColourBurn>());
+    case BlendMode::HardLight: return act(std::integral_constant<BlendMode, BlendMode::HardLight>());
+    case BlendMode::SoftLight: return act(std::integral_constant<BlendMode, BlendMode::SoftLight>());
+    case BlendMode::Difference: return act(std::integral_constant<BlendMode, BlendMode::Difference>());
+    case BlendMode::Exclusion: return act(std::integral_constant<BlendMode, BlendMode::Exclusion>());
+    case BlendMode::Hue: return act(std::integral_constant<BlendMode, BlendMode::Hue>());
+    case BlendMode::Saturation: return act(std::integral_constant<BlendMode, BlendMode::Saturation>());
+    case BlendMode::Colour: return act(std::integral_constant<BlendMode, BlendMode::Colour>());
+    case BlendMode::Luminosity: return act(std::integral_constant<BlendMode, BlendMode::Luminosity>());
+    case BlendMode::Plus: return act(std::integral_constant<BlendMode, BlendMode::Plus>());
+    case BlendMode::DestinationIn: return act(std::integral_constant<BlendMode, BlendMode::DestinationIn>());
+    case BlendMode::DestinationOut: return act(std::integral_constant<BlendMode, BlendMode::DestinationOut>());
+    case BlendMode::SourceAtop: return act(std::integral_constant<BlendMode, BlendMode::SourceAtop>());
+    }
+}
+
+HWY_INLINE Pixel<Lanes> pixelAt(const Backdrop &from, int at)
+{
+    return {load(from.ryb[0] + at), load(from.ryb[1] + at), load(from.ryb[2] + at), load(from.coverage + at)};
+}
+
 void putLayer(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below)
 {
-    const LayerPut own = how; // A copy cannot alias what is stored.
-    const auto pixel = [](const Backdrop &from, int at) {
-        return Pixel<Lanes>{load(from.ryb[0] + at), load(from.ryb[1] + at), load(from.ryb[2] + at),
-                            load(from.coverage + at)};
-    };
-    const bool everywhere = own.mode == BlendMode::DestinationIn;
+    withMode(how.mode, [&](auto mode) {
+        LayerPut own = how; // A copy cannot alias what is stored.
+        own.mode = mode;
+        const bool everywhere = own.mode == BlendMode::DestinationIn;
+        for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+            if (!everywhere && hn::AllFalse(tag, less_(Lanes(0), load(layer.coverage + at))))
+                continue; // Nothing is there to be put.
+            const Lanes all(own.opacity), opacity = share ? all * load(share + at) : all;
+            const Pixel<Lanes> out = put(own, opacity, pixelAt(layer, at), pixelAt(below, at));
+            store(out.red, below.ryb[0] + at);
+            store(out.yellow, below.ryb[1] + at);
+            store(out.blue, below.ryb[2] + at);
+            store(out.coverage, below.coverage + at);
+        }
+    });
+}
+
+constexpr float keptSteps = 65535;
+
+/// Reads and writes a share of 1 in 16 bits.
+HWY_INLINE Lanes loadKept(const std::uint16_t *from)
+{
+    const hn::Rebind<std::uint16_t, Tag> keptTag;
+    const hn::RebindToSigned<Tag> intTag;
+    return Lanes(hn::ConvertTo(tag, hn::PromoteTo(intTag, hn::Load(keptTag, from)))) * Lanes(1 / keptSteps);
+}
+
+HWY_INLINE void storeKept(Lanes value, std::uint16_t *to)
+{
+    const hn::Rebind<std::uint16_t, Tag> keptTag;
+    const hn::RebindToSigned<Tag> intTag;
+    const Lanes steps = mulAdd_(value, Lanes(keptSteps), Lanes(0.5));
+    hn::Store(hn::DemoteTo(keptTag, hn::ConvertTo(intTag, steps.v)), keptTag, to);
+}
+
+bool keepLayer(const Backdrop &layer, LayerPicture &out)
+{
+    bool shows = false;
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        if (!everywhere && hn::AllFalse(tag, less_(Lanes(0), load(layer.coverage + at))))
-            continue; // Nothing is there to be put.
-        const Lanes all(own.opacity), opacity = share ? all * load(share + at) : all;
-        const Pixel<Lanes> out = put(own, opacity, pixel(layer, at), pixel(below, at));
-        store(out.red, below.ryb[0] + at);
-        store(out.yellow, below.ryb[1] + at);
-        store(out.blue, below.ryb[2] + at);
-        store(out.coverage, below.coverage + at);
+        const Pixel<Lanes> pixel = pixelAt(layer, at);
+        const Triple<Lanes> rgb = straightColour(pixel);
+        storeKept(rgb.x, out.at(0, at));
+        storeKept(rgb.y, out.at(1, at));
+        storeKept(rgb.z, out.at(2, at));
+        storeKept(pixel.coverage, out.at(3, at));
+        shows = shows || !hn::AllFalse(tag, less_(Lanes(0), pixel.coverage));
+    }
+    return shows;
+}
+
+void putKept(const KeptLayer *layers, int count, Backdrop &below)
+{
+    alignas(64) float ground[3][blockSize];
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Triple<Lanes> rgb =
+            rgbFromRyb(load(below.ryb[0] + at), load(below.ryb[1] + at), load(below.ryb[2] + at));
+        store(rgb.x, ground[0] + at);
+        store(rgb.y, ground[1] + at);
+        store(rgb.z, ground[2] + at);
+    }
+    for (const KeptLayer *layer = layers; layer != layers + count; ++layer)
+        withMode(layer->how.mode, [&](auto mode) {
+            LayerPut own = layer->how;
+            own.mode = mode;
+            const LayerPicture &picture = *layer->picture;
+            for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+                const RgbPixel<Lanes> lower{{load(ground[0] + at), load(ground[1] + at), load(ground[2] + at)},
+                                              load(below.coverage + at)};
+                const Triple<Lanes> colour{loadKept(picture.at(0, at)), loadKept(picture.at(1, at)),
+                                           loadKept(picture.at(2, at))};
+                const Lanes source = loadKept(picture.at(3, at)) * Lanes(own.opacity);
+                const RgbPixel<Lanes> out = putStraight(own, source, colour, lower);
+                for (int c = 0; c < 3; ++c)
+                    store(min_(Lanes(1), max_(Lanes(0), out.rgb[c])), ground[c] + at);
+                store(out.coverage, below.coverage + at);
+            }
+        });
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Triple<Lanes> ryb = rybFromRgb(load(ground[0] + at), load(ground[1] + at), load(ground[2] + at));
+        store(ryb.x, below.ryb[0] + at);
+        store(ryb.y, below.ryb[1] + at);
+        store(ryb.z, below.ryb[2] + at);
     }
 }
 
@@ -328,6 +429,8 @@ Kernels table()
             compose,
             apply,
             putLayer,
+            keepLayer,
+            putKept,
             finish,
             toArgb,
             paper};

@@ -7,6 +7,12 @@
 
 namespace suffuse::cpu {
 
+/// A layer's picture, and how it is put.
+struct KeptLayer {
+    LayerPut how;
+    const LayerPicture *picture = nullptr;
+};
+
 struct Kernels {
     const char *name;
     /// Finds the boxes that meet `area`. It is conservative: what is left out adds exactly nothing. `runs` gets the
@@ -46,6 +52,10 @@ struct Kernels {
     void (*apply)(const OverMap &map, Backdrop &backdrop);
     /// Puts the picture of a layer on what lies below it. `share`: what its bounds let through; null for all.
     void (*put)(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below);
+    /// Makes a picture to keep of what a layer shows. Returns false if it shows nothing at all.
+    bool (*keep)(const Backdrop &layer, LayerPicture &out);
+    /// Puts kept layers on what lies below them, one after another. Bits differ from those of `put`.
+    void (*putKept)(const KeptLayer *layers, int count, Backdrop &below);
     /// Converts to straight RGBA, in rows that are `stride` pixels apart. `transparent` removes the white background
     /// from the colour.
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);

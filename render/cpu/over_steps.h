@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/composition/composition.h"
-#include "render/cpu/blocks.h"
+#include "render/cpu/kernels.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ namespace suffuse::cpu {
 struct OverSteps {
     enum class Kind : std::uint8_t {
         Map,     ///< strokes, as one map of the backdrop: exact in arithmetic, but not in its last bits
-        Picture, ///< a layer, which is put on the backdrop
+        Picture, ///< a layer, which is put on the backdrop: rounded to 16 bits
         End      ///< the innermost layer that is open ends, and is put on what lies below it
     };
     struct Step {
@@ -25,7 +25,7 @@ struct OverSteps {
     };
     std::vector<Step> steps;
     std::vector<OverMap> maps;
-    std::vector<Backdrop> pictures;
+    std::vector<LayerPicture> pictures;
 
     void clear() { steps.clear(), maps.clear(), pictures.clear(); }
     /// The map of the strokes that come next.
@@ -37,13 +37,15 @@ struct OverSteps {
         }
         return maps.back();
     }
-    void addPicture(int layer, const Backdrop &picture)
+    /// The layer, which shows this. With `always` it is kept even if that is nothing.
+    void addPicture(const Kernels &kernels, int layer, const Backdrop &shown, bool always)
     {
-        steps.push_back({Kind::Picture, layer, pictures.size()});
-        pictures.push_back(picture);
+        if (!kernels.keep(shown, pictures.emplace_back()) && !always)
+            return pictures.pop_back();
+        steps.push_back({Kind::Picture, layer, pictures.size() - 1});
     }
     void addEnd(int layer) { steps.push_back({Kind::End, layer, 0}); }
-    std::size_t bytes() const { return maps.size() * sizeof(OverMap) + pictures.size() * sizeof(Backdrop); }
+    std::size_t bytes() const { return maps.size() * sizeof(OverMap) + pictures.size() * sizeof(LayerPicture); }
 };
 
 } // namespace suffuse::cpu

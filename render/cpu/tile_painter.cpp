@@ -21,6 +21,7 @@ struct Scratch {
     /// kept.
     std::vector<Backdrop> backdrops{1};
     std::vector<LayerBounds> bounds{1};  ///< of each of these
+    std::vector<KeptLayer> kept;         ///< layers that are put next
     alignas(64) float share[blockSize];  ///< of a layer that is bounded
     alignas(64) float source[blockSize]; ///< its coverage in the end
     alignas(64) float eta[blockSize];
@@ -102,18 +103,20 @@ public:
     /// Does all that was recorded, up to the end.
     void apply(const OverSteps &over)
     {
-        for (const OverSteps::Step &step : over.steps)
-            switch (step.kind) {
-            case OverSteps::Kind::Map:
+        for (const OverSteps::Step &step : over.steps) {
+            if (step.kind == OverSteps::Kind::Picture) {
+                m_s.kept.push_back({howToPut(step.layer), &over.pictures[step.place]});
+                continue;
+            }
+            putKept();
+            if (step.kind == OverSteps::Kind::Map) {
                 m_frame.kernels->apply(over.maps[step.place], backdrop());
-                break;
-            case OverSteps::Kind::Picture:
-                putLayer(step.layer, nullptr, over.pictures[step.place]);
-                break;
-            case OverSteps::Kind::End:
+            } else {
                 --m_open;
                 putLayer(step.layer, nullptr, m_s.backdrops[m_open + 1]);
             }
+        }
+        putKept();
     }
 
     /// Adds the coverage of a stroke to that of the base of which it is a part, which has this place among all. The
@@ -227,7 +230,7 @@ private:
         if (m_record && m_open == m_recorded)
             m_record->addEnd(number), --m_recorded;
         else if (m_record && m_open == m_recorded + 1)
-            m_record->addPicture(number, ended);
+            m_record->addPicture(*m_frame.kernels, number, ended, layer.actsEverywhere());
         const LayerBounds &own = m_s.bounds[m_open];
         LayerBounds &around = m_s.bounds[--m_open];
         const float *share = boundsOf(layer, own, around, m_s.share) ? m_s.share : nullptr;
@@ -244,6 +247,19 @@ private:
     /// Puts what a layer shows on the present backdrop. `share`: what its bounds let through; null for all.
     void putLayer(int number, const float *share, const Backdrop &shown)
     {
+        m_frame.kernels->put(howToPut(number), share, shown, backdrop());
+    }
+
+    /// Puts the layers in hand that are kept as pictures.
+    void putKept()
+    {
+        if (!m_s.kept.empty())
+            m_frame.kernels->putKept(m_s.kept.data(), int(m_s.kept.size()), backdrop());
+        m_s.kept.clear();
+    }
+
+    LayerPut howToPut(int number) const
+    {
         const Layer &layer = m_frame.composition->layers[std::size_t(number)];
         const bool onCanvas = layer.parent == Layer::none;
         LayerPut how{layer.blend, layer.opacity, onCanvas && !m_frame.transparent, {1, 1, 1}};
@@ -252,7 +268,7 @@ private:
             const math::Triple<float> rgb = math::rgbFromRyb(ryb[0], ryb[1], ryb[2]);
             how.bare[0] = rgb.x, how.bare[1] = rgb.y, how.bare[2] = rgb.z;
         }
-        m_frame.kernels->put(how, share, shown, backdrop());
+        return how;
     }
 
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)

@@ -172,61 +172,92 @@ SUFFUSE_INLINE Pixel<V> finished(const V (&rgb)[3], V coverage, V source, const 
             select_(shows, coverage, below.coverage)};
 }
 
+/// A pixel as RGB over the canvas, or over white, and its coverage.
+template <class V>
+struct RgbPixel {
+    V rgb[3];
+    V coverage;
+};
+
+/// A layer of straight colour `cs` and coverage `source` put on what lies below. The result is not clamped.
+template <class V>
+SUFFUSE_INLINE RgbPixel<V> putStraight(const LayerPut &how, V source, const Triple<V> &cs, const RgbPixel<V> &below)
+{
+    const V one(1), tiny(1e-30), ground = below.coverage, s[3] = {cs.x, cs.y, cs.z};
+    RgbPixel<V> out{{below.rgb[0], below.rgb[1], below.rgb[2]}, coverageWith(how.mode, source, ground)};
+    if (how.mode == BlendMode::DestinationIn || how.mode == BlendMode::DestinationOut) {
+        const V kept = how.mode == BlendMode::DestinationIn ? source : one - source;
+        for (int c = 0; c < 3; ++c)
+            out.rgb[c] = mulAdd_(kept, out.rgb[c] - V(how.bare[c]), V(how.bare[c]));
+        return out;
+    }
+    if (how.mode == BlendMode::Normal) {
+        for (int c = 0; c < 3; ++c)
+            out.rgb[c] = mulAdd_(one - source, out.rgb[c], source * s[c]);
+        return out;
+    }
+    if (how.mode == BlendMode::Plus) {
+        // Over white both leave as much of it as is not covered, which is counted twice where they overlap.
+        const V spare = how.opaque ? V(0) : source + ground - out.coverage - source;
+        for (int c = 0; c < 3; ++c)
+            out.rgb[c] = min_(one, mulAdd_(source, s[c], out.rgb[c]) + spare);
+        return out;
+    }
+    Triple<V> cb{below.rgb[0], below.rgb[1], below.rgb[2]};
+    if (!how.opaque) {
+        const V inverse = reciprocal_(max_(ground, tiny));
+        cb = {straight(cb.x, ground, inverse), straight(cb.y, ground, inverse), straight(cb.z, ground, inverse)};
+    }
+    if (how.mode == BlendMode::SourceAtop) {
+        const V b[3] = {cb.x, cb.y, cb.z};
+        for (int c = 0; c < 3; ++c)
+            out.rgb[c] = mulAdd_(source * ground, s[c] - b[c], out.rgb[c]);
+        return out;
+    }
+    const Triple<V> blended = blendedColour(how.mode, cb, cs);
+    const V mixed[3] = {blended.x, blended.y, blended.z}, share = how.opaque ? one : ground;
+    for (int c = 0; c < 3; ++c) {
+        const V target = mulAdd_(share, mixed[c] - s[c], s[c]);
+        out.rgb[c] = mulAdd_(source, target - out.rgb[c], out.rgb[c]);
+    }
+    return out;
+}
+
+/// The straight colour of a layer's pixel.
+template <class V>
+SUFFUSE_INLINE Triple<V> straightColour(const Pixel<V> &layer)
+{
+    const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
+    const V inverse = reciprocal_(max_(layer.coverage, V(1e-30)));
+    return {straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
+            straight(over.z, layer.coverage, inverse)};
+}
+
 /// What a layer shows at a pixel, put on what lies below with an opacity: the layer's, times what its bounds let
 /// through. Where it shows nothing, what lies below keeps its bits, unless the mode acts there, too.
 template <class V>
 SUFFUSE_INLINE Pixel<V> put(const LayerPut &how, V opacity, const Pixel<V> &layer, const Pixel<V> &below)
 {
-    const V one(1), tiny(1e-30);
-    const V source = layer.coverage * opacity, ground = below.coverage;
+    const V one(1), source = layer.coverage * opacity;
     const Triple<V> rgb = rgbFromRyb(below.red, below.yellow, below.blue);
-    const V bare[3] = {V(how.bare[0]), V(how.bare[1]), V(how.bare[2])};
-    V out[3] = {rgb.x, rgb.y, rgb.z};
-    const V coverage = coverageWith(how.mode, source, ground);
+    const RgbPixel<V> ground{{rgb.x, rgb.y, rgb.z}, below.coverage};
     if (how.mode == BlendMode::DestinationIn || how.mode == BlendMode::DestinationOut) {
-        const V kept = how.mode == BlendMode::DestinationIn ? source : one - source;
-        for (int c = 0; c < 3; ++c)
-            out[c] = mulAdd_(kept, out[c] - bare[c], bare[c]);
-        const auto stays = not_(less_(kept, one));
-        const Triple<V> ryb = rybFromRgb(out[0], out[1], out[2]);
+        const RgbPixel<V> out = putStraight(how, source, {one, one, one}, ground);
+        const auto stays = not_(less_(how.mode == BlendMode::DestinationIn ? source : one - source, one));
+        const Triple<V> ryb = rybFromRgb(out.rgb[0], out.rgb[1], out.rgb[2]);
         return {select_(stays, below.red, ryb.x), select_(stays, below.yellow, ryb.y),
-                select_(stays, below.blue, ryb.z), select_(stays, below.coverage, coverage)};
+                select_(stays, below.blue, ryb.z), select_(stays, below.coverage, out.coverage)};
     }
-    const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
     if (how.mode == BlendMode::Normal) { // Without dividing: α_s·C_s is what the layer has over white, less the white.
+        const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
         const V white = one - layer.coverage, s[3] = {over.x, over.y, over.z};
+        V out[3] = {rgb.x, rgb.y, rgb.z};
         for (int c = 0; c < 3; ++c)
             out[c] = mulAdd_(one - source, out[c], opacity * min_(layer.coverage, max_(V(0), s[c] - white)));
-        return finished(out, coverage, source, below);
+        return finished(out, coverageWith(how.mode, source, below.coverage), source, below);
     }
-    const V inverse = reciprocal_(max_(layer.coverage, tiny));
-    const Triple<V> cs{straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
-                       straight(over.z, layer.coverage, inverse)};
-    const V groundInverse = reciprocal_(max_(ground, tiny));
-    const Triple<V> cb = how.opaque
-                             ? rgb
-                             : Triple<V>{straight(rgb.x, ground, groundInverse), straight(rgb.y, ground, groundInverse),
-                                         straight(rgb.z, ground, groundInverse)};
-    const V s[3] = {cs.x, cs.y, cs.z}, b[3] = {cb.x, cb.y, cb.z};
-    if (how.mode == BlendMode::Plus) {
-        const V sum = source + ground;
-        // Over white both leave as much of it as is not covered, which is counted twice where they overlap.
-        const V spare = how.opaque ? V(0) : sum - coverage - source;
-        for (int c = 0; c < 3; ++c)
-            out[c] = min_(one, mulAdd_(source, s[c], out[c]) + spare);
-    } else if (how.mode == BlendMode::SourceAtop) {
-        for (int c = 0; c < 3; ++c)
-            out[c] = mulAdd_(source * ground, s[c] - b[c], out[c]);
-    } else {
-        const Triple<V> blended = blendedColour(how.mode, cb, cs);
-        const V mixed[3] = {blended.x, blended.y, blended.z};
-        const V share = how.opaque ? one : ground;
-        for (int c = 0; c < 3; ++c) {
-            const V target = mulAdd_(share, mixed[c] - s[c], s[c]);
-            out[c] = mulAdd_(source, target - out[c], out[c]);
-        }
-    }
-    return finished(out, coverage, source, below);
+    const RgbPixel<V> out = putStraight(how, source, straightColour(layer), ground);
+    return finished(out.rgb, out.coverage, source, below);
 }
 
 } // namespace suffuse::SUFFUSE_MATH
