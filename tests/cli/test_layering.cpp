@@ -57,6 +57,11 @@ const QList<Rule> &rules()
         {"render/threads/", {"render/threads/"}, {}, {"tbb"}},
         {"render/nodes/", {"model/", "render/math/", "render/nodes/", "render/threads/"}, {"QtCore"}, {"hwy"}},
         {"render/composition/", {"model/", "render/composition/"}, {}, {}},
+        // Paths in double precision, which know no picture.
+        {"render/contours/",
+         {"model/", "render/contours/", "render/nodes/", "render/math/", "render/image_io/image_io.h"},
+         {"QtCore"},
+         {}},
         {"render/scene/",
          {"model/", "render/composition/", "render/math/", "render/nodes/", "render/scene/", "render/threads/",
           "render/renderer.h", "render/target.h", "render/view.h", "render/picture_grid.h",

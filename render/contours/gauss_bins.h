@@ -1,0 +1,59 @@
+// Gaussians in double precision, found by place: what a stroke's segments are to whoever asks for their density at many
+// points, and for its slope.
+#pragma once
+
+#include "model/painting/geometry.h"
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace suffuse::contours {
+
+/// weight · e^(−(a·dx² + 2b·dx·dy + c·dy²)), which counts as 0 where the exponent is beyond `cut`.
+struct Gauss {
+    Point at; ///< offset from the stroke's origin, canvas units
+    double a = 0, b = 0, c = 0;
+    double weight = 0;
+    double cut = 0;
+    double spread = 0;                    ///< the smaller axis
+    double reach = 0;                     ///< how far it counts along the longer one
+    double halfWidth = 0, halfHeight = 0; ///< of the box in which it counts
+    std::uint32_t row = 0;                ///< of what it is a part
+};
+
+/// A number with its slope.
+struct Sloped {
+    double value = 0;
+    Point slope;
+
+    void add(double weight, const Sloped &other)
+    {
+        value += weight * other.value;
+        slope = slope + weight * other.slope;
+    }
+};
+
+/// Gaussians of similar spreads in a grid of squares that are as wide as two spreads.
+class GaussBins {
+public:
+    explicit GaussBins(std::vector<Gauss> all);
+
+    const std::vector<Gauss> &all() const { return m_all; }
+    /// Those that may count at a point.
+    std::span<const std::uint32_t> near(Point p) const;
+
+private:
+    std::uint64_t keyAt(double x, double y) const;
+
+    std::vector<Gauss> m_all;
+    double m_side = 1;
+    std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> m_bins; ///< ranges of m_indices
+    std::vector<std::uint32_t> m_indices;
+};
+
+/// What a Gaussian is at a point.
+Sloped valueAt(const Gauss &gauss, Point p);
+
+} // namespace suffuse::contours

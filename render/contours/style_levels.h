@@ -1,0 +1,22 @@
+// At which densities a style reaches a coverage: F backwards.
+#pragma once
+
+#include "model/painting/style.h"
+
+#include <vector>
+
+namespace suffuse::contours {
+
+/// From a density on, a coverage (until the next one).
+struct CoverageStep {
+    double density = 0;
+    double coverage = 0;
+};
+
+/// The densities at which F comes to a level or leaves it, by turns and ascending. At jumps that is where it jumps.
+std::vector<double> crossingsOf(const Style &style, double level);
+
+/// F in steps of 1/count, each as far as F is nearer to it than to others: from each density on, the coverage.
+std::vector<CoverageStep> stepsOf(const Style &style, int count);
+
+} // namespace suffuse::contours

@@ -1,0 +1,318 @@
+// Contours of strokes against the reference: that paths lie where the reference has the level, by bisection.
+#include "render/contours/contours.h"
+
+#include "model/paint/local_paint.h"
+#include "render/contours/style_levels.h"
+#include "render/reference/density.h"
+#include "render/reference/fill_source.h"
+#include "render/reference/stroke_source.h"
+#include "render/reference/style.h"
+#include "tests/render/filled.h"
+#include "tests/render/paintings.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace suffuse;
+using namespace suffuse::contours;
+using namespace suffuse::test;
+
+namespace {
+
+constexpr Microseconds end = 1'000'000'000;
+
+/// What the reference has at a point of a stroke: what lays and takes away paint together.
+class ReferenceStroke {
+public:
+    ReferenceStroke(const Stroke &stroke, double eta) : m_stroke(stroke), m_eta(eta)
+    {
+        for (const Segment &s : stroke.segments)
+            m_kernels.push_back(
+                s.isIsotropic() ? reference::isotropicKernel(s.spread(end))
+                                : reference::anisotropicKernel(s.spread(end), s.anisotropyRatio, s.anisotropyAngle));
+        if (!stroke.fill)
+            return;
+        View view;
+        view.scale = 2 / stroke.fill->spread(end);
+        view.width = view.height = int(600 * view.scale);
+        view.centre = {300, 200};
+        m_view = view;
+        m_fill.emplace(stroke, end, view, reference::reachOf(stroke, end));
+    }
+    LocalPaint at(Point p) const
+    {
+        LocalPaint paint;
+        for (std::size_t k = 0; k < m_kernels.size(); ++k) {
+            const Segment &s = m_stroke.segments[k];
+            const double density =
+                s.density > 0
+                    ? reference::segmentDensity(offsetsOf(s), m_kernels[k], s.density, p - m_stroke.origin).density
+                    : 0;
+            if (density > 0)
+                paint.add(s, m_stroke.styleOf(s), density);
+        }
+        if (m_fill) {
+            const reference::FillSample sample = m_fill->at(m_view.toPixels(p));
+            paint.add(*m_stroke.fill, m_stroke.style, sample.density, sample.place);
+        }
+        return paint;
+    }
+    double coverage(Point p) const { return at(p).coverage(m_eta); }
+    double opacity(Point p) const { return at(p).opacity(m_eta); }
+
+private:
+    const Stroke &m_stroke;
+    double m_eta;
+    View m_view;
+    std::vector<reference::Kernel> m_kernels;
+    std::optional<reference::FillSource> m_fill;
+};
+
+struct Nearness {
+    double worst = 0;
+    int points = 0;
+};
+
+/// How far random points of loops lie from where a function comes to a level, by bisection across the loop.
+template <class Function>
+Nearness nearness(const Loops &loops, const Function &function, double level, int points, unsigned seed)
+{
+    std::vector<const Cubic *> curves;
+    for (const std::vector<Cubic> &loop : loops)
+        for (const Cubic &curve : loop)
+            curves.push_back(&curve);
+    Nearness result;
+    if (curves.empty())
+        return result;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> anywhere(0, 1);
+    for (int i = 0; i < points; ++i) {
+        const Cubic &curve = *curves[random() % curves.size()];
+        const double t = anywhere(random);
+        const Point p = curve.at(t), along = curve.derivative(t);
+        const double size = length(along);
+        if (!(size > 0))
+            continue;
+        const Point across = (1 / size) * Point{-along.y, along.x};
+        const bool within = function(p) >= level;
+        double near = 0, far = 1.0 / 1024;
+        const auto isOther = [&](double d) {
+            return (function(p + d * across) >= level) != within || (function(p - d * across) >= level) != within;
+        };
+        while (far < 1 && !isOther(far))
+            near = far, far *= 2;
+        while (far - near > 1e-5) {
+            const double middle = 0.5 * (near + far);
+            (isOther(middle) ? far : near) = middle;
+        }
+        result.worst = std::max(result.worst, far);
+        ++result.points;
+    }
+    return result;
+}
+
+void checkClosed(const Loops &loops)
+{
+    for (const std::vector<Cubic> &loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            QCOMPARE(loop[i].p[3], loop[(i + 1) % loop.size()].p[0]);
+}
+
+/// Lines from a point to the right enter loops so often.
+int windingOf(const Loops &loops, Point p)
+{
+    int winding = 0;
+    for (const std::vector<Cubic> &loop : loops)
+        for (const Cubic &c : loop)
+            for (int i = 0; i < 64; ++i) {
+                const Point a = c.at(i / 64.0), b = c.at((i + 1) / 64.0);
+                if ((a.y <= p.y) != (b.y <= p.y) && a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x)
+                    winding += a.y <= p.y ? 1 : -1;
+            }
+    return winding;
+}
+
+} // namespace
+
+class TestContours : public QObject {
+    Q_OBJECT
+
+private slots:
+    void stylesBackwards()
+    {
+        for (const StyleKind kind : styleKinds) {
+            const Style style = test::styleOf(kind);
+            for (const double level : {0.01, 0.3, 0.5, 0.9}) {
+                const std::vector<double> at = crossingsOf(style, level);
+                QVERIFY(!at.empty());
+                for (std::size_t k = 0; k < at.size(); ++k) {
+                    QCOMPARE(densityFunction(style, at[k] * (1 + 1e-9)) >= level, k % 2 == 0);
+                    QCOMPARE(densityFunction(style, at[k] * (1 - 1e-9)) >= level, k % 2 == 1);
+                }
+            }
+            const std::vector<CoverageStep> steps = stepsOf(style, 64);
+            for (double density = 1e-3; density < 5; density *= 1.003) {
+                double shown = 0;
+                for (const CoverageStep &step : steps)
+                    if (step.density <= density)
+                        shown = step.coverage;
+                QVERIFY(std::abs(shown - densityFunction(style, density)) <= 1.0 / 128 + 1e-9);
+            }
+        }
+    }
+
+    void pathsLieOnTheContour_data()
+    {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<int>("kind");
+        for (const Shape shape : {Shape::Straight, Shape::Curved, Shape::Looping, Shape::Cusped})
+            for (const StyleKind kind : styleKinds)
+                QTest::addRow("%d %d", int(shape), int(kind)) << int(shape) << int(kind);
+    }
+    void pathsLieOnTheContour()
+    {
+        QFETCH(int, shape);
+        QFETCH(int, kind);
+        Stroke s = stroke(1, Shape(shape), {300, 200}, 100, 12, test::styleOf(StyleKind(kind)));
+        s.segments[1].granulation = 0.4f;
+        s.segments[2].anisotropyRatio = 1.7f;
+        s.segments[2].anisotropyAngle = 0.6f;
+        const StrokeContours contours(s, end, {1.0 / 256, 0.8, nullptr});
+        const ReferenceStroke exact(s, 0.8);
+        int points = 0;
+        for (const double level : {0.1, 0.5, 0.85}) {
+            const Loops loops = contours.outline(level);
+            checkClosed(loops);
+            QVERIFY(!loops.empty());
+            const Nearness near = nearness(
+                loops, [&](Point p) { return exact.coverage(p); }, level, 280, unsigned(points));
+            QVERIFY2(near.worst <= 1.0 / 256 + 1e-5, qPrintable(QString::number(near.worst)));
+            points += near.points;
+            // Inside is inside.
+            std::mt19937 random(3);
+            for (int i = 0; i < 60; ++i) {
+                const Point p{150 + double(random() % 3000) / 10, 80 + double(random() % 2400) / 10};
+                const double coverage = exact.coverage(p);
+                if (std::abs(coverage - level) > 0.02)
+                    QCOMPARE(windingOf(loops, p) != 0, coverage >= level);
+            }
+        }
+    }
+
+    void bandsAreOpacities()
+    {
+        Stroke s = stroke(1, Shape::Curved, {300, 200}, 100, 12, test::styleOf(StyleKind::Uniform));
+        s.segments[0].colour.opacity = 0.4f;
+        const StrokeContours contours(s, end, {});
+        const ReferenceStroke exact(s, 1);
+        const std::vector<Band> bands = contours.bands(16);
+        QVERIFY(bands.size() > 5);
+        for (const Band &band : bands) {
+            const double level = band.opacity - bands.front().opacity / 2;
+            const Nearness near = nearness(
+                band.loops, [&](Point p) { return exact.opacity(p); }, level, 60, 1);
+            QVERIFY2(near.worst <= 1.0 / 256 + 1e-5, qPrintable(QString::number(near.worst)));
+        }
+    }
+
+    void otherStrokes_data()
+    {
+        QTest::addColumn<QString>("what");
+        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "mixed styles",
+                                 "spread fill", "narrow fill", "fill with a line", "turned fill"})
+            QTest::newRow(what) << what;
+    }
+    void otherStrokes()
+    {
+        QFETCH(QString, what);
+        Stroke s = stroke(1, Shape::Curved, {300, 200}, 100, 12, test::styleOf(StyleKind::Uniform));
+        if (what == "tiny")
+            s = stroke(1, Shape::Tiny, {300, 200}, 10, 8, test::styleOf(StyleKind::Uniform));
+        if (what == "huge")
+            s = stroke(1, Shape::Huge, {300, 200}, 1000, 900, test::styleOf(StyleKind::Feathering));
+        if (what == "hair")
+            s = stroke(1, Shape::Curved, {300, 200}, 20, 0.02, test::styleOf(StyleKind::Uniform));
+        if (what.contains("lifted")) {
+            s.segments[1].lift = true;
+            s.segments[1].density *= 0.7f;
+            s.segments[1].bezier = s.segments[0].bezier;
+            s.segments[1].bezier[1].x += 20;
+            s.segments[1].start = true;
+            s.segments[2].start = true;
+        }
+        if (what.startsWith("granulated"))
+            s.segments[0].granulation = 0.2f;
+        if (what == "mixed styles")
+            s.segments[1].style = test::styleOf(StyleKind::Feathering);
+        if (what.contains("fill")) {
+            const double spread = what.startsWith("narrow") ? 0.5 : 10;
+            s = emptyFill(1, spread, test::styleOf(StyleKind::Uniform));
+            addEllipse(s, {300, 200}, 120, 70);
+            addRectangle(s, Rect::of(280, 180, 50, 30), true);
+        }
+        if (what == "fill with a line")
+            s.segments[2].density = 9;
+        if (what == "turned fill") {
+            Fill fill = *s.fill;
+            fill.anisotropyRatio = 2, fill.anisotropyAngle = 0.7f;
+            s.fill = fill;
+        }
+        const StrokeContours contours(s, end, {1.0 / 256, 0.8, nullptr});
+        const ReferenceStroke exact(s, 0.8);
+        for (const double level : {0.2, 0.5}) {
+            const Loops loops = contours.outline(level);
+            checkClosed(loops);
+            QVERIFY(!loops.empty());
+            const Nearness near = nearness(
+                loops, [&](Point p) { return exact.coverage(p); }, level, what.contains("fill") ? 30 : 100, 7);
+            QVERIFY2(near.worst <= 1.0 / 256 + 1e-5, qPrintable(QString::number(near.worst)));
+        }
+    }
+
+    void crispFillsAreTheirOutlines()
+    {
+        Stroke s = emptyFill(1, 0, test::styleOf(StyleKind::Uniform));
+        addEllipse(s, {300, 200}, 120, 70);
+        const std::vector<Band> bands = StrokeContours(s, end, {}).bands(16);
+        QCOMPARE(bands.size(), 1u);
+        QVERIFY(std::abs(bands.front().opacity - densityFunction(s.style, s.fill->density) * s.fill->colour.opacity) <
+                1e-9);
+        const Loops loops = StrokeContours(s, end, {}).outline(0.5);
+        Rect box;
+        for (const std::vector<Cubic> &loop : loops)
+            for (const Cubic &c : loop)
+                box = box.united(c.controlBox());
+        QVERIFY(std::abs(box.width() - 240) < 1e-3 && std::abs(box.height() - 140) < 1e-3);
+
+        // Paint of its segments lies around it, and what both cover is one area.
+        s.segments[0].density = 6;
+        const Loops both = StrokeContours(s, end, {}).outline(0.5);
+        checkClosed(both);
+        for (const Point p : {Point{300, 200}, Point{250, 190}})
+            QVERIFY(windingOf(both, p) != 0);
+    }
+
+    void nothingWhereNothingIsCovered()
+    {
+        Stroke s = stroke(1, Shape::Curved, {300, 200}, 100, 12, test::styleOf(StyleKind::Uniform));
+        for (Segment &segment : s.segments)
+            segment.density *= 0.1f;
+        QVERIFY(StrokeContours(s, end, {}).outline(0.5).empty());
+        QVERIFY(StrokeContours(s, end, {}).bands(8).empty());
+        QVERIFY(StrokeContours(s, 0, {}).outline(0.5).empty()); // of age 0
+        for (Segment &segment : s.segments)
+            segment.colour.opacity = 0;
+        QVERIFY(StrokeContours(s, end, {}).bands(8).empty());
+    }
+
+    void stopsWhenCancelled()
+    {
+        const Stroke s = stroke(1, Shape::Looping, {300, 200}, 3000, 2, test::styleOf(StyleKind::Uniform));
+        const std::atomic<bool> cancel = true;
+        QVERIFY(StrokeContours(s, end, {1.0 / 256, 1, &cancel}).bands(64).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestContours)
+#include "test_contours.moc"
