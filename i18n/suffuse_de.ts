@@ -1960,6 +1960,22 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>there is no such colour to mark groups</source>
         <translation>diese Farbe zum Markieren von Gruppen gibt es nicht</translation>
     </message>
+    <message>
+        <source>it needs an image, or a link with the SHA-256 of its file</source>
+        <translation>braucht ein Bild, oder eine Verknüpfung mit der SHA-256 ihrer Datei</translation>
+    </message>
+    <message>
+        <source>it is no path of a file</source>
+        <translation>ist kein Pfad einer Datei</translation>
+    </message>
+    <message>
+        <source>it has more than 67 million pixels</source>
+        <translation>hat mehr als 67 Millionen Pixel</translation>
+    </message>
+    <message>
+        <source>its corners lie on one line; a picture needs an area</source>
+        <translation>seine Ecken liegen auf einer Linie; ein Bild braucht eine Fläche</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>
@@ -6714,6 +6730,13 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n Texte kamen als Buchstaben an: Sie lassen sich nicht neu eintippen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>the images of %n image layer(s) are missing</source>
+        <translation>
+            <numerusform>das Bild einer Bildebene fehlt</numerusform>
+            <numerusform>die Bilder von %n Bildebenen fehlen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -10380,6 +10403,21 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Grey</source>
         <comment>mark of a group</comment>
         <translation>Grau</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePicture</name>
+    <message>
+        <source>%1: the linked picture is missing or has changed. Put it back, or link it anew in the Inspector.</source>
+        <translation>%1: Das verknüpfte Bild fehlt oder wurde geändert. Bitte an seinen Platz zurücklegen oder im Inspektor neu verknüpfen.</translation>
+    </message>
+    <message>
+        <source>the image of a picture is missing</source>
+        <translation>das Bild fehlt</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
     </message>
 </context>
 </TS>

@@ -287,6 +287,13 @@
             <numerusform>%n texts came in as letters: they cannot be typed in again.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>the images of %n image layer(s) are missing</source>
+        <translation>
+            <numerusform>the image of an image layer is missing</numerusform>
+            <numerusform>the images of %n image layers are missing</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>

@@ -1947,6 +1947,22 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>there is no such colour to mark groups</source>
         <translation>没有这种分组标记颜色</translation>
     </message>
+    <message>
+        <source>it needs an image, or a link with the SHA-256 of its file</source>
+        <translation>需要一幅图像，或者带有文件 SHA-256 的链接</translation>
+    </message>
+    <message>
+        <source>it is no path of a file</source>
+        <translation>不是文件路径</translation>
+    </message>
+    <message>
+        <source>it has more than 67 million pixels</source>
+        <translation>超过 6700 万像素</translation>
+    </message>
+    <message>
+        <source>its corners lie on one line; a picture needs an area</source>
+        <translation>它的角在一条直线上；图片需要有面积</translation>
+    </message>
 </context>
 <context>
     <name>WidthHandle</name>
@@ -6676,6 +6692,12 @@ Arrow keys work too.</source>
             <numerusform>%n 段文字作为字母导入：无法再次键入。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>the images of %n image layer(s) are missing</source>
+        <translation>
+            <numerusform>缺少 %n 个图像图层的图像</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -10325,6 +10347,21 @@ Arrow keys work too.</source>
         <source>Grey</source>
         <comment>mark of a group</comment>
         <translation>灰色</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePicture</name>
+    <message>
+        <source>%1: the linked picture is missing or has changed. Put it back, or link it anew in the Inspector.</source>
+        <translation>%1：链接的图片不存在或已更改。请放回原处，或在检查器中重新链接。</translation>
+    </message>
+    <message>
+        <source>the image of a picture is missing</source>
+        <translation>缺少图片的图像</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
     </message>
 </context>
 </TS>

@@ -43,6 +43,9 @@ QByteArray JournalEncoder::begin(const JournalHead &head, PaintingPtr painting, 
     appendChunk(bytes, "HEAD", QCborValue(map).toCbor());
     appendChunk(bytes, "BASE", writeSuffuseFile(*painting));
     m_next = {};
+    for (const StrokePtr &stroke : painting->strokes)
+        if (stroke->picture && stroke->picture->image && !stroke->picture->isLinked())
+            m_next.pictures.insert(stroke->picture->sha256);
     m_next.painting = std::move(painting);
     m_next.modified = modified;
     m_next.blocks = blockBudget;
@@ -66,6 +69,7 @@ QByteArray JournalEncoder::edit(PaintingPtr painting, bool modified, qint64 now)
         Density density{m_next.segments > freeElements, m_next.rewets > freeElements, m_next.blocks};
         map.insert(QLatin1String("strokes"), writeStrokes(difference.strokes, density));
         m_next.blocks = density.blocks;
+        bytes += writePictures(difference.strokes);
     }
     if (!difference.removed.empty()) {
         QCborArray removed;
@@ -81,7 +85,7 @@ QByteArray JournalEncoder::edit(PaintingPtr painting, bool modified, qint64 now)
         std::vector<EncodedImage> images;
         std::vector<qint64> numbers;
         map.insert(QLatin1String("document"), writeProperties(*painting, images));
-        bytes = writeImages(images, numbers);
+        bytes += writeImages(images, numbers);
         QCborArray list;
         for (const qint64 number : numbers)
             list.append(number);
@@ -104,6 +108,20 @@ QByteArray JournalEncoder::writeImages(const std::vector<EncodedImage> &images, 
             appendChunk(bytes, "IMAG", *image);
             m_next.images.push_back(image);
         }
+    }
+    return bytes;
+}
+
+/// Writes the images of pictures that the journal does not have yet.
+QByteArray JournalEncoder::writePictures(const std::vector<StrokePtr> &strokes)
+{
+    QByteArray bytes;
+    for (const StrokePtr &stroke : strokes) {
+        const SharedPicture &picture = stroke->picture;
+        if (!picture || picture->isLinked() || !picture->image || !m_next.pictures.insert(picture->sha256).second)
+            continue;
+        appendChunk(bytes, "IMAG", *picture->image);
+        m_next.images.push_back(picture->image);
     }
     return bytes;
 }

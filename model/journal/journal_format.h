@@ -5,6 +5,7 @@
 #include "model/painting/painting.h"
 #include "model/result.h"
 
+#include <set>
 #include <vector>
 
 namespace suffuse {
@@ -60,12 +61,14 @@ private:
         PaintingPtr painting;
         bool modified = false;
         std::vector<EncodedImage> images; ///< the images written so far, by their number
+        std::set<QString> pictures;       ///< the SHA-256 of the images of pictures that were written
         std::uint64_t segments = 0;       ///< of all records
         std::uint64_t rewets = 0;
         std::uint64_t blocks = 0; ///< bytes of blocks that may still be compressed
         std::uint64_t ordering = 0;
     };
     QByteArray writeImages(const std::vector<EncodedImage> &images, std::vector<qint64> &numbers);
+    QByteArray writePictures(const std::vector<StrokePtr> &strokes);
 
     State m_state; ///< the state that is on disk
     State m_next;  ///< the state once the last bytes are on disk

@@ -1,6 +1,7 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_cbor.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
@@ -87,6 +88,7 @@ private:
         for (const StrokePtr &stroke : m_content.painting.strokes) {
             m_order.push_back(stroke->id);
             m_strokes.emplace(stroke->id, stroke);
+            m_pictures.addOf(*stroke);
         }
         return {};
     }
@@ -109,7 +111,7 @@ private:
         if (chunk.type == "IMAG") {
             const auto image = checkedImage(chunk.payload.toByteArray());
             if (image)
-                m_images.push_back(*image);
+                m_images.push_back(*image), m_pictures.add(*image);
             return bool(image);
         }
         const bool known = chunk.type == "EDIT" || chunk.type == "SAVE";
@@ -131,6 +133,7 @@ private:
         const QByteArray packed = map.value(QLatin1String("strokes")).toByteArray();
         if (!packed.isEmpty() && !readStrokes(packed, m_allowance, strokes).isEmpty())
             return false;
+        m_pictures.giveTo(strokes);
         OrderDifference places;
         if (!readPlaces(map.value(QLatin1String("places")).toArray(), places))
             return false;
@@ -224,6 +227,7 @@ private:
     JournalContent m_content;
     Allowance m_allowance;
     std::vector<EncodedImage> m_images;
+    ImagesByHash m_pictures; ///< the images that pictures may have
     std::vector<StrokeId> m_order;
     std::unordered_map<StrokeId, StrokePtr> m_strokes;
     std::uint64_t m_ordering = 0;

@@ -76,6 +76,8 @@ public:
 
     /// Checks a text, and that it is no longer than texts may be.
     void checkText(const Text &text, const FieldPath &path);
+    /// Checks a picture, its number of pixels, and that it is an area.
+    void checkPicture(const Picture &picture, const FieldPath &path);
 
 private:
     template <class Value>
@@ -128,6 +130,11 @@ private:
     {
         if (fill)
             checkFields(*fill, path);
+    }
+    void checkParts(const SharedPicture &picture, const FieldTraits &, const FieldPath &path)
+    {
+        if (picture)
+            checkPicture(*picture, path);
     }
     void checkParts(const SharedText &text, const FieldTraits &, const FieldPath &path)
     {

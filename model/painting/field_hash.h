@@ -73,6 +73,7 @@ public:
     }
     void put(const SharedFill &fill) { put(*fill); } // It is put only where there is one.
     void put(const SharedText &text) { put(*text); } // So is this.
+    void put(const SharedPicture &picture) { put(*picture); }
     void put(const Affine &map) { put(map.a), put(map.b), put(map.c), put(map.d), put(map.offset); }
     void put(const Cubic &cubic) { put(cubic.p); }
     /// Fields of later versions count only where they differ from their defaults, so that earlier paintings keep their
@@ -88,6 +89,16 @@ public:
                 put(QByteArray(field.name));
             }
             put(member);
+        });
+    }
+    /// Images of pictures count by their SHA-256. Where a linked file lies does not count: documents name it as seen
+    /// from where they lie.
+    void put(const Picture &picture)
+    {
+        put(picture.isLinked());
+        forEachField(picture, [&](const auto &field, const auto &member) {
+            if (std::string_view(field.name) != "image" && std::string_view(field.name) != "link")
+                put(member);
         });
     }
     /// The grain was added to papers last, so it comes last.

@@ -1,5 +1,7 @@
 #include "model/painting/fields.h"
 
+#include <QCryptographicHash>
+
 #include <cmath>
 
 namespace suffuse {
@@ -91,6 +93,21 @@ const Number<Segment> &numberOf(float Segment::*member)
 const Number<Segment> &numberOf(float Colour::*channel)
 {
     return findNumber([&](const Number<Segment> &n) { return !n.member && n.channel == channel; });
+}
+
+bool operator==(const Picture &a, const Picture &b)
+{
+    bool equal = true;
+    forEachFieldOf<Picture>([&]<class Value>(const Field<Picture, Value> &field) {
+        if constexpr (!std::is_same_v<Value, EncodedImage>)
+            equal = equal && a.*field.member == b.*field.member;
+    });
+    return equal;
+}
+
+QString sha256Of(const QByteArray &bytes)
+{
+    return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
 }
 
 bool operator==(const Paper &a, const Paper &b)

@@ -254,6 +254,20 @@ struct FieldsOf<Fill> {
         field("anisotropy.angle", &Fill::anisotropyAngle, {.unit = Unit::Radians, .presence = Presence::Unusual})};
 };
 
+/// Of an image in the painting the text form has the bytes, of a linked one their SHA-256.
+template <>
+struct FieldsOf<Picture> {
+    static constexpr std::tuple list{
+        field("image", &Picture::image, {.presence = Presence::Unusual}),
+        field("link", &Picture::link, {.presence = Presence::Unusual}),
+        field("sha256", &Picture::sha256, {.presence = Presence::Unusual}),
+        field("width", &Picture::width, {.domain = {1, Picture::mostSide}, .presence = Presence::Required}),
+        field("height", &Picture::height, {.domain = {1, Picture::mostSide}, .presence = Presence::Required}),
+        field("corner", &Picture::corner, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("right", &Picture::right, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("down", &Picture::down, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required})};
+};
+
 template <>
 struct FieldsOf<Stroke> {
     static constexpr std::tuple list{
@@ -267,6 +281,7 @@ struct FieldsOf<Stroke> {
         field("origin", &Stroke::origin, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual}),
         field("brush", &Stroke::brush, {.presence = Presence::Unusual}),
         field("fill", &Stroke::fill, {.presence = Presence::Unusual, .since = 2}),
+        field("picture", &Stroke::picture, {.presence = Presence::Unusual, .since = 3}),
         field("segments", &Stroke::segments, {.presence = Presence::Required})};
 };
 
@@ -327,7 +342,8 @@ struct FieldsOf<Group> {
         field("mask", &Group::mask, {.presence = Presence::Unusual, .since = 3}),
         field("wash", &Group::wash, {.presence = Presence::Unusual, .since = 3}),
         field("solo", &Group::solo, {.presence = Presence::Unusual, .since = 3}),
-        field("tag", &Group::tag, {.presence = Presence::Unusual, .since = 3, .mayBeSkipped = true})};
+        field("tag", &Group::tag, {.presence = Presence::Unusual, .since = 3, .mayBeSkipped = true}),
+        field("draft", &Group::draft, {.presence = Presence::Unusual, .since = 3})};
 };
 
 template <>

@@ -106,6 +106,17 @@ Visibility::Visibility(const std::vector<Group> &groups) : m_anySolo(std::ranges
     }
 }
 
+PaintingPtr withoutDrafts(PaintingPtr painting)
+{
+    if (std::ranges::none_of(painting->groups, &Group::draft))
+        return painting;
+    auto exported = std::make_shared<Painting>(*painting);
+    for (Group &group : exported->groups)
+        if (group.draft)
+            group.visible = group.solo = false;
+    return exported;
+}
+
 std::vector<StrokeId> orderOf(const Painting &painting)
 {
     std::vector<StrokeId> order;

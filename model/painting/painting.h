@@ -17,9 +17,6 @@ enum class PaperKind : std::uint8_t { None, Procedural, Image };
 /// What procedural paper is made of.
 enum class PaperGrain : std::uint8_t { Tooth, Fibres, Weave };
 
-/// An image as the encoded bytes of its file (PNG, JPEG, TIFF, WebP or EXR). The renderer decodes it.
-using EncodedImage = std::shared_ptr<const QByteArray>;
-
 /// The paper's texture η (eq 16), which docs/paper.md defines. With strength 0 or kind None, η = 1.
 struct Paper {
     PaperKind kind = PaperKind::None;
@@ -74,6 +71,7 @@ struct Group {
     std::optional<Wash> wash{}; ///< if its strokes, and those of the groups in it, are one
     bool solo = false;          ///< whether only such groups are visible, as long as there are any
     GroupTag tag = GroupTag::None;
+    bool draft = false; ///< whether it is seen while one paints, but not in pictures that are exported
     /// Whether the way in which it is put on what lies below isolates it, whatever its switch says.
     bool blends() const { return opacity < 1 || blend != BlendMode::Normal || clips || mask; }
     /// Whether its strokes mix among themselves.
@@ -125,6 +123,8 @@ struct Painting {
     Microseconds end() const;
     StrokeId nextStrokeId() const; ///< greatest id + 1
 };
+using PaintingPtr = std::shared_ptr<const Painting>;
+
 /// Which groups of a painting are visible, all groups around them included: found once for many strokes.
 class Visibility {
 public:
@@ -140,12 +140,12 @@ private:
     std::unordered_set<GroupId> m_hidden;
 };
 
+/// The painting as it is exported: groups that are drafts are hidden, and not solo.
+PaintingPtr withoutDrafts(PaintingPtr painting);
 /// The ids of the strokes from bottom to top.
 std::vector<StrokeId> orderOf(const Painting &painting);
 /// Deep equality: values are compared, not pointers.
 bool operator==(const Painting &a, const Painting &b);
-
-using PaintingPtr = std::shared_ptr<const Painting>;
 
 /// A hash over everything that a file stores, 32 bytes (SHA-256). Equal paintings have equal hashes.
 QByteArray hashOf(const Painting &painting);

@@ -2,6 +2,7 @@
 
 #include "model/painting/fill.h"
 #include "model/painting/ids.h"
+#include "model/painting/picture.h"
 #include "model/painting/segment.h"
 
 #include <QString>
@@ -25,6 +26,7 @@ struct Stroke {
     QString brush;                 ///< the name of the preset that it was painted with; may be empty
     std::vector<Segment> segments; ///< at least one
     SharedFill fill;               ///< what lies within the segments, or none
+    SharedPicture picture;         ///< what it is painted with in place of its colours, or none
 
     friend bool operator==(const Stroke &, const Stroke &) = default;
 

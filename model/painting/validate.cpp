@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -149,6 +150,26 @@ void DomainCheck::checkText(const Text &text, const FieldPath &path)
                         .arg(Text::mostCurves);
     if (ok())
         checkFields(text, path);
+}
+
+void DomainCheck::checkPicture(const Picture &picture, const FieldPath &path)
+{
+    const auto isHex = [](QChar c) { return (c >= u'0' && c <= u'9') || (c >= u'a' && c <= u'f'); };
+    if (picture.sha256.size() != 64 || !std::ranges::all_of(picture.sha256, isHex))
+        return failText(path,
+                        QT_TRANSLATE_NOOP("Validate", "it needs an image, or a link with the SHA-256 of its file"));
+    if (picture.link.size() > Picture::mostLink || !picture.link.isValidUtf16())
+        return failText(FieldPath{&path, "link"}, QT_TRANSLATE_NOOP("Validate", "it is no path of a file"));
+    checkFields(picture, path);
+    const Domain side{1, Picture::mostSide};
+    require(side.contains(double(picture.width)), FieldPath{&path, "width"}, double(picture.width), side);
+    require(side.contains(double(picture.height)), FieldPath{&path, "height"}, double(picture.height), side);
+    if (!ok())
+        return;
+    if (picture.pixels() > Picture::mostPixels)
+        return failText(path, QT_TRANSLATE_NOOP("Validate", "it has more than 67 million pixels"));
+    if (!mapOf(picture).inverse())
+        failText(path, QT_TRANSLATE_NOOP("Validate", "its corners lie on one line; a picture needs an area"));
 }
 
 void DomainCheck::checkParts(const Affine &map, const FieldTraits &traits, const FieldPath &path)

@@ -107,7 +107,7 @@ bool isSeen(const Loop &loop, double resolution)
     double around = 0;
     for (const Cubic &curve : loop)
         around += polygonLength(curve);
-    return sizeOf({{loop}}) > resolution * around;
+    return sizeOf(Area{{loop}}) > resolution * around;
 }
 
 /// The segments of a closed chain.

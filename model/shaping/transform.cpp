@@ -255,6 +255,8 @@ std::optional<Stroke> tryTransformed(const Stroke &stroke, const Affine &map, Sp
     } else {
         if (stroke.fill)
             result.fill = mappedFill(*stroke.fill, map, rule);
+        if (stroke.picture) // The linear part alone: it hangs on the origin, which is mapped itself.
+            result.picture = mapped(*stroke.picture, {map.a, map.b, map.c, map.d, {}});
         result.segments.clear();
         for (Piece &piece : mappedPieces(stroke, map, rule)) {
             const bool isNewPoint = isPoint(piece.segment) && !isPoint(stroke.segments[std::size_t(piece.source)]);

@@ -17,7 +17,8 @@ DEFAULTS = {"brush": "", "origin": [0, 0], "node": "smooth", "anisotropy": {"rat
             "start": False, "lift": False, "fill": None, "gradient": None,
             "grain": "tooth", "beta": 0, "seed": 1, "scale": 24, "strength": 0.5, "style": None,
             "text": None, "italic": False, "letterSpacing": 0, "vertical": False, "curve": [], "opacity": 1, "blend": "normal",
-            "isolated": False, "clips": False, "mask": False, "wash": None, "solo": False, "tag": "none"}
+            "isolated": False, "clips": False, "mask": False, "wash": None, "solo": False, "tag": "none",
+            "draft": False, "picture": None}
 
 EXACT = (".id", ".parent", ".group", ".canvas.width", ".canvas.height", ".origin", ".area", ".born", ".rewet", ".size", ".place",
          ".curve")

@@ -164,6 +164,26 @@ def fills(c, n):
                "gradient": gradient, "anisotropy": {"ratio": ratio, "angle": angle}}
 
 
+def pictures(c, n, texts):
+    """The pictures of so many strokes, or None, with images that are in the painting by their SHA-256."""
+    marks = c.column(1, n)
+    count, linked = sum(mark > 0 for mark in marks), sum(mark > 1 for mark in marks)
+    sizes = zip(c.column(4, count), c.column(4, count))
+    corners = zip(*[map(of_bits, c.column(4, count)) for _ in range(6)])
+    hashes = zip(*[c.column(8, count) for _ in range(4)])
+    links = iter(c.column(4, linked))
+    for mark in marks:
+        if not mark:
+            yield None
+            continue
+        (width, height), (x0, y0, x1, y1, x2, y2) = next(sizes), next(corners)
+        picture = {"sha256": struct.pack("<4Q", *next(hashes)).hex(), "width": width, "height": height,
+                   "corner": [x0, y0], "right": [x1, y1], "down": [x2, y2]}
+        if mark == 2:
+            picture["link"] = texts[next(links)]
+        yield picture
+
+
 def strokes(payload):
     c = Cursor(payload)
     n, m = c.u32(), c.u32()
@@ -178,6 +198,7 @@ def strokes(payload):
     marks = c.column(1, m) if c.at < len(payload) else [0] * m
     begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if any(marks) else []) for _ in "xy"]
     filled = iter(list(fills(c, n)) if c.at < len(payload) else [None] * n)
+    painted = iter(list(pictures(c, n, texts)) if c.at < len(payload) else [None] * n)
     assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
     marks = iter(marks)
     rows, identity, step, moment, before = iter(rows), 0, 0, 0, [0.0] * 8
@@ -208,7 +229,7 @@ def strokes(payload):
         fill = next(filled)
         if fill:
             fill["born"] = (born[0] + fill["born"]) / 1e6
-        yield {"id": identity, "fill": fill, "name": texts[name], "brush": texts[brush], "group": group or None,
+        yield {"id": identity, "fill": fill, "picture": next(painted), "name": texts[name], "brush": texts[brush], "group": group or None,
                "visible": bool(flags & 1), "locked": bool(flags & 2), "style": styles[own], "mix": mixes[mix],
                "origin": list(struct.unpack("<2d", struct.pack("<2Q", *origin))), "segments": segments}
 
@@ -229,6 +250,10 @@ def read(data):
             out["strokes"] += strokes(payload)
         else:
             assert kind == "ENDS" or kind[0].islower(), f"chunk {kind} is unknown"
+    by_hash = {hashlib.sha256(base64.b64decode(image.partition(",")[2])).hexdigest(): image for image in images}
+    for picture in filter(None, (stroke["picture"] for stroke in out["strokes"])):
+        if "link" not in picture and picture["sha256"] in by_hash:
+            picture["image"] = by_hash[picture.pop("sha256")]
     assert head["strokes"] == len(out["strokes"])
     assert head["segments"] == sum(len(stroke["segments"]) for stroke in out["strokes"])
     paper, underlay = out["canvas"]["paper"], out.get("underlay")

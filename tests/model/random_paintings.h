@@ -32,6 +32,7 @@ public:
                 if (chance(2))
                     group.wash = Wash{style(), chance(2) ? Mix() : Mix{MixMode::Beta, float(unit())}};
                 group.tag = GroupTag(below(groupTags));
+                group.draft = chance(3);
             }
         }
         for (int k = 0; k < strokes; ++k)
@@ -179,6 +180,21 @@ private:
             t.curve.push_back({{Point{coordinate(1e10), 0.1}, {unit(), -0.0}, {1, 2}, {1e12, -1e12}}});
         return t;
     }
+    Picture picture()
+    {
+        Picture p;
+        p.image = image();
+        p.sha256 = sha256Of(*p.image);
+        if (chance(3)) { // a linked one whose file is not at hand
+            p.link = QStringLiteral("ordner/\u6e56 \"%1\".png").arg(below(3));
+            p.image = {};
+        }
+        p.width = 1 + below(100), p.height = 1 + below(Picture::mostSide);
+        p.corner = {float(coordinate(1000)), -0.0f};
+        p.right = {p.corner.x + float(1 + unit()), p.corner.y - float(unit())};
+        p.down = {p.corner.x, p.corner.y + 1e10f};
+        return p;
+    }
     StrokePtr stroke(StrokeId id, quint32 segments, GroupId group)
     {
         auto s = std::make_shared<Stroke>();
@@ -203,6 +219,8 @@ private:
         }
         if (chance(3))
             s->fill = fill();
+        if (chance(3))
+            s->picture = picture();
         return s;
     }
 

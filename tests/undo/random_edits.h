@@ -104,6 +104,8 @@ public:
                 s.locked = below(8) == 0;
                 s.mix = below(2) ? Mix{MixMode::Beta, float(real(0, 1))} : Mix();
                 s.origin.x += real(-5, 5);
+                if (below(4) == 0)
+                    s.picture = below(3) ? SharedPicture(picture()) : SharedPicture();
             });
         case 7:
             return groups();
@@ -138,6 +140,19 @@ private:
         if (below(2))
             s.segments = {{anyId(), below(4)}, {anyId(), below(4)}};
         m_document.setSelection(s);
+    }
+
+    Picture picture()
+    {
+        Picture p;
+        const auto image = std::make_shared<const QByteArray>(QByteArray("\x89PNG\r\n\x1a\n") + char('a' + below(3)));
+        p.sha256 = sha256Of(*image);
+        if (below(3) == 0)
+            p.link = QStringLiteral("a.png");
+        else
+            p.image = image;
+        p.corner.x = float(real(-5, 0));
+        return p;
     }
 
     StrokePtr scribble()

@@ -171,10 +171,17 @@ private slots:
             Edit under;
             under.underlay = underlay;
             a.push(std::move(under));
+            Picture picture;
+            picture.image = image(char(c + 1));
+            picture.sha256 = sha256Of(*picture.image);
+            a.push(changeStrokes(a.document, {StrokeId(c == 'b' ? 2 : 1)}, [&](Stroke &s) { s.picture = picture; }));
+            a.push(changeStrokes(a.document, {1}, [](Stroke &s) { s.picture = {}; }));
         }
         QVERIFY(reopened(a, b).isEmpty());
         while (a.stack.canUndo()) {
             QCOMPARE(b.hash(), a.hash());
+            for (const StrokePtr &stroke : b.document.painting()->strokes)
+                QVERIFY(!stroke->picture || sha256Of(*stroke->picture->image) == stroke->picture->sha256);
             a.stack.undo();
             b.stack.undo();
         }

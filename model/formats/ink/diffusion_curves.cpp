@@ -70,7 +70,7 @@ struct Curve {
     Stops<double> blur; ///< pixels
 };
 
-struct Picture {
+struct CurvePicture {
     double width = 0, height = 0;
     std::vector<Curve> curves;
 };
@@ -79,7 +79,7 @@ class CurveReader {
 public:
     explicit CurveReader(const QByteArray &bytes) : m_xml(bytes) {}
 
-    Result<Picture> read()
+    Result<CurvePicture> read()
     {
         if (!m_xml.readNextStartElement() || m_xml.name() != QLatin1String("curve_set"))
             fail(FileMessages::tr("the first element is not curve_set"));
@@ -155,7 +155,7 @@ private:
     }
 
     QXmlStreamReader m_xml;
-    Picture m_picture;
+    CurvePicture m_picture;
 };
 
 Point unit(Point v)
@@ -262,7 +262,7 @@ Result<Painting> readDiffusionCurves(const QByteArray &bytes, const QString &fil
 {
     if (bytes.size() > largestXml)
         return fileError(fileName, FileMessages::tr("has more than 64 MB of XML; that is more than is read"));
-    const Result<Picture> picture = CurveReader(bytes).read();
+    const Result<CurvePicture> picture = CurveReader(bytes).read();
     if (!picture)
         return fileError(fileName, picture.error());
     Painting painting;

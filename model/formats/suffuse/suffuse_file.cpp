@@ -1,5 +1,6 @@
 // docs/file-format.md: a painting and what belongs beside it as the bytes of a file.
 #include "model/formats/suffuse/field_columns.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_extras.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/parallel.h"
@@ -40,7 +41,8 @@ Totals totalsOf(const Painting &painting)
         t.segments += s->segments.size();
         t.reader = std::max(t.reader, versionNeededBy(*s));
         // UTF-8 may have three bytes for each unit of UTF-16.
-        t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size());
+        const qsizetype link = s->picture ? s->picture->link.size() : 0;
+        t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size() + link);
         for (const Segment &segment : s->segments) {
             t.rewets += segment.rewet.size();
             t.blocks += segment.style ? style : 0;
@@ -106,6 +108,7 @@ QByteArray writeSuffuseFile(const Painting &painting, const DocumentExtras &extr
     std::vector<EncodedImage> images;
     const QByteArray document = writeProperties(painting, images);
     const std::vector<StrokePtr> all(painting.strokes.begin(), painting.strokes.end());
+    appendNew(images, imagesOf(all));
     const std::vector<QByteArray> strokes = strokeChunks(inChunks(all), totals);
 
     QByteArray out = QByteArray(suffuseName) + suffuseLineEnds;

@@ -1,6 +1,7 @@
 #include "model/document/document.h"
 #include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_cbor.h"
 #include "model/formats/suffuse/suffuse_history.h"
 #include "model/formats/suffuse/suffuse_history_parts.h"
@@ -44,6 +45,12 @@ public:
                 return image.error();
             m_images.push_back(*image);
         }
+        ImagesByHash images;
+        for (const StrokePtr &stroke : m_painting.strokes)
+            images.addOf(*stroke);
+        for (const EncodedImage &image : m_images)
+            images.add(image);
+        images.giveTo(m_stored);
         const QCborArray steps = map.take("steps").toArray();
         history.done = std::size_t(std::max<qint64>(0, integerIn(map.take("done"))));
         if (steps.size() > qsizetype(mostHistorySteps) || history.done > std::size_t(steps.size()))

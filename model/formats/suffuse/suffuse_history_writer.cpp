@@ -1,3 +1,4 @@
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_history.h"
 #include "model/formats/suffuse/suffuse_history_parts.h"
 
@@ -167,6 +168,11 @@ QByteArray encoded(Steps steps, std::size_t done, const Painting &painting)
     const Selection *before = nullptr;
     for (const HistoryStep &step : steps)
         list.append(stepMap(step, table, images, before));
+    // Pictures name their images by SHA-256, so these come last, behind those that steps name by number.
+    const std::vector<StrokePtr> strokes(painting.strokes.begin(), painting.strokes.end());
+    std::vector<EncodedImage> known = imagesOf(strokes), all = known;
+    appendNew(all, imagesOf(table.stored()));
+    images.insert(images.end(), all.begin() + std::ptrdiff_t(known.size()), all.end());
     for (std::size_t k = own; k < images.size(); ++k)
         newImages.append(*images[k]);
     const QCborMap map{{QLatin1String("painting"), hashOf(painting)},

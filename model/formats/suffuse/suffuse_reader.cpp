@@ -1,11 +1,12 @@
 // docs/file-format.md: what a reader does with each chunk, and with a file that is not whole.
 #include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_cbor.h"
 #include "model/formats/suffuse/suffuse_extras.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
-#include "model/parallel.h"
 #include "model/painting/validate.h"
+#include "model/parallel.h"
 
 #include <QCborMap>
 
@@ -146,6 +147,7 @@ private:
         if (!image)
             return image.error();
         m_images.push_back(*image);
+        m_imagesByHash.add(*image);
         return {};
     }
 
@@ -178,6 +180,7 @@ private:
         });
         for (std::size_t k = 0; k < strokes.size(); ++k) {
             if (problems[k].isEmpty()) {
+                m_lostPictures += m_imagesByHash.giveTo(strokes[k]);
                 for (StrokePtr &stroke : strokes[k])
                     m_out.painting.strokes.push_back(std::move(stroke));
             } else if (m_salvages) {
@@ -227,6 +230,8 @@ private:
             painting.underlay.reset();
             lose(FileMessages::tr("the underlay is missing"));
         }
+        if (m_lostPictures > 0)
+            lose(FileMessages::tr("the images of %n image layer(s) are missing", nullptr, int(m_lostPictures)));
         const qint64 strokes = qint64(painting.strokes.size()), segments = qint64(painting.segmentCount());
         const bool allStrokes = m_strokes == strokes && m_segments == segments;
         m_out.lostStrokes = std::max<qint64>(0, m_strokes - strokes);
@@ -273,13 +278,15 @@ private:
     Allowance m_allowance;
     LoadedDocument m_out;
     std::vector<EncodedImage> m_images; ///< null where an image is missing
+    ImagesByHash m_imagesByHash;
     std::vector<Chunk> m_strokeChunks;
     QStringList m_leftOut; ///< the damaged parts besides the picture
     QString m_firstDamage;
     QString m_refusal; ///< why a newer file, which is not a damaged one, is refused
     bool m_pictureIsHurt = false;
     bool m_hasDocument = false;
-    bool m_missedUnknown = false; ///< whether a part was lost that may have been anything
+    bool m_missedUnknown = false;   ///< whether a part was lost that may have been anything
+    std::size_t m_lostPictures = 0; ///< whose images are missing
     qint64 m_strokes = -1, m_segments = -1;
 };
 

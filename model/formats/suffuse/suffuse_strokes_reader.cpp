@@ -1,5 +1,6 @@
 #include "model/formats/messages.h"
 #include "model/formats/suffuse/fill_columns.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -40,7 +41,7 @@ private:
         ByteCursor in(bytes);
         for (std::uint64_t left = in.varint(); in.ok() && left > 0; --left) {
             const QByteArrayView text = in.take(in.varint());
-            if (!in.ok() || m_texts.size() >= 2 * n)
+            if (!in.ok() || m_texts.size() >= 3 * n)
                 return false;
             m_texts.push_back(QString::fromUtf8(text));
         }
@@ -109,6 +110,8 @@ private:
         }
         if (!m_in.atEnd() && !m_fills.get(m_in, n))
             return false;
+        if (!m_in.atEnd() && !m_pictures.get(m_in, n))
+            return false;
         m_later.getUsed(m_in, m);
         return m_in.atEnd();
     }
@@ -142,6 +145,8 @@ private:
                 return false;
         }
         m_fills.set(stroke, j);
+        if (!m_pictures.set(stroke, j, m_texts))
+            return false;
         m_segment += count;
         m_nodes += count + 1;
         return true;
@@ -239,6 +244,7 @@ private:
     PlainColumns<Segment> m_plain;
     FlagColumn<Segment> m_marks;
     FillColumns m_fills;
+    PictureColumns m_pictures;
     std::array<std::vector<std::uint32_t>, 2> m_start;
     LaterColumns<Segment> m_later;
     std::vector<std::uint32_t> m_ownStyle, m_rewetCount;

@@ -1,4 +1,5 @@
 #include "model/formats/suffuse/fill_columns.h"
+#include "model/formats/suffuse/picture_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -150,6 +151,7 @@ public:
         for (const Segment &s : stroke.segments)
             addRare(s);
         m_fills.add(stroke);
+        m_pictures.add(stroke, [this](const QString &link) { return m_texts.place(link.toUtf8()); });
     }
 
     QByteArray bytes(Density &density) const
@@ -185,12 +187,14 @@ public:
         out.put(m_rewetCount);
         out.put(m_rewetTime, density.rewets);
         out.put(m_rewetExtra);
-        if (m_marks.isUsed() || m_fills.isUsed() || m_later.isUsed()) {
+        if (m_marks.isUsed() || m_fills.isUsed() || m_pictures.isUsed() || m_later.isUsed()) {
             m_marks.put(out);
             out.put(m_start[0]);
             out.put(m_start[1]);
-            if (m_fills.isUsed() || m_later.isUsed())
+            if (m_fills.isUsed() || m_pictures.isUsed() || m_later.isUsed())
                 m_fills.put(out);
+            if (m_pictures.isUsed() || m_later.isUsed())
+                m_pictures.put(out);
             m_later.putUsed(out);
         }
         return out.bytes();
@@ -318,6 +322,7 @@ private:
     PlainColumns<Segment> m_plain;
     FlagColumn<Segment> m_marks;
     FillColumns m_fills;
+    PictureColumns m_pictures;
     std::array<Column<std::uint32_t>, 2> m_start; ///< for the segments that begin another chain
     LaterColumns<Segment> m_later;
     Column<std::uint32_t> m_ownStyle, m_rewetCount;

@@ -35,6 +35,15 @@ void readImage(JsonReader &json, EncodedImage &target)
         json.fail(image.error());
 }
 
+void readPicture(JsonReader &json, SharedPicture &target)
+{
+    Picture picture;
+    readObject(json, picture);
+    if (picture.image)
+        picture.sha256 = sha256Of(*picture.image);
+    target = std::move(picture);
+}
+
 void readBezier(JsonReader &json, std::array<Offset, 4> &points)
 {
     const std::size_t count = json.array([&](std::size_t i) {

@@ -63,6 +63,14 @@ inline constexpr MemberNames namesOf = [] {
 template <class T, class Value>
 bool isWritten(const T &value, const FieldTraits &traits, const Value &member, const Value &usual)
 {
+    if constexpr (std::is_same_v<T, Picture>) {
+        // Of what is linked, or missing, the SHA-256 is written.
+        const bool isThere = value.image && !value.isLinked();
+        if constexpr (std::is_same_v<Value, EncodedImage>)
+            return isThere;
+        if constexpr (std::is_same_v<Value, QString>)
+            return !isThere && !member.isEmpty();
+    }
     if constexpr (std::is_same_v<Value, EncodedImage>)
         return bool(member);
     if (traits.presence == Presence::Required)
@@ -85,6 +93,7 @@ void readSeed(JsonReader &json, std::uint32_t &seed);
 void readOffset(JsonReader &json, Offset &offset);
 void readMatrix(JsonReader &json, Affine &map);
 void readCurves(JsonReader &json, std::vector<Cubic> &curves);
+void readPicture(JsonReader &json, SharedPicture &picture);
 
 void appendImage(QByteArray &out, const EncodedImage &image);
 /// Writes [left, top, width, height] with extents from which right and bottom follow to the last bit.
@@ -138,6 +147,8 @@ void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
         Text text;
         readObject(json, text);
         value = std::move(text);
+    } else if constexpr (std::is_same_v<Value, SharedPicture>) {
+        readPicture(json, value);
     } else if constexpr (std::is_same_v<Value, Affine>) {
         readMatrix(json, value);
     } else if constexpr (std::is_same_v<Value, std::vector<Cubic>>) {
@@ -202,7 +213,8 @@ void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits
             }
         out.append(']');
     } else if constexpr (std::is_same_v<Value, std::optional<Gradient>> || std::is_same_v<Value, std::optional<Wash>> ||
-                         std::is_same_v<Value, SharedFill> || std::is_same_v<Value, SharedText>) {
+                         std::is_same_v<Value, SharedFill> || std::is_same_v<Value, SharedText> ||
+                         std::is_same_v<Value, SharedPicture>) {
         if (value)
             appendObject(out, *value);
         else
@@ -331,7 +343,13 @@ FieldTexts fieldTextsOf(const T &value)
             for (const auto &[part, partText] : fieldTextsOf(member ? *member : Text()))
                 out.emplace_back(name + '.' + part, member ? partText : QByteArray("null"));
             return;
+        } else if constexpr (std::is_same_v<Value, SharedPicture>) {
+            for (const auto &[part, partText] : fieldTextsOf(member ? *member : Picture()))
+                out.emplace_back(name + '.' + part, member ? partText : QByteArray("null"));
+            return;
         } else if constexpr (std::is_same_v<Value, EncodedImage>) {
+            if constexpr (std::is_same_v<T, Picture>)
+                return; // Its SHA-256 tells it.
             text = imageSummary(member);
         } else {
             appendMember(text, member, field.traits);

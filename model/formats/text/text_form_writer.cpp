@@ -9,10 +9,9 @@ namespace {
 
 void append(QByteArray &out, const StrokePtr &stroke)
 {
-    appendObject(out, *stroke,
-                 [](std::string_view name) {
-                     return name == "style" || name == "fill" || name == "segments" ? ",\n   " : ", ";
-                 });
+    appendObject(out, *stroke, [](std::string_view name) {
+        return name == "style" || name == "fill" || name == "picture" || name == "segments" ? ",\n   " : ", ";
+    });
 }
 
 template <HasFields T>

@@ -1,8 +1,8 @@
 // A damaged file gives what is whole of it and says what is missing.
 #include "model/formats/files.h"
 #include "model/journal/journal_layout.h"
-#include "tests/model/random_paintings.h"
 #include "suffuse_chunks.h"
+#include "tests/model/random_paintings.h"
 #include "tests/trials.h"
 
 #include <QTest>
@@ -244,6 +244,14 @@ private slots:
         underlay->image = image('u');
         underlay->area = Rect::of(0, 0, 10, 10);
         p.underlay = underlay;
+        for (const std::size_t i : {0, 1}) {
+            Stroke s = *p.strokes[i];
+            Picture picture;
+            picture.image = image(i ? 'b' : 'a');
+            picture.sha256 = sha256Of(*picture.image);
+            s.picture = picture;
+            p.strokes[i] = std::make_shared<const Stroke>(s);
+        }
         const QByteArray whole = writeSuffuseFile(p);
         QByteArray bytes = whole;
         flip(bytes, test::startOf(whole, "IMAG", 0) + 20); // the paper's
@@ -252,6 +260,7 @@ private slots:
         QCOMPARE(d->painting.canvas.paper.kind, PaperKind::None);
         QVERIFY(d->painting.underlay && *d->painting.underlay->image == *underlay->image);
         QVERIFY(anyContains(d->losses, "image of the paper is missing"));
+        QVERIFY(*d->painting.strokes[1]->picture->image == *p.strokes[1]->picture->image);
         // Where it cannot be told what was lost no image is taken for another.
         bytes = whole;
         flip(bytes, test::startOf(whole, "IMAG", 0) + 1);
@@ -259,6 +268,17 @@ private slots:
         QVERIFY2(d, d ? "" : qPrintable(d.error()));
         QVERIFY(!d->painting.underlay && d->painting.canvas.paper.kind == PaperKind::None);
         QCOMPARE(d->painting.strokes.size(), std::size_t(6));
+        QVERIFY(d->painting.strokes[0]->picture->image && d->painting.strokes[1]->picture->image);
+        // A picture whose image is lost stays, so that a file that has the image could give it back.
+        bytes = whole;
+        flip(bytes, test::startOf(whole, "IMAG", 2) + 20);
+        d = opened(bytes);
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QVERIFY(!d->painting.strokes[0]->picture->image && *d->painting.strokes[0]->picture == *p.strokes[0]->picture);
+        QVERIFY(d->painting.strokes[1]->picture->image && d->painting.underlay->image);
+        QVERIFY(anyContains(d->losses, "of an image layer is missing") || anyContains(d->losses, "image layer(s)"));
+        const auto again = readSuffuseFile(writeSuffuseFile(d->painting), QString());
+        QVERIFY(again && *again == d->painting);
     }
 
     /// It says nothing of the painting: any bit of it, all of it, more or less of it, and what lies before it.
