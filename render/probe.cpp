@@ -7,7 +7,10 @@
 #include "render/reference/compositing.h"
 #include "render/reference/density.h"
 #include "render/reference/paper.h"
+#include "render/reference/picture.h"
 #include "render/reference/stroke_source.h"
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -38,6 +41,15 @@ reference::FillSample fillAt(const Stroke &stroke, Microseconds time, Point x)
     view.centre = x;
     view.scale = 64 / (fill.spread(time) * std::sqrt(std::min(1.0, double(fill.anisotropyRatio))));
     return reference::FillSource(spread, time, view, reference::reachOf(spread, time)).at({});
+}
+
+/// What a stroke shows of its picture at the point: nothing if that is missing.
+reference::Paint shownOf(const Stroke &stroke, Point x, const ProbeStroke &own)
+{
+    View view; // in which the picture's pixels are as large as can be
+    view.scale = 1e9;
+    const auto picture = reference::PictureField::of(stroke, view);
+    return picture ? picture->shownAt(x, {own.opacity, {}}) : reference::Paint();
 }
 
 /// What strokes are at the point that are drawn as `drawn`, as if they were one: an entry for each, in which the shares
@@ -76,6 +88,11 @@ std::vector<ProbeStroke> probeStrokes(const reference::Drawing::Drawn &drawn, Mi
     result.densityFunction = local.coverage(paper);
     result.colour = local.colour();
     result.opacity = local.opacity(paper);
+    if (stroke.picture) {
+        const reference::Paint paint = shownOf(stroke, x, result);
+        result.opacity = paint.opacity;
+        std::ranges::copy(paint.colour, result.colour.begin());
+    }
     for (ProbeStroke &own : all) {
         result.id = own.id, result.name = own.name;
         for (ProbeShare &share : own.shares)

@@ -13,6 +13,7 @@ Stroke united(const std::vector<StrokePtr> &members, GroupId group, const Wash &
     Stroke all = *members.front();
     all.group = group;
     all.style = wash.style, all.mix = wash.mix;
+    all.picture = {}; // The paint of all is mixed, and none of it is a picture.
     std::size_t segments = 0;
     for (const StrokePtr &member : members)
         segments += member->segments.size();

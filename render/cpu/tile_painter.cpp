@@ -5,6 +5,7 @@
 #include "render/math/scalar.h"
 // It has templates over the numbers, which must be declared before.
 #include "render/math/colour.h"
+#include "render/math/picture.h"
 
 #include <algorithm>
 
@@ -145,10 +146,14 @@ public:
         m_isLevel = m_isBare && !paper && fill.tile->isLevel(scene.channels);
         if (!small && m_isLevel && fill.presence == FillPresence::Inside) {
             fill.tile->setInside(scene.channels, m_s.sums);
+            if (scene.picture) {
+                m_frame.kernels->shadeLevel(scene.shade, m_s.sums, 1, m_s.shaded);
+                return mixShaded(scene);
+            }
             m_frame.kernels->shadeLevelInto(scene.shade, m_s.sums, 1, scene.keep, backdrop(), m_map);
             return;
         }
-        if (!small && !isDeep(scene) && !crisp) {
+        if (!small && !isDeep(scene) && !crisp && !scene.picture) {
             sum(scene, listed, block, prefix);
             addFill(scene, block);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, backdrop(), m_map);
@@ -167,9 +172,7 @@ public:
         }
         if (small)
             supersample(scene, listed);
-        m_frame.kernels->mix(m_s.shaded, scene.keep, backdrop());
-        if (m_map)
-            m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
+        mixShaded(scene);
     }
 
     /// Writes the block's first columns and rows into `rgba`, in rows that are `stride` pixels apart.
@@ -269,6 +272,32 @@ private:
             how.bare[0] = rgb.x, how.bare[1] = rgb.y, how.bare[2] = rgb.z;
         }
         return how;
+    }
+
+    /// Mixes what was shaded of a stroke into the block.
+    void mixShaded(const SceneStroke &scene)
+    {
+        if (scene.picture)
+            showPicture(scene.picture->view);
+        m_frame.kernels->mix(m_s.shaded, scene.keep, backdrop());
+        if (m_map)
+            m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
+    }
+
+    /// Puts a picture in the place of the colours, where the stroke is.
+    void showPicture(const PictureView &picture)
+    {
+        for (int y = 0; y < blockSide; ++y)
+            for (int x = 0; x < blockSide; ++x) {
+                const int at = y * blockSide + x;
+                if (!(m_s.shaded.w[at] > 0))
+                    continue;
+                const math::PicturePaint paint = math::shown(picture, m_x + x + 0.5, m_y + y + 0.5, m_s.shaded.w[at]);
+                m_s.shaded.w[at] = paint.w;
+                m_s.shaded.colour[0][at] = paint.red;
+                m_s.shaded.colour[1][at] = paint.yellow;
+                m_s.shaded.colour[2][at] = paint.blue;
+            }
     }
 
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)

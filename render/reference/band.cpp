@@ -156,6 +156,11 @@ void BandPainter::addFillLevels(const FillSource &fill, const SampleBlock &block
         }
 }
 
+void BandPainter::mixAt(const StrokeSource &stroke, Point pixel, const Paint &paint)
+{
+    mix(spotAt(pixel.x, pixel.y), stroke.mix, stroke.picture ? stroke.picture->shownAtPixel(pixel, paint) : paint);
+}
+
 /// The paint of a sample of size `step`. What a crisp fill covers of it and what it leaves are two kinds of spot.
 Paint BandPainter::paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const
 {
@@ -188,7 +193,7 @@ void BandPainter::mixPlain(const StrokeSource &stroke, const SampleBlock &block)
             if (m_levels[std::size_t(j) * std::size_t(block.nx) + std::size_t(i)] > 0 || m_sums.isEmpty(i, j))
                 continue;
             const Point pixel = block.first + Point{double(i), double(j)};
-            mix(spotAt(pixel.x, pixel.y), stroke.mix, paintAt(stroke, i, j, pixel, 1));
+            mixAt(stroke, pixel, paintAt(stroke, i, j, pixel, 1));
         }
     }
 }
@@ -213,8 +218,8 @@ void BandPainter::mixSupersampled(const StrokeSource &stroke, const SampleBlock 
             const SampleBlock samples{corner + Point{0.5 / n, 0.5 / n}, 1.0 / n, n * run, n};
             m_sums.evaluate(stroke, samples);
             for (int r = 0; r < run; ++r)
-                mix(spotAt(block.first.x + i + r, block.first.y + j), stroke.mix,
-                    supersampled(stroke, samples, r * n, level));
+                mixAt(stroke, block.first + Point{double(i + r), double(j)},
+                      supersampled(stroke, samples, r * n, level));
             i += run;
         }
     }

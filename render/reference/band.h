@@ -35,6 +35,8 @@ private:
     bool bound(const std::vector<Item> &items, std::size_t by, std::vector<double> &share, Cancelled cancel);
     void addStroke(const StrokeSource &stroke);
     void addFillLevels(const FillSource &fill, const SampleBlock &block, bool &any);
+    /// Mixes the paint of a stroke into a pixel.
+    void mixAt(const StrokeSource &stroke, Point pixel, const Paint &paint);
     Paint paintAt(const StrokeSource &stroke, int i, int j, Point pixel, double step) const;
     bool findLevels(const StrokeSource &stroke, const SampleBlock &block);
     void mixPlain(const StrokeSource &stroke, const SampleBlock &block);

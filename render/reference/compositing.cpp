@@ -37,6 +37,7 @@ StrokePtr united(const std::vector<StrokePtr> &strokes, const Wash &wash)
 {
     auto all = std::make_shared<Stroke>(*strokes.front());
     all->style = wash.style, all->mix = wash.mix;
+    all->picture = {};
     for (std::size_t i = 1; i < strokes.size(); ++i)
         for (std::size_t k = 0; k < strokes[i]->segments.size(); ++k) {
             Segment segment = strokes[i]->segments[k];

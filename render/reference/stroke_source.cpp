@@ -155,6 +155,11 @@ StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &v
     source.kinds = mixedKinds(stroke, time);
     source.channels = FirstStyleChannel + 4 * source.kinds.size();
     source.reach = reachOf(stroke, time);
+    if (stroke.picture) {
+        source.picture = PictureField::of(stroke, view);
+        if (!source.picture)
+            return source;
+    }
     bool lays = false;
     for (const Segment &segment : stroke.segments) {
         if (segment.age(time) <= 0)

@@ -3,6 +3,7 @@
 
 #include "render/reference/fill_source.h"
 #include "render/reference/panels.h"
+#include "render/reference/picture.h"
 #include "render/renderer.h"
 
 #include <optional>
@@ -35,11 +36,12 @@ struct StrokeSource {
     double reach = 0; ///< in spreads
     std::vector<SegmentSource> segments;
     std::optional<FillSource> fill;
-    Rect box; ///< pixels
+    std::shared_ptr<const PictureField> picture; ///< what it shows in place of its colours
+    Rect box;                                    ///< pixels
 };
 
-/// The stroke at time T in the view, without segments and fills of age 0. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles are
-/// those of the segments that lay paint.
+/// The stroke at time T in the view, without segments and fills of age 0. Pixel (i, j) covers [i, i+1] × [j, j+1].
+/// Styles are those of the segments that lay paint.
 StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &view);
 
 /// How many spreads a node must reach so that what is cut off is below 1e-14 of the density at which the stroke's

@@ -465,11 +465,16 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     s.source = std::move(nodes);
     if (!firstLaying(s.source->rows) && !fill)
         return s;
+    if (s.stroke->picture) {
+        s.picture = scenePicture(*s.stroke, grid);
+        if (!s.picture)
+            return s;
+    }
     s.fill = fill;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Differences differences = placeNodes(s, grid, threads, changes);
     planChannels(s, differences);
-    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty() && (!fill || isCalm(*fill));
+    s.calm &= !s.picture && math::hasOneStyle(s.shade) && s.deep.empty() && (!fill || isCalm(*fill));
     findLevels(s);
     fillValues(s);
     if (fill) {

@@ -6,6 +6,7 @@
 #include "render/picture_grid.h"
 #include "render/renderer.h"
 #include "render/scene/node_boxes.h"
+#include "render/scene/picture.h"
 #include "render/scene/scene_fill.h"
 #include "render/threads/parallel.h"
 
@@ -43,6 +44,7 @@ struct SceneStroke {
     int separable = 0;
     std::vector<DeepNode> deep;
     std::shared_ptr<const SceneFill> fill; ///< null if it has none that could be seen
+    std::shared_ptr<const ScenePicture> picture; ///< what it is painted with in place of its colours; null for them
     std::vector<SmallSegment> small;
     std::vector<Rect> smallRuns; ///< the box of each run of `smallRun` of them
     ShadeParams shade;
