@@ -10,8 +10,8 @@
 namespace suffuse::cuda {
 
 DeviceScene::DeviceScene(Device &device)
-    : m_nodes(device), m_values(device), m_deep(device), m_small(device), m_fills(device), m_chunks(device),
-      m_strokes(device)
+    : m_nodes(device), m_values(device), m_deep(device), m_small(device), m_fills(device), m_pictureViews(device),
+      m_chunks(device), m_strokes(device), m_pictures(device)
 {}
 
 void DeviceScene::forget()
@@ -24,9 +24,10 @@ void DeviceScene::reset(int width, int height)
     m_width = width, m_height = height;
     m_columns = (width + tileSide - 1) / tileSide;
     m_general.assign(std::size_t(m_columns) * std::size_t((height + tileSide - 1) / tileSide), 0);
-    m_nodes.resize(0), m_values.resize(0), m_deep.resize(0), m_small.resize(0), m_fills.resize(0), m_chunks.resize(0),
-        m_strokes.resize(0);
+    m_nodes.resize(0), m_values.resize(0), m_deep.resize(0), m_small.resize(0), m_fills.resize(0),
+        m_pictureViews.resize(0), m_chunks.resize(0), m_strokes.resize(0);
     m_nodeRuns.clear(), m_valueRuns.clear(), m_deepRuns.clear(), m_smallRuns.clear(), m_fillRuns.clear();
+    m_pictureRuns.clear();
     m_freeSlots.clear();
     for (Entry &entry : m_entries)
         m_dropped.push_back(std::move(entry.stroke));
@@ -57,6 +58,7 @@ void DeviceScene::drop(Entry &entry)
     m_deepRuns.give(entry.deep);
     m_smallRuns.give(entry.small);
     m_fillRuns.give(entry.fill);
+    m_pictureRuns.give(entry.picture);
     m_freeSlots.push_back(entry.slot);
     m_dropped.push_back(std::move(entry.stroke));
 }
@@ -136,12 +138,14 @@ void DeviceScene::placeRecords(const std::vector<Prepared> &changed)
         m_deepRuns.fit(e.deep, std::uint32_t(s.deep.size() + p.deepFill.size()));
         m_smallRuns.fit(e.small, std::uint32_t(s.small.size()));
         m_fillRuns.fit(e.fill, s.fill ? 1 : 0);
+        m_pictureRuns.fit(e.picture, s.picture ? 1 : 0);
     }
     m_nodes.resize(m_nodeRuns.size());
     m_values.resize(m_valueRuns.size());
     m_deep.resize(m_deepRuns.size());
     m_small.resize(m_smallRuns.size());
     m_fills.resize(m_fillRuns.size());
+    m_pictureViews.resize(m_pictureRuns.size());
 }
 
 void DeviceScene::setNodes(Prepared &p, Threads threads)
@@ -188,12 +192,15 @@ void DeviceScene::prepare(Prepared &p, Threads threads)
     p.deep = m_deep.set(e.deep.begin, e.deep.count,
                         [&](std::size_t i) { return i < ownDeep ? deepRecord(s.deep[i]) : p.deepFill[i - ownDeep]; });
     p.fill = m_fills.set(e.fill.begin, e.fill.count, [&](std::size_t) { return fillValues(*s.fill); });
+    p.picture = m_pictureViews.set(e.picture.begin, e.picture.count,
+                                   [&](std::size_t) { return m_pictures.viewOf(*s.picture); });
     p.small = m_small.set(e.small.begin, e.small.count, [&](std::size_t i) { return smallRecord(s.small[i]); });
     p.record = strokeRecord(s);
     p.record.chunks = std::uint32_t(p.chunks.size());
     p.record.firstValue = e.values.begin;
     p.record.firstDeep = e.deep.begin, p.record.deep = std::uint32_t(ownDeep);
     p.record.fillValues = e.fill.begin;
+    p.record.picture = s.picture ? e.picture.begin + 1 : 0;
     p.record.firstSmall = e.small.begin, p.record.small = e.small.count;
 }
 
@@ -259,7 +266,7 @@ void DeviceScene::placeChunks(std::vector<Prepared> &changed, std::size_t from)
 Fault DeviceScene::upload()
 {
     for (const Fault &fault : {m_nodes.upload(), m_values.upload(), m_deep.upload(), m_small.upload(), m_fills.upload(),
-                               m_chunks.upload(), m_strokes.upload()})
+                               m_pictureViews.upload(), m_chunks.upload(), m_strokes.upload()})
         if (fault)
             return fault;
     return {};
@@ -286,13 +293,17 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
             changed.emplace_back().index = r.index;
         }
     }
+    const auto hasPicture = [&](const Prepared &p) { return m_entries[p.index].stroke->picture != nullptr; };
+    if (!m_pictures.isEmpty() || std::ranges::any_of(changed, hasPicture))
+        if (Fault fault = m_pictures.keep(strokes))
+            return fault;
     prepareFills(changed, threads);
     placeRecords(changed);
     const Threads threadsEach = threads.within(changed.size());
     parallelFor(changed.size(), threads, [&](std::size_t i) { prepare(changed[i], threadsEach); });
     for (const Prepared &p : changed)
         m_nodes.touch(p.nodes), m_values.touch(p.values), m_deep.touch(p.deep), m_small.touch(p.small),
-            m_fills.touch(p.fill);
+            m_fills.touch(p.fill), m_pictureViews.touch(p.picture);
     placeChunks(changed, from);
     return upload();
 }
@@ -303,6 +314,7 @@ void DeviceScene::fill(Frame &frame) const
     frame.values = m_values.device();
     frame.deep = m_deep.device();
     frame.small = m_small.device();
+    frame.pictures = m_pictureViews.device();
     frame.fills = m_fillRuns.used() ? m_fills.device() : nullptr;
     frame.chunks = m_chunks.device();
     frame.strokes = m_strokes.device();

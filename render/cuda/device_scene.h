@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/cuda/device/device_memory.h"
+#include "render/cuda/device_pictures.h"
 #include "render/cuda/run_pool.h"
 #include "render/scene/live_scene.h"
 #include "render/threads/parallel.h"
@@ -36,16 +37,16 @@ public:
 private:
     struct Entry {
         SceneStrokePtr stroke;
-        std::uint32_t slot = 0;                      ///< index of its StrokeRecord
-        Run nodes, values, deep, small, fill;        ///< `nodes` begins with the records of the fill
-        std::uint32_t firstChunk = 0, chunkRoom = 0; ///< Chunks of the room that are not needed are empty.
+        std::uint32_t slot = 0;                        ///< index of its StrokeRecord
+        Run nodes, values, deep, small, fill, picture; ///< `nodes` begins with the records of the fill
+        std::uint32_t firstChunk = 0, chunkRoom = 0;   ///< Chunks of the room that are not needed are empty.
     };
     /// Holds a stroke whose records were made anew.
     struct Prepared {
         std::size_t index = 0;
         StrokeRecord record;
         std::vector<ChunkRecord> chunks;
-        IndexRange nodes, values, deep, small, fill;
+        IndexRange nodes, values, deep, small, fill, picture;
         std::vector<NodeRecord> fillRecords;
         std::vector<DeepRecord> deepFill;
     };
@@ -75,9 +76,11 @@ private:
     Mirror<DeepRecord> m_deep;
     Mirror<SmallRecord> m_small;
     Mirror<FillValues> m_fills;
+    Mirror<PictureView> m_pictureViews;
     Mirror<ChunkRecord> m_chunks;
     Mirror<StrokeRecord> m_strokes;
-    RunPool m_nodeRuns, m_valueRuns, m_deepRuns, m_smallRuns, m_fillRuns;
+    RunPool m_nodeRuns, m_valueRuns, m_deepRuns, m_smallRuns, m_fillRuns, m_pictureRuns;
+    DevicePictures m_pictures;
     std::vector<std::uint32_t> m_freeSlots;
     std::vector<Entry> m_entries;          ///< in document order
     std::vector<SceneStrokePtr> m_dropped; ///< strokes that may be freed

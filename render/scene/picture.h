@@ -3,7 +3,7 @@
 
 #include "model/painting/stroke.h"
 #include "model/result.h"
-#include "render/math/picture.h"
+#include "render/math/picture_view.h"
 #include "render/picture_grid.h"
 
 #include <memory>

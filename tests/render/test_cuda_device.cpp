@@ -1,5 +1,6 @@
 // The CUDA renderer on a real GPU; skipped where there is none.
 #include "tests/render/cuda_blending.h"
+#include "tests/render/cuda_pictures.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -40,6 +41,8 @@ private slots:
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(80), 7); }
     void blending() { checkBlending(open, 0, 60); }
     void blendingEdits() { checkBlendingEdits(open, 300); }
+    void picturesAsPaint() { checkPicturesAsPaint(open, 0, 80); }
+    void pictureEdits() { checkPictureEdits(open, 300); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

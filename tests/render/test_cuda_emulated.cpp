@@ -2,6 +2,7 @@
 #include "model/formats/files.h"
 #include "render/image_io/image_io.h"
 #include "tests/render/cuda_blending.h"
+#include "tests/render/cuda_pictures.h"
 #include "tests/render/emulated_device.h"
 
 #include <QFile>
@@ -48,6 +49,8 @@ private slots:
     void heavyFills() { checkHeavyTiles(open, test::heavyFills(15), 1); }
     void blending() { checkBlending(open, 41, 45); }
     void blendingEdits() { checkBlendingEdits(open, 30); }
+    void picturesAsPaint() { checkPicturesAsPaint(open, 0, 6); }
+    void pictureEdits() { checkPictureEdits(open, 30); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

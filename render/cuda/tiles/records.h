@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/math/layer_put.h"
+#include "render/math/picture_view.h"
 #include "render/math/shade_params.h"
 
 #include <cstddef>
@@ -146,11 +147,12 @@ struct alignas(16) StrokeRecord {
     float level[3] = {0, 0, 0}; ///< as in SceneStroke
     float lowest = -1;
     float keep = 1;
-    std::uint32_t hasLevels = 0;
+    std::uint16_t hasLevels = 0, granulated = 0;
     std::uint32_t channels = 0;
-    std::uint32_t granulated = 0;
+    std::uint32_t picture = 0; ///< 1 more than the index of its picture; 0: it has none
     /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺. If it
-    /// has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has.
+    /// has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has. It has no
+    /// picture.
     std::uint32_t plain = 0;
     std::uint32_t firstChunk = 0, chunks = 0;
     std::uint32_t firstValue = 0; ///< where its channel values begin, `channels` in a row
@@ -284,6 +286,7 @@ struct Frame {
     const DeepRecord *deep = nullptr;
     const SmallRecord *small = nullptr;
     const FillValues *fills = nullptr; ///< null if no stroke has a fill
+    const PictureView *pictures = nullptr;
     const ChunkRecord *chunks = nullptr;
     const StrokeRecord *strokes = nullptr;
 

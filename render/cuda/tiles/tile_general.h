@@ -7,6 +7,7 @@
 #include "render/cuda/tiles/tile_paper.h"
 #include "render/cuda/tiles/tile_shade.h"
 #include "render/cuda/tiles/tile_stream.h"
+#include "render/math/picture.h"
 
 namespace suffuse::cuda {
 
@@ -71,6 +72,8 @@ public:
                     evaluateGroup(level, i, j, side);
             }
         }
+        if (m_stroke.picture)
+            showPicture(part);
     }
 
 private:
@@ -78,6 +81,24 @@ private:
     SUFFUSE_PROGRAM bool has(FillFlag flag) const { return fills && (m_stroke.fill & flag) != 0; }
     SUFFUSE_PROGRAM const FillValues &fillValues() const { return m_frame.fills[m_stroke.fillValues]; }
     SUFFUSE_PROGRAM bool hasPaper() const { return m_stroke.granulated && m_frame.paper.kind != 0; }
+
+    /// Puts the stroke's picture in the place of its colours, at the pixels of a part.
+    SUFFUSE_PROGRAM void showPicture(int part)
+    {
+        const PictureView &picture = m_frame.pictures[m_stroke.picture - 1];
+        m_warp.each([&](int lane) {
+            SUFFUSE_ROLLED
+            for (int k = 0; k < laneSamples; ++k) {
+                const int at = sampleAt(lane, k);
+                if (part != allParts && partOf(m_stroke, m_s.level[at], lane, k) != part)
+                    continue;
+                const math::PicturePaint paint = math::shown(picture, m_left + sampleColumn(lane, k) + 0.5,
+                                                             m_top + sampleRow(lane, k) + 0.5, m_s.result[0][at]);
+                m_s.result[0][at] = paint.w;
+                m_s.result[1][at] = paint.red, m_s.result[2][at] = paint.yellow, m_s.result[3][at] = paint.blue;
+            }
+        });
+    }
 
     /// Finds for each pixel of a part the greatest level of the small segments that reach it (docs/reference.md).
     /// Returns false if none reaches any.
