@@ -44,7 +44,7 @@ private:
 };
 
 /// The length, quicker than by std::hypot, which guards against overflow.
-double sizeOf(Point d)
+double stepLength(Point d)
 {
     return std::sqrt(dot(d, d));
 }
@@ -68,10 +68,10 @@ void forEachPiece(const Segment &segment, const Whitening &whiten, CurveDetail d
     Point a = cubic.p[0], wa = whitened.p[0];
     for (int k = 1; k <= count; ++k) {
         const Point b = k == count ? cubic.p[3] : cubic.at(double(k) / count), wb = whiten(b);
-        const double whitenedLength = sizeOf(wb - wa);
+        const double whitenedLength = stepLength(wb - wa);
         if (whitenedLength > 0) // The length counts on the canvas, while the exponent counts in spreads.
             use(DensityOfSegment::Piece{wa, (1 / whitenedLength) * (wb - wa), whitenedLength,
-                                        scale * sizeOf(b - a) / whitenedLength});
+                                        scale * stepLength(b - a) / whitenedLength});
         a = b;
         wa = wb;
     }
