@@ -11,6 +11,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace suffuse {
 
@@ -56,12 +57,26 @@ int maxSideOf(ImageFormat format);
 /// size).
 QString problemOf(ImageFormat format, const ImageOptions &options, int width, int height);
 
+/// A picture whose rows are asked for one after another while it is written, from the top (PFM: from the bottom).
+struct PictureRows {
+    PictureRows(int width, int height, std::function<const float *(int y)> row)
+        : width(width), height(height), row(std::move(row))
+    {}
+    /// The rows of a picture in memory, which outlives them.
+    PictureRows(const FloatPicture &picture) // NOLINT(google-explicit-constructor)
+        : PictureRows(picture.width, picture.height, [&picture](int y) { return picture.at(0, y); })
+    {}
+
+    int width, height;
+    std::function<const float *(int y)> row; ///< width straight RGBA pixels, valid until the next call
+};
+
 /// Writes a picture in the format of the path's ending. The target is replaced when the whole picture is on disk, or
 /// left as it was: rows are streamed to a temporary file beside it. Errors name the file and the remedy. It may be
 /// called on any thread.
-Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options);
+Result<void> writeImage(const QString &path, const PictureRows &picture, const ImageOptions &options);
 /// Returns the same as the bytes of a file. `name` is used in messages.
-Result<QByteArray> encodeImage(ImageFormat format, const FloatPicture &picture, const ImageOptions &options,
+Result<QByteArray> encodeImage(ImageFormat format, const PictureRows &picture, const ImageOptions &options,
                                const QString &name);
 
 /// The largest image that is read: its sides, and its pixels (256 MB as 8 bit RGBA). Declared sizes are checked before

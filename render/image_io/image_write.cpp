@@ -17,7 +17,7 @@ namespace {
 /// Hands out the rows of the picture as the format stores them.
 class RowSource {
 public:
-    RowSource(const FloatPicture &picture, const ImageOptions &options, ImageFormat format)
+    RowSource(const PictureRows &picture, const ImageOptions &options, ImageFormat format)
         : m_picture(picture), m_options(options), m_linear(format == ImageFormat::Exr),
           m_values(std::size_t(picture.width) * channels())
     {}
@@ -32,7 +32,7 @@ public:
             m_cancelled = true;
             return nullptr;
         }
-        const float *from = m_picture.at(0, y);
+        const float *from = m_picture.row(y);
         float *to = m_values.data();
         for (int x = 0; x < m_picture.width; ++x, from += 4, to += channels())
             pixel(from, to);
@@ -54,7 +54,7 @@ private:
                 to[c] *= from[3];
     }
 
-    const FloatPicture &m_picture;
+    const PictureRows &m_picture;
     const ImageOptions &m_options;
     bool m_linear;
     bool m_cancelled = false;
@@ -110,7 +110,7 @@ void writePfm(const ImageModuleFile &file, RowSource &source, int width, int hei
 
 /// Writes by a module. Returns an empty text, or what the module said.
 QString writeThroughModule(const ImageModule &module, const ImageModuleFile &file, RowSource &source,
-                           ImageFormat format, const FloatPicture &picture, const ImageOptions &options)
+                           ImageFormat format, const PictureRows &picture, const ImageOptions &options)
 {
     ImageModuleWrite job{};
     job.format = imageModuleName(format);
@@ -135,7 +135,7 @@ QString writeThroughModule(const ImageModule &module, const ImageModuleFile &fil
 static_assert(int(ImageDepth::Bits8) == ModuleBits8 && int(ImageDepth::Bits16) == ModuleBits16 &&
               int(ImageDepth::Half) == ModuleHalf && int(ImageDepth::Float) == ModuleFloat);
 
-qint64 bytesOf(const FloatPicture &picture, const ImageOptions &options, ImageFormat format)
+qint64 bytesOf(const PictureRows &picture, const ImageOptions &options, ImageFormat format)
 {
     const ImageDepth depth = options.depth.value_or(usualDepth(format));
     const int each = depth == ImageDepth::Bits8 ? 1 : depth == ImageDepth::Float ? 4 : 2;
@@ -146,7 +146,7 @@ qint64 bytesOf(const FloatPicture &picture, const ImageOptions &options, ImageFo
 struct Writing {
     QString name; ///< used in messages
     ImageFormat format;
-    const FloatPicture &picture;
+    const PictureRows &picture;
     const ImageOptions &options;
     const ImageModule *module = nullptr; ///< null for PFM
 
@@ -191,7 +191,7 @@ struct Writing {
 
 } // namespace
 
-Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options)
+Result<void> writeImage(const QString &path, const PictureRows &picture, const ImageOptions &options)
 {
     Writing writing{path, imageFormatForPath(path), picture, options};
     if (Result<void> prepared = writing.prepare(); !prepared)
@@ -204,7 +204,7 @@ Result<void> writeImage(const QString &path, const FloatPicture &picture, const 
     return file.commit();
 }
 
-Result<QByteArray> encodeImage(ImageFormat format, const FloatPicture &picture, const ImageOptions &options,
+Result<QByteArray> encodeImage(ImageFormat format, const PictureRows &picture, const ImageOptions &options,
                                const QString &name)
 {
     Writing writing{name, format, picture, options};
