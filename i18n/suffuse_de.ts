@@ -922,8 +922,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>-o %1: Wiederhergestellt wird ein Gemälde: bitte einen Namen mit der Endung .suffuse oder .json angeben. suffuse-cli render zeichnet es dann</translation>
     </message>
     <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard output.</source>
-        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm; -: Standardausgabe.</translation>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its layers; -: standard output.</source>
+        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm; .ora: seine Ebenen; -: Standardausgabe.</translation>
     </message>
     <message>
         <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
@@ -1002,6 +1002,33 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1 a wash</source>
         <translation>%1 als Lavierung</translation>
+    </message>
+    <message>
+        <source>--transparent: the background is a layer of its own, which other programs can hide</source>
+        <translation>--transparent: Der Hintergrund ist eine eigene Ebene, die andere Programme verbergen können</translation>
+    </message>
+    <message>
+        <source>--depth %1: layers have 8 or 16 bits</source>
+        <translation>--depth %1: Ebenen haben 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>--%1 is ignored: it is not for layered files</source>
+        <translation>--%1 wird übergangen: Das gibt es bei Dateien mit Ebenen nicht</translation>
+    </message>
+    <message>
+        <source>drawing layers</source>
+        <translation>Ebenen werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for layers of %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>Für Ebenen von %1 × %2 Pixeln reicht der Speicher nicht. Wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n group(s) would look otherwise in other programs; their layers show what they make of the picture instead</source>
+        <translation>
+            <numerusform>%n Gruppe sähe in anderen Programmen anders aus; ihre Ebene zeigt stattdessen, was sie aus dem Bild macht</numerusform>
+            <numerusform>%n Gruppen sähen in anderen Programmen anders aus; ihre Ebenen zeigen stattdessen, was sie aus dem Bild machen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5463,8 +5490,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
-        <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm.</translation>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers.</source>
+        <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm, oder ora mit Ebenen.</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -5573,6 +5600,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
         <translation>Hier entstehen Bilder. SVG schreibt Datei ▸ Kopie speichern.</translation>
+    </message>
+    <message>
+        <source>OpenRaster (layers)</source>
+        <translation>OpenRaster (Ebenen)</translation>
     </message>
 </context>
 <context>
@@ -6736,6 +6767,22 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>das Bild einer Bildebene fehlt</numerusform>
             <numerusform>die Bilder von %n Bildebenen fehlen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This OpenRaster file is damaged: it has no list of its parts.</source>
+        <translation>Diese OpenRaster-Datei ist beschädigt: Ihr fehlt das Verzeichnis ihrer Teile.</translation>
+    </message>
+    <message>
+        <source>OpenRaster picture</source>
+        <translation>OpenRaster-Bild</translation>
+    </message>
+    <message>
+        <source>This OpenRaster picture holds no painting of Suffuse. Export it as PNG, and import that as an underlay.</source>
+        <translation>Dieses OpenRaster-Bild enthält kein Gemälde von Suffuse. Exportieren Sie es als PNG, und importieren Sie das als Vorlage.</translation>
+    </message>
+    <message>
+        <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>
+        <translation>Ein anderes Programm hat dieses Bild geändert. Geöffnet wurde das Gemälde, wie Suffuse es exportiert hat.</translation>
     </message>
 </context>
 <context>
@@ -10418,6 +10465,29 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>picture</source>
         <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>LayeredFile</name>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written</source>
+        <translation>angehalten; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>The file could not be packed.</source>
+        <translation>Die Datei konnte nicht gepackt werden.</translation>
     </message>
 </context>
 </TS>

@@ -21,6 +21,13 @@
 <context>
     <name>Cli</name>
     <message numerus="yes">
+        <source>%n group(s) would look otherwise in other programs; their layers show what they make of the picture instead</source>
+        <translation>
+            <numerusform>%n group would look otherwise in other programs; its layer shows what it makes of the picture instead</numerusform>
+            <numerusform>%n groups would look otherwise in other programs; their layers show what they make of the picture instead</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n s left</source>
         <translation>
             <numerusform>%n s left</numerusform>

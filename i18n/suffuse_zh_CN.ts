@@ -916,8 +916,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>-o %1：恢复的是一幅画作：请给出以 .suffuse 或 .json 结尾的名称，然后用 suffuse-cli render 绘制</translation>
     </message>
     <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard output.</source>
-        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm；-：标准输出。</translation>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its layers; -: standard output.</source>
+        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm；.ora：其图层；-：标准输出。</translation>
     </message>
     <message>
         <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
@@ -996,6 +996,32 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1 a wash</source>
         <translation>%1 个淡彩</translation>
+    </message>
+    <message>
+        <source>--transparent: the background is a layer of its own, which other programs can hide</source>
+        <translation>--transparent：背景是单独的图层，其他程序可以将其隐藏</translation>
+    </message>
+    <message>
+        <source>--depth %1: layers have 8 or 16 bits</source>
+        <translation>--depth %1：图层为 8 或 16 位</translation>
+    </message>
+    <message>
+        <source>--%1 is ignored: it is not for layered files</source>
+        <translation>已忽略 --%1：不适用于带图层的文件</translation>
+    </message>
+    <message>
+        <source>drawing layers</source>
+        <translation>正在绘制图层</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for layers of %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>内存不足以容纳 %1 × %2 像素的图层。请选择更小的尺寸。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n group(s) would look otherwise in other programs; their layers show what they make of the picture instead</source>
+        <translation>
+            <numerusform>%n 个组在其他程序中会显得不同；其图层改为显示它们对图片的效果</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5444,8 +5470,8 @@ Arrow keys work too.</source>
         <translation>文件</translation>
     </message>
     <message>
-        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
-        <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm。</translation>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers.</source>
+        <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm，或带图层的 ora。</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -5554,6 +5580,10 @@ Arrow keys work too.</source>
     <message>
         <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
         <translation>此处导出图片。SVG 由“文件 ▸ 保存副本”写入。</translation>
+    </message>
+    <message>
+        <source>OpenRaster (layers)</source>
+        <translation>OpenRaster（图层）</translation>
     </message>
 </context>
 <context>
@@ -6697,6 +6727,22 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>缺少 %n 个图像图层的图像</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This OpenRaster file is damaged: it has no list of its parts.</source>
+        <translation>此 OpenRaster 文件已损坏：缺少各部分的目录。</translation>
+    </message>
+    <message>
+        <source>OpenRaster picture</source>
+        <translation>OpenRaster 图片</translation>
+    </message>
+    <message>
+        <source>This OpenRaster picture holds no painting of Suffuse. Export it as PNG, and import that as an underlay.</source>
+        <translation>此 OpenRaster 图片不含 Suffuse 画作。请将其导出为 PNG，再作为底图导入。</translation>
+    </message>
+    <message>
+        <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>
+        <translation>其他程序修改过此图片。打开的是 Suffuse 导出时的画作。</translation>
     </message>
 </context>
 <context>
@@ -10362,6 +10408,29 @@ Arrow keys work too.</source>
     <message>
         <source>picture</source>
         <translation>图片</translation>
+    </message>
+</context>
+<context>
+    <name>LayeredFile</name>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>组 %1</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written</source>
+        <translation>已停止；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>The file could not be packed.</source>
+        <translation>无法打包该文件。</translation>
     </message>
 </context>
 </TS>

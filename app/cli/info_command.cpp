@@ -48,6 +48,8 @@ const char *idOf(FileFormat format)
         return "diffusion-curves";
     case FileFormat::Svg:
         return "svg";
+    case FileFormat::OpenRaster:
+        return "openraster";
     case FileFormat::Unknown:
         break;
     }

@@ -1,12 +1,15 @@
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
 #include "render/backends.h"
 #include "render/image_io/image_io.h"
+#include "render/layered/ora_file.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
 #include <cmath>
 #include <map>
+#include <new>
 
 #include <unistd.h>
 
@@ -17,8 +20,8 @@ namespace {
 void addOptions(CommandLine &line)
 {
     line.add({"o", "output"},
-             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard "
-                                                "output."),
+             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its "
+                                                "layers; -: standard output."),
              "OUT");
     line.add({"format"},
              QCoreApplication::translate("Cli", "With -o -: png, tiff, exr, jpg, webp or pfm (default: png)."),
@@ -211,6 +214,71 @@ int render(const CommandLine &line, ImageFormat format, ImageOptions image, cons
     return line.isSet("stats") ? printJson(statsJson(**renderer, request, *stats, times)) : Done;
 }
 
+/// What a layered file cannot be asked for; errors are usage errors.
+Result<int> bitsOfLayers(const CommandLine &line)
+{
+    if (line.isSet("transparent"))
+        return Error{QCoreApplication::translate("Cli", "--transparent: the background is a layer of its own, which "
+                                                        "other programs can hide")};
+    const QString depth = line.isSet("depth") ? line.value("depth") : QStringLiteral("8");
+    if (depth != QLatin1String("8") && depth != QLatin1String("16"))
+        return Error{QCoreApplication::translate("Cli", "--depth %1: layers have 8 or 16 bits").arg(depth)};
+    for (const char *option : {"format", "quality", "dpi", "stats"})
+        if (line.isSet(QLatin1String(option)))
+            warn(QCoreApplication::translate("Cli", "--%1 is ignored: it is not for layered files")
+                     .arg(QLatin1String(option)));
+    return depth.toInt();
+}
+
+/// Draws the layers, each of which costs but its own strokes.
+int renderLayers(const CommandLine &line, RendererOptions options)
+{
+    const QString out = line.value("output");
+    const Result<int> bits = bitsOfLayers(line);
+    if (!bits)
+        return failUsage("render", bits.error());
+    Result<Painting> painting = paintingOf(line.argument(0));
+    if (!painting)
+        return fail(painting.error());
+    const Result<PictureOptions> picture = pictureOptions(line, *painting);
+    if (!picture)
+        return failUsage("render", picture.error());
+    ImageOptions image;
+    image.alpha = true;
+    const QString problem = problemOf(ImageFormat::Png, image, picture->width, picture->height);
+    if (!problem.isEmpty())
+        return failUsage("render", QStringLiteral("%1: %2").arg(out, problem));
+    LayeredRequest request;
+    request.painting = std::make_shared<const Painting>(std::move(*painting));
+    request.time = picture->time;
+    request.view = View::ofArea(picture->area, picture->width, picture->height);
+    request.bits = *bits;
+    request.cancel = &interrupted();
+    ProgressLine progress{QCoreApplication::translate("Cli", "drawing layers")};
+    request.progress = [&](std::size_t done, std::size_t layers) { progress.show(qint64(done), qint64(layers)); };
+    if (options.backend == Backend::Auto)
+        options.backend = quickestBackend({request.painting, request.time, request.view}, 1, options);
+    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options), groups = makeRenderer(options);
+    if (!renderer || !groups)
+        return fail(renderer ? groups.error() : renderer.error());
+    try {
+        const Result<LayeredStats> written = writeOpenRaster(out, request, **renderer, **groups);
+        if (!written)
+            return fail(written.error());
+        if (written->baked > 0)
+            warn(QCoreApplication::translate("Cli",
+                                             "%n group(s) would look otherwise in other programs; their layers "
+                                             "show what they make of the picture instead",
+                                             nullptr, int(written->baked)));
+        return Done;
+    } catch (const std::bad_alloc &) {
+        return fail(QCoreApplication::translate("Cli", "there is not enough memory for layers of %1 × %2 pixels. "
+                                                       "Choose a smaller size.")
+                        .arg(request.view.width)
+                        .arg(request.view.height));
+    }
+}
+
 } // namespace
 
 int renderCommand(const QStringList &arguments)
@@ -222,6 +290,10 @@ int renderCommand(const QStringList &arguments)
         return *code;
     if (line.value("output").isEmpty())
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
+    if (isOpenRaster(line.value("output"))) {
+        const Result<RendererOptions> renderer = rendererOptions(line);
+        return renderer ? renderLayers(line, *renderer) : failUsage("render", renderer.error());
+    }
     const Result<ImageFormat> format = formatOf(line);
     if (!format)
         return failUsage("render", format.error());

@@ -3,6 +3,7 @@
 #include "model/formats/ink/diffusion_curves.h"
 #include "model/formats/ink/recording.h"
 #include "model/formats/messages.h"
+#include "model/formats/ora/ora_parts.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg/svg_painting.h"
 
@@ -186,6 +187,8 @@ FileFormat detectFormat(const QByteArray &bytes)
 {
     if (startsAsSuffuse(bytes) || hasFirstChunk(bytes))
         return FileFormat::Suffuse;
+    if (ora::isOpenRaster(bytes))
+        return FileFormat::OpenRaster;
     const FileFormat format = formatOfText(bytes);
     // Whatever has happened to the start of a document, its whole parts are to be found.
     return format == FileFormat::Unknown && hasAnyChunk(bytes) ? FileFormat::Suffuse : format;
@@ -218,6 +221,8 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("Diffusion curves (XML)");
     case FileFormat::Svg:
         return FileMessages::tr("SVG drawing");
+    case FileFormat::OpenRaster:
+        return FileMessages::tr("OpenRaster picture");
     case FileFormat::Unknown:
         break;
     }
@@ -225,6 +230,21 @@ QString nameOf(FileFormat format)
 }
 
 namespace {
+
+/// The painting that an OpenRaster file has beside its layers.
+Result<Painting> readOpenRaster(const QByteArray &bytes, const QString &fileName, QString &leftOut)
+{
+    const Result<ora::EmbeddedPainting> embedded = ora::readEmbedded(bytes);
+    if (!embedded)
+        return fileError(fileName, embedded.error());
+    if (embedded->document.isEmpty())
+        return fileError(fileName, FileMessages::tr("This OpenRaster picture holds no painting of Suffuse. Export it "
+                                                    "as PNG, and import that as an underlay."));
+    if (embedded->isChanged)
+        leftOut = FileMessages::tr("Another program changed this picture. What was opened is the painting as Suffuse "
+                                   "exported it.");
+    return readSuffuseFile(embedded->document, fileName);
+}
 
 /// Reads all formats except .suffuse, which the caller reads. `leftOut` is that of LoadedDocument.
 Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush,
@@ -251,6 +271,8 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:
         return readSvg(bytes, fileName, brush, &leftOut);
+    case FileFormat::OpenRaster:
+        return readOpenRaster(bytes, fileName, leftOut);
     case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;

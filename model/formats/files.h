@@ -14,7 +14,18 @@
 
 namespace suffuse {
 
-enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents, DiffusionCurves, Svg };
+enum class FileFormat {
+    Unknown,
+    Suffuse,
+    Text,
+    InkCsv,
+    UniversalInk,
+    Excalidraw,
+    MyPaintEvents,
+    DiffusionCurves,
+    Svg,
+    OpenRaster
+};
 
 /// The format by the first bytes, never by the name.
 FileFormat detectFormat(const QByteArray &bytes);

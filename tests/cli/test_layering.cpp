@@ -36,6 +36,8 @@ const QList<Rule> &rules()
     };
     static const QList<Rule> table = {
         {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zstd.h"}},
+        // Parts of zip files.
+        {"model/formats/ora/", {"model/"}, {"QtCore"}, {"minizip"}},
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
@@ -57,6 +59,11 @@ const QList<Rule> &rules()
         {"render/threads/", {"render/threads/"}, {}, {"tbb"}},
         {"render/nodes/", {"model/", "render/math/", "render/nodes/", "render/threads/"}, {"QtCore"}, {"hwy"}},
         {"render/composition/", {"model/", "render/composition/"}, {}, {}},
+        // Pictures of parts of a painting, by whatever draws them.
+        {"render/layered/",
+         {"model/", "render/layered/", "render/math/", "render/image_io/", "render/renderer.h"},
+         {"QtCore"},
+         {"minizip"}},
         // Paths in double precision, which know no picture.
         {"render/contours/",
          {"model/", "render/contours/", "render/nodes/", "render/math/", "render/image_io/image_io.h"},

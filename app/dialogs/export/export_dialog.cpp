@@ -6,6 +6,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
 #include "app/widgets/look/section.h"
+#include "render/layered/ora_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -34,6 +35,14 @@ QString withEnding(const QString &path, const QString &ending)
 QString endingOf(const QString &path)
 {
     return path.section(QLatin1Char('.'), -1);
+}
+
+/// What the list of formats has for OpenRaster, beside formats of pictures.
+constexpr int openRaster = -1;
+
+int formatChoiceFor(const QString &path)
+{
+    return isOpenRaster(path) ? openRaster : int(imageFormatForPath(path));
 }
 
 QString depthTitle(ImageDepth depth)
@@ -77,7 +86,7 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
     m_presets = new PresetRow(
         grid, 0, [this] { return settings(); }, m_form);
     connect(m_presets, &PresetRow::chosen, this, &ExportDialog::takePreset);
-    addFile(1, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
+    addFile(1, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers."));
     addFormat();
     m_area = new AreaRow(grid, 3, m_editor, shown, m_form);
     m_size = new SizeRow(grid, 5, maxSideOf(ImageFormat::Png), m_form);
@@ -102,18 +111,18 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
 void ExportDialog::addFormat()
 {
     m_format = new QComboBox(m_form);
-    for (const QString &ending : imageEndings())
-        if (const int format = int(imageFormatForPath('.' + ending)); m_format->findData(format) < 0)
-            m_format->addItem(nameOf(ImageFormat(format)), format);
+    for (const QString &ending : exportEndings())
+        if (const int format = formatChoiceFor('.' + ending); m_format->findData(format) < 0)
+            m_format->addItem(format == openRaster ? tr("OpenRaster (layers)") : nameOf(ImageFormat(format)), format);
     m_format->setPlaceholderText(tr("No picture format"));
     addField(2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
     connect(m_format, &QComboBox::activated, this, [this] {
-        const QStringList all = imageEndings();
+        const QStringList all = exportEndings();
         const auto chosen = std::ranges::find_if(all, [this](const QString &ending) {
-            return int(imageFormatForPath('.' + ending)) == m_format->currentData().toInt();
+            return formatChoiceFor('.' + ending) == m_format->currentData().toInt();
         });
         // Another ending may be a part of the name, as in "edited 1.0".
-        const bool replaces = imageFormatForPath(m_path->text()) != ImageFormat::Unknown;
+        const bool replaces = pixelFormatFor(m_path->text()) != ImageFormat::Unknown;
         m_path->setText(replaces ? withEnding(m_path->text(), *chosen) : m_path->text() + '.' + *chosen);
     });
 }
@@ -183,7 +192,7 @@ void ExportDialog::showLimits()
 
 void ExportDialog::browse()
 {
-    const FileKind pictures{tr("Pictures"), imageEndings()};
+    const FileKind pictures{tr("Pictures"), exportEndings()};
     const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(pictures), nullptr,
                                                       QFileDialog::DontConfirmOverwrite);
     if (path.isEmpty())
@@ -195,9 +204,9 @@ void ExportDialog::browse()
 
 void ExportDialog::pathChanged()
 {
-    const ImageFormat format = imageFormatForPath(m_path->text());
+    const ImageFormat format = pixelFormatFor(m_path->text());
     m_hint->showHint({});
-    m_format->setCurrentIndex(m_format->findData(int(format)));
+    m_format->setCurrentIndex(m_format->findData(formatChoiceFor(m_path->text())));
     m_quality->setEnabled(hasQuality(format));
     if (format != ImageFormat::Unknown)
         m_size->setLargestSide(maxSideOf(format));
@@ -209,7 +218,8 @@ void ExportDialog::pathChanged()
         if (!problemOf(format, options, 1, 1).isEmpty())
             m_depth->setCurrentIndex(m_depth->findData(int(usualDepth(format))));
     }
-    m_transparent->setEnabled(format != ImageFormat::Jpeg);
+    // The background of a layered file is a layer that can be hidden.
+    m_transparent->setEnabled(format != ImageFormat::Jpeg && !isOpenRaster(m_path->text()));
 }
 
 ImageOptions ExportDialog::imageOptions() const
@@ -225,7 +235,7 @@ ImageOptions ExportDialog::imageOptions() const
 void ExportDialog::startExport()
 {
     const QFileInfo target(m_path->text());
-    const ImageFormat format = imageFormatForPath(m_path->text());
+    const ImageFormat format = pixelFormatFor(m_path->text());
     const int width = widthBox()->value();
     if (format == ImageFormat::Unknown) {
         if (target.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
@@ -233,7 +243,7 @@ void ExportDialog::startExport()
             return;
         }
         m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")
-                             .arg(target.fileName(), imageEndings().join(QStringLiteral(", "))));
+                             .arg(target.fileName(), exportEndings().join(QStringLiteral(", "))));
         return;
     }
     const int whole = std::max(suffuse::heightForWidth(m_area->area(), width), 1);

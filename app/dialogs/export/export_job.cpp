@@ -1,6 +1,7 @@
 #include "app/dialogs/export/export_job.h"
 
 #include "render/backends.h"
+#include "render/layered/ora_file.h"
 
 #include <functional>
 #include <new>
@@ -75,13 +76,12 @@ void ExportJob::run(const ExportOrder &order)
 
 Result<void> ExportJob::work(const ExportOrder &order)
 {
-    const auto progress = [this](int perMille) {
-        QMetaObject::invokeMethod(
-            this, [this, perMille] { emit progressed(perMille); }, Qt::QueuedConnection);
-    };
+    const auto progress = [this](int perMille) { show(perMille); };
     auto renderer = makeRenderer({.backend = Backend::Auto, .threads = order.threads});
     if (!renderer)
         return Error{renderer.error()};
+    if (isOpenRaster(order.path))
+        return workOnLayers(order, **renderer);
     RenderRequest request;
     request.painting = order.painting;
     request.time = order.time;
@@ -99,6 +99,29 @@ Result<void> ExportJob::work(const ExportOrder &order)
             progress(renderShare + (1000 - renderShare) * row / std::max(rows, 1));
     };
     return writeImage(order.path, picture, image);
+}
+
+/// Each layer is a step of the bar.
+Result<void> ExportJob::workOnLayers(const ExportOrder &order, Renderer &renderer)
+{
+    auto groups = makeRenderer({.backend = Backend::Auto, .threads = order.threads});
+    if (!groups)
+        return Error{groups.error()};
+    LayeredRequest request;
+    request.painting = order.painting;
+    request.time = order.time;
+    request.view = View::ofArea(order.area, order.width, order.height);
+    request.bits = order.image.depth == ImageDepth::Bits16 ? 16 : 8;
+    request.cancel = &m_cancel;
+    request.progress = [this](std::size_t done, std::size_t layers) { show(int(1000 * done / (layers + 1))); };
+    const Result<LayeredStats> written = writeOpenRaster(order.path, request, renderer, **groups);
+    return written ? Result<void>() : Error{written.error()};
+}
+
+void ExportJob::show(int perMille)
+{
+    QMetaObject::invokeMethod(
+        this, [this, perMille] { emit progressed(perMille); }, Qt::QueuedConnection);
 }
 
 } // namespace suffuse

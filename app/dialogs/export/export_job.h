@@ -23,7 +23,8 @@ struct ExportOrder {
     int threads = 0; ///< 0: all cores
 };
 
-/// Renders and writes a picture on a thread of its own. If it is cancelled or fails, it leaves the target as it was.
+/// Renders and writes a picture, or the layers of an OpenRaster file, on a thread of its own. If it is cancelled or
+/// fails, it leaves the target as it was.
 class ExportJob : public QObject {
     Q_OBJECT
 
@@ -46,6 +47,8 @@ signals:
 private:
     void run(const ExportOrder &order);
     Result<void> work(const ExportOrder &order);
+    Result<void> workOnLayers(const ExportOrder &order, Renderer &renderer);
+    void show(int perMille);
 
     QString m_path;
     std::atomic<bool> m_cancel = false;

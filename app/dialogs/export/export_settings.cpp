@@ -2,6 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "render/layered/ora_file.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -61,6 +62,16 @@ ImageOptions ExportSettings::image() const
     return options;
 }
 
+QStringList exportEndings()
+{
+    return imageEndings() << QStringLiteral("ora");
+}
+
+ImageFormat pixelFormatFor(const QString &path)
+{
+    return isOpenRaster(path) ? ImageFormat::Png : imageFormatForPath(path);
+}
+
 bool ExportSettings::writesAs(const ExportSettings &other) const
 {
     ExportSettings same = other;
@@ -69,7 +80,7 @@ bool ExportSettings::writesAs(const ExportSettings &other) const
         same.numbers = numbers;
     if (moment != MomentRow::Choice::Time)
         same.time = time;
-    return same == *this && format() == other.format();
+    return same == *this && format() == other.format() && isOpenRaster(path) == isOpenRaster(other.path);
 }
 
 QJsonObject ExportSettings::toJson() const

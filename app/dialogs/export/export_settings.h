@@ -12,6 +12,12 @@ class QJsonObject;
 
 namespace suffuse {
 
+/// The endings of files that can be exported: pictures, and OpenRaster.
+QStringList exportEndings();
+/// The format of the pixels by a path's ending: of OpenRaster, whose layers are PNG files, that; Unknown for other
+/// ones.
+ImageFormat pixelFormatFor(const QString &path);
+
 struct ExportSettings {
     QString path; ///< absolute path; of a preset only the ending counts
     ImageDepth depth = ImageDepth::Bits8;
@@ -27,7 +33,7 @@ struct ExportSettings {
 
     /// Whether another export writes the same of a painting, wherever it writes it.
     bool writesAs(const ExportSettings &other) const;
-    ImageFormat format() const { return imageFormatForPath(path); }
+    ImageFormat format() const { return pixelFormatFor(path); }
     ImageOptions image() const;
     QJsonObject toJson() const;
     /// Reads settings. Returns none where they are not of this program, or out of range.
