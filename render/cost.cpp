@@ -33,8 +33,9 @@ double pixelsOf(const Rect &box, const View &view)
 double cpuSeconds(const RenderRequest &request)
 {
     double seconds = secondsPerPixel * request.view.width * request.view.height;
+    const Visibility isVisible(request.painting->groups);
     for (const StrokePtr &stroke : request.painting->strokes) {
-        if (!request.painting->isVisible(*stroke))
+        if (!isVisible(*stroke))
             continue;
         seconds += secondsPerSegment * double(stroke->segments.size());
         const Rect box = influenceOf(*stroke, request.time);

@@ -3,6 +3,7 @@
 #include "model/area/outline.h"
 #include "model/area/pen_outline.h"
 #include "model/paint/half_width.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/restyling/appearance.h"
 #include "model/shaping/curves/chain_strokes.h"
@@ -60,11 +61,6 @@ Edit refused(AreaProblem why, AreaProblem *problem)
     if (problem)
         *problem = why;
     return {};
-}
-
-bool canBeChanged(const Painting &painting, const Stroke &stroke)
-{
-    return painting.isVisible(stroke) && !painting.isLocked(stroke);
 }
 
 /// The part of a line that is as wide to the eye, and how wide.
@@ -160,8 +156,9 @@ std::vector<StrokePtr> selectedAreas(const Document &document)
     std::vector<StrokePtr> areas;
     if (selected.empty())
         return areas;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (stroke->fill && selected.contains(stroke->id) && canBeChanged(painting, *stroke))
+        if (stroke->fill && selected.contains(stroke->id) && isEditable(*stroke))
             areas.push_back(stroke);
     return areas;
 }
@@ -171,10 +168,12 @@ bool hasSelectedAreas(const Document &document, int least)
     const Painting &painting = *document.painting();
     const std::set<StrokeId> &selected = document.selection().strokes;
     int count = 0;
-    if (int(selected.size()) >= least)
-        for (const StrokePtr &stroke : painting.strokes)
-            if (stroke->fill && selected.contains(stroke->id) && canBeChanged(painting, *stroke) && ++count == least)
-                return true;
+    if (int(selected.size()) < least)
+        return false;
+    const Editable isEditable(painting.groups);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (stroke->fill && selected.contains(stroke->id) && isEditable(*stroke) && ++count == least)
+            return true;
     return false;
 }
 
@@ -261,8 +260,9 @@ Edit linesToAreas(Document &document, AreaProblem *problem)
     AreaEffort effort(mostSteps);
     Replacing replacing(document);
     bool any = false;
+    const Editable isEditable(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        if (!document.selection().strokes.contains(stroke->id) || !canBeChanged(*painting, *stroke))
+        if (!document.selection().strokes.contains(stroke->id) || !isEditable(*stroke))
             continue;
         double half = 0;
         const std::optional<Area> area = areaOfLines(*stroke, half, effort);

@@ -1,3 +1,4 @@
+#include "model/painting/editable.h"
 #include "model/painting/influence.h"
 #include "undo/edits.h"
 #include "undo/history/order_tree.h"
@@ -89,8 +90,9 @@ Edit arrangeSelection(const Document &document, Arrange how)
     std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
     std::unordered_map<StrokeId, Rect> influences;
     const Microseconds end = painting.end();
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &s : painting.strokes)
-        if (painting.isVisible(*s))
+        if (isVisible(*s))
             influences.emplace(s->id, influenceOf(*s, end));
     fillInfluence(tree, influences);
     arrange(tree, how);
@@ -104,8 +106,9 @@ Edit reorder(const Document &document, const std::set<StrokeId> &strokes, Stroke
 {
     const Painting &painting = *document.painting();
     std::set<StrokeId> moved;
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &s : painting.strokes)
-        if (strokes.contains(s->id) && !painting.isLocked(*s))
+        if (strokes.contains(s->id) && !isLocked(*s))
             moved.insert(s->id);
     auto place = painting.strokes.end();
     GroupId group = 0;

@@ -1,6 +1,7 @@
 #include "undo/colour_edits.h"
 
 #include "model/colour/colour_shift.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/swatch_edits.h"
 
@@ -50,9 +51,10 @@ Edit recolourAll(const Document &document, const ColourParts &parts, const Colou
     std::map<StrokeId, const ColourPart *> partOf;
     for (const ColourPart &part : parts)
         partOf.emplace(part.stroke->id, &part);
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const auto at = partOf.find(stroke->id);
-        if (at == partOf.end() || (!lockedToo && painting.isLocked(*stroke)))
+        if (at == partOf.end() || (!lockedToo && isLocked(*stroke)))
             continue;
         if (StrokePtr result = recoloured(*stroke, *at->second, map))
             edit.strokes.emplace(stroke->id, std::move(result));

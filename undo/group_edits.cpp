@@ -1,5 +1,6 @@
 #include "undo/group_edits.h"
 
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
 
@@ -51,13 +52,6 @@ GroupId groupWithin(std::vector<Sibling> &siblings, GroupId around, Sibling &mad
     }
     siblings = std::move(result);
     return around;
-}
-
-bool isLocked(const Painting &painting, GroupId group)
-{
-    Stroke member;
-    member.group = group;
-    return painting.isLocked(member);
 }
 
 /// Whether its numbers are in their domains.
@@ -206,9 +200,10 @@ Edit ungroupSelection(const Document &document)
     const Painting &painting = *document.painting();
     const std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
     std::set<GroupId> gone;
+    const Locks isLocked(painting.groups);
     for (const Sibling *unit : selectedUnits(tree)) {
         const GroupId group = unit->group != 0 ? unit->group : painting.find(unit->stroke)->group;
-        if (group != 0 && !isLocked(painting, group))
+        if (group != 0 && !isLocked(group))
             gone.insert(group);
     }
     return dissolve(painting, gone);
@@ -218,8 +213,9 @@ bool canUngroup(const Document &document)
 {
     const Painting &painting = *document.painting();
     const std::set<StrokeId> &selected = document.selection().strokes;
+    const Locks isLocked(painting.groups);
     return !selected.empty() && std::ranges::any_of(painting.strokes, [&](const StrokePtr &s) {
-        return s->group != 0 && selected.contains(s->id) && !painting.isLocked(*s);
+        return s->group != 0 && selected.contains(s->id) && !isLocked(*s);
     });
 }
 
@@ -247,7 +243,7 @@ std::vector<GroupId> selectedGroups(const Document &document)
 Edit ungroup(const Document &document, GroupId group)
 {
     const Painting &painting = *document.painting();
-    if (!painting.findGroup(group) || isLocked(painting, group))
+    if (!painting.findGroup(group) || Locks(painting.groups)(group))
         return {};
     return dissolve(painting, {group});
 }
@@ -300,8 +296,9 @@ Edit changeBlending(const Document &document, const Painting &before, const std:
                     const std::function<void(Group &now, const Group &then)> &change)
 {
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     return changeGroups(painting, [&](Group &group) {
-        if (std::ranges::find(groups, group.id) == groups.end() || isLocked(painting, group.id))
+        if (std::ranges::find(groups, group.id) == groups.end() || isLocked(group.id))
             return;
         const Group *then = before.findGroup(group.id);
         Group changed = group;
@@ -340,8 +337,9 @@ Selection selectSame(const Document &document, Same what)
         if (result.strokes.contains(s->id) && std::none_of(examples.begin(), examples.end(), isKnown))
             examples.push_back(s.get());
     }
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &s : painting.strokes)
-        if (painting.isVisible(*s) && !painting.isLocked(*s) &&
+        if (isEditable(*s) &&
             std::any_of(examples.begin(), examples.end(), [&](const Stroke *e) { return isSame(*e, *s, what); }))
             result.strokes.insert(s->id);
     return result;

@@ -1,5 +1,6 @@
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
+#include "model/painting/editable.h"
 #include "undo/history/remap.h"
 #include "undo/node_edits.h"
 
@@ -43,8 +44,9 @@ std::vector<StrokePtr> unlockedSelected(const Document &document)
 {
     const Painting &painting = *document.painting();
     std::vector<StrokePtr> strokes;
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (document.selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+        if (document.selection().strokes.contains(stroke->id) && !isLocked(*stroke))
             strokes.push_back(stroke);
     return strokes;
 }

@@ -16,22 +16,11 @@ struct GroupSpan {
     bool isEmpty() const { return begin == end; }
 };
 
-std::unordered_set<GroupId> withGroupsWithin(const Painting &painting, GroupId group)
-{
-    std::unordered_set<GroupId> within;
-    for (const Group &g : painting.groups) {
-        const std::vector<GroupId> around = groupsAround(painting, g.id);
-        if (std::ranges::find(around, group) != around.end())
-            within.insert(g.id);
-    }
-    return within;
-}
-
 GroupSpan spanOf(const Painting &painting, GroupId group)
 {
     if (group == 0)
         return {0, painting.strokes.size()};
-    const std::unordered_set<GroupId> within = withGroupsWithin(painting, group);
+    const std::unordered_set<GroupId> within = withGroupsWithin(painting.groups, {group});
     GroupSpan span;
     for (std::size_t i = 0; i < painting.strokes.size(); ++i) {
         if (!within.contains(painting.strokes[i]->group))
@@ -168,6 +157,20 @@ GroupId groupTakingPaint(const Painting &painting, GroupId group)
 
 std::vector<GroupId> layersOf(const Painting &painting)
 {
+    std::unordered_map<GroupId, const Group *> known;
+    for (const Group &group : painting.groups)
+        known.emplace(group.id, &group);
+    // Texts and what is in them are no layers.
+    const auto around = [&](GroupId id) {
+        std::vector<const Group *> chain;
+        for (auto at = known.find(id); at != known.end() && chain.size() <= known.size(); at = known.find(id)) {
+            chain.push_back(at->second);
+            if (at->second->text)
+                chain.clear();
+            id = at->second->parent;
+        }
+        return chain;
+    };
     std::vector<GroupId> layers;
     std::unordered_set<GroupId> seen;
     GroupId last = 0;
@@ -175,14 +178,17 @@ std::vector<GroupId> layersOf(const Painting &painting)
         const GroupId group = (*it)->group;
         if (group == std::exchange(last, group) || group == 0)
             continue;
-        const std::vector<GroupId> around = groupsAround(painting, layerAround(painting, group));
-        for (auto outer = around.rbegin(); outer != around.rend(); ++outer)
-            if (seen.insert(*outer).second)
-                layers.push_back(*outer);
+        const std::vector<const Group *> chain = around(group);
+        for (auto outer = chain.rbegin(); outer != chain.rend(); ++outer)
+            if (seen.insert((*outer)->id).second)
+                layers.push_back((*outer)->id);
     }
     for (const Group &group : painting.groups)
-        if (layerAround(painting, group.id) == group.id && seen.insert(group.id).second)
-            layers.push_back(group.id);
+        if (!seen.contains(group.id))
+            if (const std::vector<const Group *> chain = around(group.id); !chain.empty() && chain.front() == &group) {
+                seen.insert(group.id);
+                layers.push_back(group.id);
+            }
     return layers;
 }
 
@@ -225,7 +231,7 @@ Edit duplicateGroup(Document &document, GroupId group, GroupId &copy)
     Edit edit;
     edit.groups = painting.groups;
     std::unordered_map<GroupId, GroupId> copies;
-    const std::unordered_set<GroupId> within = withGroupsWithin(painting, group);
+    const std::unordered_set<GroupId> within = withGroupsWithin(painting.groups, {group});
     for (const Group &original : painting.groups)
         if (within.contains(original.id))
             copies.emplace(original.id, document.takeGroupId());

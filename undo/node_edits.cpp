@@ -1,5 +1,6 @@
 #include "undo/node_edits.h"
 
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/curves/chain_strokes.h"
 #include "model/shaping/erasing/erase.h"
@@ -30,9 +31,10 @@ Edit reshape(const Document &document, const Map &targets, Change change)
     if (targets.empty())
         return edit;
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const auto it = targets.find(stroke->id);
-        if (it == targets.end() || painting.isLocked(*stroke))
+        if (it == targets.end() || isLocked(*stroke))
             continue;
         Stroke result = change(*stroke, it->second);
         if (result != *stroke)
@@ -258,13 +260,14 @@ Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves)
         return splitIntoChains(document, places);
     const PaintingPtr painting = document.painting();
     Parts parts(document);
+    const Locks isLocked(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
         const auto it = places.find(stroke->id);
         std::vector<Stroke> cut;
         std::vector<int> sources;
-        if (it != places.end() && !painting->isLocked(*stroke) && stroke->fill)
+        if (it != places.end() && !isLocked(*stroke) && stroke->fill)
             cut = apart(cutInOne(*stroke, it->second, &sources), sources);
-        else if (it != places.end() && !painting->isLocked(*stroke))
+        else if (it != places.end() && !isLocked(*stroke))
             cut = cutAt(*stroke, it->second);
         if (cut.size() < 2) {
             parts.keep(*stroke);
@@ -299,9 +302,9 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
 {
     const PaintingPtr painting = document.painting();
     Parts parts(document);
+    const Editable isEditable(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        const bool isMeant =
-            targets.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
+        const bool isMeant = targets.contains(stroke->id) && isEditable(*stroke);
         if (!isMeant || !mayErase(*stroke, path, radius)) {
             parts.keep(*stroke);
             continue;
@@ -326,10 +329,11 @@ Edit breakApart(Document &document)
 {
     const PaintingPtr painting = document.painting();
     Parts parts(document);
+    const Locks isLocked(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
         std::vector<Stroke> chains;
         std::vector<int> sources;
-        if (document.selection().strokes.contains(stroke->id) && !painting->isLocked(*stroke))
+        if (document.selection().strokes.contains(stroke->id) && !isLocked(*stroke))
             chains = strokesOfChains(*stroke, &sources);
         if (chains.size() < 2)
             parts.keep(*stroke);

@@ -1,5 +1,6 @@
 #include "undo/run_edits.h"
 
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/history/remap.h"
 
@@ -26,10 +27,11 @@ Edit reshapeSelection(const Document &document, const Painting &before, const Se
     for (const StrokePtr &stroke : document.painting()->strokes)
         if (selection.strokes.contains(stroke->id))
             inDocument.emplace(stroke->id, stroke);
+    const Editable isEditable(before.groups);
     for (const StrokePtr &stroke : before.strokes) {
         const StrokeId id = stroke->id;
         const auto it = inDocument.find(id);
-        if (it == inDocument.end() || before.isLocked(*stroke) || !before.isVisible(*stroke))
+        if (it == inDocument.end() || !isEditable(*stroke))
             continue;
         const StrokePtr &shown = it->second;
         std::vector<int> sources;
@@ -55,8 +57,9 @@ Edit tweakStrokes(const Document &document, const std::vector<StrokePtr> &stroke
     Edit edit;
     Selection after = document.selection();
     const Painting &painting = *document.painting();
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : strokes) {
-        if (painting.isLocked(*stroke) || !painting.isVisible(*stroke))
+        if (!isEditable(*stroke))
             continue;
         std::optional<Stroke> result;
         for (const Tweak &touch : touches) {

@@ -1,3 +1,4 @@
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/erasing/erase.h"
 #include "undo/edits.h"
@@ -98,9 +99,10 @@ Edit changeSegments(const Document &document, const std::vector<SegmentRef> &tar
     if (wanted.empty())
         return edit;
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const auto it = wanted.find(stroke->id);
-        if (it == wanted.end() || painting.isLocked(*stroke))
+        if (it == wanted.end() || isLocked(*stroke))
             continue;
         if (StrokePtr changed = withChanged(*stroke, it->second, change))
             edit.strokes.emplace(stroke->id, std::move(changed));
@@ -118,10 +120,11 @@ Edit changeSegmentsSince(const Document &document, const Painting &before, const
         if (wanted.contains(stroke->id))
             earlier.emplace(stroke->id, stroke.get());
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const auto it = wanted.find(stroke->id);
         const auto then = earlier.find(stroke->id);
-        if (it == wanted.end() || then == earlier.end() || painting.isLocked(*stroke) ||
+        if (it == wanted.end() || then == earlier.end() || isLocked(*stroke) ||
             then->second->segments.size() != stroke->segments.size())
             continue;
         auto changed = std::make_shared<Stroke>(*stroke);
@@ -147,8 +150,9 @@ Edit deleteSelection(Document &document, Leaves leaves)
     Edit edit;
     Selection left;
     std::vector<StrokeId> order;
+    const Locks isLocked(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        if (!selection.strokes.contains(stroke->id) || painting->isLocked(*stroke)) {
+        if (!selection.strokes.contains(stroke->id) || isLocked(*stroke)) {
             order.push_back(stroke->id);
             continue;
         }

@@ -1,3 +1,4 @@
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/curves/chains.h"
 #include "model/shaping/erasing/erase.h"
@@ -102,9 +103,10 @@ Stroke withDoubled(const Stroke &stroke, const std::vector<int> &segments, Point
 /// selects the copies besides what the edit selects.
 void doubleErasures(const Document &document, const std::set<StrokeId> &strokes, Point offset, Edit &edit)
 {
+    const Locks isLocked(document.painting()->groups);
     for (const StrokeId id : strokes) {
         const StrokePtr stroke = document.painting()->find(id);
-        if (document.painting()->isLocked(*stroke))
+        if (isLocked(*stroke))
             continue;
         auto doubled = std::make_shared<const Stroke>(
             withDoubled(*stroke, selectedSegmentsOf(document.selection(), *stroke), offset));
@@ -145,8 +147,9 @@ Edit copiesOf(Document &document, const std::set<StrokeId> &selected, std::unord
     // A click on a group does not select what is hidden or locked in it. The group counts as selected all the same.
     Painting selectable = *painting;
     selectable.strokes.clear();
+    const Editable isEditable(painting->groups);
     for (const StrokePtr &stroke : painting->strokes)
-        if (selected.contains(stroke->id) || (painting->isVisible(*stroke) && !painting->isLocked(*stroke)))
+        if (selected.contains(stroke->id) || (isEditable(*stroke)))
             selectable.strokes.push_back(stroke);
     const std::vector<Sibling> tree = orderTree(selectable, selected);
     const std::vector<const Sibling *> units = selectedUnits(tree);
@@ -192,6 +195,7 @@ Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
     if (targets.empty())
         return edit;
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         if (!targets.contains(stroke->id))
             continue;
@@ -199,7 +203,7 @@ Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
         change(*changed);
         changed->id = stroke->id;
         changed->group = stroke->group;
-        if (painting.isLocked(*stroke))
+        if (isLocked(*stroke))
             keepLocked(*stroke, *changed);
         if (*changed != *stroke && problemOf(*changed).isEmpty())
             edit.strokes.emplace(stroke->id, std::move(changed));

@@ -1,6 +1,7 @@
 #include "undo/text_edits.h"
 
 #include "model/brush/brush_width.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/fill_edits.h"
@@ -453,8 +454,9 @@ Edit textsToStrokes(const Document &document)
 {
     const Painting &painting = *document.painting();
     std::set<GroupId> texts;
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (stroke->group != 0 && document.selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+        if (stroke->group != 0 && document.selection().strokes.contains(stroke->id) && !isLocked(*stroke))
             texts.insert(textAround(painting, *stroke));
     Edit edit;
     std::vector<Group> groups = painting.groups;

@@ -2,6 +2,7 @@
 
 #include "model/area/outline.h"
 #include "model/brush/stroke_fit.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
 #include "undo/layer_edits.h"
@@ -55,8 +56,9 @@ using Run = std::vector<std::size_t>;
 TimeSpan birthsOf(const Painting &painting, const Selection &selection, bool (Selected::*which)(std::size_t) const)
 {
     TimeSpan span{latest, -latest};
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!selection.strokes.contains(stroke->id) || painting.isLocked(*stroke))
+        if (!selection.strokes.contains(stroke->id) || isLocked(*stroke))
             continue;
         const Selected selected(selection, *stroke);
         for (std::size_t k = 0; k < stroke->segments.size(); ++k)
@@ -199,9 +201,10 @@ template <typename Apply>
 Edit changedSince(const Painting &before, const Selection &selection, Apply apply)
 {
     Edit edit;
+    const Locks isLocked(before.groups);
     for (const StrokePtr &stroke : before.strokes) {
         const Selected selected(selection, *stroke);
-        if (!selected.any() || before.isLocked(*stroke))
+        if (!selected.any() || isLocked(*stroke))
             continue;
         auto changed = std::make_shared<Stroke>(*stroke);
         apply(*changed, selected);
@@ -413,8 +416,9 @@ bool canRemoveRewetting(const Document &document)
     const Painting &painting = *document.painting();
     const Selection &selection = document.selection();
     const auto isRewetted = [](const Segment &segment) { return !segment.rewet.empty(); };
+    const Locks isLocked(painting.groups);
     return !selection.strokes.empty() && std::ranges::any_of(painting.strokes, [&](const StrokePtr &s) {
-        if (!selection.strokes.contains(s->id) || painting.isLocked(*s))
+        if (!selection.strokes.contains(s->id) || isLocked(*s))
             return false;
         auto part = selection.segments.lower_bound({s->id, 0});
         const bool inPart = part != selection.segments.end() && part->stroke == s->id;

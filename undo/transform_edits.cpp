@@ -1,6 +1,7 @@
 #include "undo/transform_edits.h"
 
 #include "model/paint/half_width.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
 #include "undo/history/remap.h"
@@ -108,8 +109,9 @@ Edit transformSelection(const Document &document, const Painting &before, const 
 {
     Edit edit;
     Selection after = selection;
+    const Locks isLocked(before.groups);
     for (const StrokePtr &stroke : before.strokes) {
-        if (!selection.strokes.contains(stroke->id) || before.isLocked(*stroke))
+        if (!selection.strokes.contains(stroke->id) || isLocked(*stroke))
             continue;
         if (map.isIdentity()) {
             edit.strokes.emplace(stroke->id, stroke);
@@ -135,8 +137,9 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
     Rect box;
     if (selection.strokes.empty())
         return box;
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!selection.strokes.contains(stroke->id) || painting.isLocked(*stroke))
+        if (!selection.strokes.contains(stroke->id) || isLocked(*stroke))
             continue;
         const bool lays = stroke->laysPaint();
         for (const Segment &segment : stroke->segments) {

@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/frames/floating_layers.h"
 #include "app/session/frames/reach.h"
+#include "model/painting/editable.h"
 #include "render/composition/composition.h"
 
 #include <QPainter>
@@ -68,8 +69,9 @@ void CanvasLift::lift(const std::set<StrokeId> &strokes)
     Painting rest = *painting, lifted = *painting;
     rest.strokes.clear();
     lifted.strokes.clear();
+    const Editable isEditable(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        const bool moves = strokes.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
+        const bool moves = strokes.contains(stroke->id) && isEditable(*stroke);
         (moves ? lifted : rest).strokes.push_back(stroke);
     }
     const Microseconds time = m_editor.clock().time();

@@ -2,6 +2,7 @@
 
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/painting/editable.h"
 #include "undo/run_edits.h"
 
 #include <QComboBox>
@@ -20,8 +21,9 @@ constexpr int settledMs = 60;
 std::vector<StrokePtr> changeable(const Painting &painting, const Selection &selection)
 {
     std::vector<StrokePtr> strokes;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (selection.strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (selection.strokes.contains(stroke->id) && isEditable(*stroke))
             strokes.push_back(stroke);
     return strokes;
 }

@@ -1,6 +1,7 @@
 #include "app/session/gesture_state.h"
 
 #include "app/session/gesture_desk.h"
+#include "model/painting/editable.h"
 #include "undo/history/back_edit.h"
 #include "undo/node_edits.h"
 #include "undo/text_edits.h"
@@ -44,8 +45,9 @@ void GestureState::take(const std::set<StrokeId> &strokes)
     if (!m_desk)
         return;
     const Painting &painting = *m_desk->document().painting();
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (strokes.contains(stroke->id) && isEditable(*stroke))
             m_taken.try_emplace(stroke->id, Taken{stroke, stroke});
     m_texts = wholeTexts(painting, [this](StrokeId id) { return m_taken.contains(id); });
 }

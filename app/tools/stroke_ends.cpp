@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
+#include "model/painting/editable.h"
 #include "model/shaping/nodes/reshape.h"
 
 namespace suffuse {
@@ -14,8 +15,9 @@ std::optional<NodeRef> selectedEndAt(const CanvasWidget &canvas, const Painting 
     if (selected.empty())
         return found;
     double nearest = reach * canvas.devicePixelRatioF();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!selected.contains(stroke->id) || painting.isLocked(*stroke))
+        if (!selected.contains(stroke->id) || isLocked(*stroke))
             continue;
         for (const int node : endNodesOf(*stroke))
             if (const double d = length(canvas.view().toPixels(nodePosition(*stroke, node)) - pixel); d <= nearest) {

@@ -6,6 +6,7 @@
 #include "model/colour/perceived.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
+#include "model/painting/editable.h"
 
 #include <algorithm>
 #include <functional>
@@ -173,9 +174,10 @@ std::size_t ColourPart::count() const
 ColourParts partsToColour(const Painting &painting, const Selection &selection)
 {
     ColourParts parts;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const bool meant = selection.isEmpty() || selection.strokes.contains(stroke->id);
-        if (!meant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!meant || !isEditable(*stroke))
             continue;
         ColourPart part{stroke, {}};
         const auto first = selection.segments.lower_bound({stroke->id, 0});

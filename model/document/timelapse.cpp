@@ -7,8 +7,9 @@ namespace suffuse {
 std::vector<TimeSpan> activeSpans(const Painting &painting)
 {
     std::vector<TimeSpan> spans;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!painting.isVisible(*stroke))
+        if (!isVisible(*stroke))
             continue;
         if (const SharedFill &fill = stroke->fill)
             spans.push_back({fill->born, fill->driesAt()});

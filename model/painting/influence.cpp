@@ -33,8 +33,9 @@ Rect influenceOf(const Stroke &stroke, Microseconds T)
 Rect influenceOf(const Painting &painting, Microseconds T)
 {
     Rect box;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (painting.isVisible(*stroke))
+        if (isVisible(*stroke))
             box = box.united(influenceOf(*stroke, T));
     return box;
 }

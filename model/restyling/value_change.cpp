@@ -1,5 +1,7 @@
 #include "model/restyling/value_change.h"
 
+#include "model/painting/editable.h"
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -43,6 +45,7 @@ bool isChangedBy(const Painting &now, const Painting &before, const std::vector<
                  const std::function<float(const Segment &)> &valueOf, const ValueChange &change)
 {
     const std::unordered_map<StrokeId, StrokeTwice> strokes = strokesTwice(now, before, segments);
+    const Locks isLocked(now.groups);
     return std::ranges::all_of(segments, [&](const SegmentRef &ref) {
         const StrokeTwice &stroke = strokes.at(ref.stroke);
         const auto k = std::size_t(ref.segment);
@@ -50,7 +53,7 @@ bool isChangedBy(const Painting &now, const Painting &before, const std::vector<
             k >= stroke.now->segments.size())
             return false;
         const double was = double(valueOf(stroke.before->segments[k]));
-        return now.isLocked(*stroke.now) || valueOf(stroke.now->segments[k]) == float(change.applied(was));
+        return isLocked(*stroke.now) || valueOf(stroke.now->segments[k]) == float(change.applied(was));
     });
 }
 

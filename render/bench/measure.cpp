@@ -326,8 +326,9 @@ Result<Timing> measureGroupOpacity(const Job &job, GroupId group)
 StrokePtr middleStroke(const Painting &painting)
 {
     std::vector<StrokePtr> visible;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &s : painting.strokes)
-        if (painting.isVisible(*s))
+        if (isVisible(*s))
             visible.push_back(s);
     if (visible.empty())
         return nullptr;

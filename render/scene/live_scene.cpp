@@ -46,11 +46,12 @@ bool LiveScene::replace(const Painting &painting, Microseconds time, std::vector
         return false;
     std::vector<std::size_t> differing;
     bool inPlace = true;
+    const Visibility isVisible(painting.groups);
     painting.strokes.forEachDifference(m_seen, [&](std::size_t i) {
         const Stroke &stroke = *painting.strokes[i];
         const Stroke &seen = *std::as_const(m_seen)[i];
         inPlace = inPlace && stroke.id == seen.id && stroke.group == seen.group &&
-                  painting.isVisible(stroke) == (m_place[i] >= 0);
+                  isVisible(stroke) == (m_place[i] >= 0);
         differing.push_back(i);
     });
     if (!inPlace)

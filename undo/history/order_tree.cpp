@@ -1,5 +1,7 @@
 #include "undo/history/order_tree.h"
 
+#include "model/painting/editable.h"
+
 #include <algorithm>
 
 namespace suffuse {
@@ -50,10 +52,11 @@ std::vector<Sibling> orderTree(const Painting &painting, const std::set<StrokeId
     for (const Group &g : painting.groups)
         parents.emplace(g.id, g.parent);
     std::vector<Sibling> roots;
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &s : painting.strokes) {
         Sibling leaf;
         leaf.stroke = s->id;
-        leaf.selected = selected.contains(s->id) && !painting.isLocked(*s);
+        leaf.selected = selected.contains(s->id) && !isLocked(*s);
         membersOf(s->group, parents, roots).push_back(std::move(leaf));
     }
     selectWholeGroups(roots);
@@ -103,6 +106,23 @@ GroupId outermostGroup(const Painting &painting, GroupId id)
         id = group->parent;
     }
     return id;
+}
+
+std::unordered_set<GroupId> withGroupsWithin(const std::vector<Group> &groups, const std::set<GroupId> &outer)
+{
+    std::unordered_multimap<GroupId, GroupId> within;
+    for (const Group &group : groups)
+        if (group.parent != 0)
+            within.emplace(group.parent, group.id);
+    std::unordered_set<GroupId> found(outer.begin(), outer.end());
+    for (std::vector<GroupId> open(outer.begin(), outer.end()); !open.empty();) {
+        const auto [first, last] = within.equal_range(open.back());
+        open.pop_back();
+        for (auto at = first; at != last; ++at)
+            if (found.insert(at->second).second)
+                open.push_back(at->second);
+    }
+    return found;
 }
 
 bool WithinGroup::operator()(const Stroke &stroke)

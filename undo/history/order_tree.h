@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace suffuse {
 
@@ -32,6 +33,9 @@ std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
 std::vector<GroupId> groupsAround(const Painting &painting, GroupId id);
 /// The group that this group is in and that is in no other.
 GroupId outermostGroup(const Painting &painting, GroupId id);
+
+/// The groups, and all groups within them.
+std::unordered_set<GroupId> withGroupsWithin(const std::vector<Group> &groups, const std::set<GroupId> &outer);
 
 /// Tells strokes of a group, and of those within it; in 0 are all. Most often neighbours are of one group, of which it
 /// is asked once.

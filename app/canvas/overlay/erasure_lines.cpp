@@ -11,11 +11,11 @@ constexpr int manyPoints = 4000; ///< of a path from which on lines are quick on
 
 } // namespace
 
-void ErasureLines::paint(QPainter &painter, const View &view, const PaintingPtr &painting,
-                         Microseconds T, const std::set<StrokeId> *only, const OverlayColours &colours, double dpr)
+void ErasureLines::paint(QPainter &painter, const View &view, const PaintingPtr &painting, Microseconds T,
+                         const std::set<StrokeId> *only, const OverlayColours &colours, double dpr)
 {
-    const bool isKept = painting == m_painting && view == m_view && holds(T) && m_only.has_value() == (only != nullptr) &&
-                        (!only || *only == *m_only);
+    const bool isKept = painting == m_painting && view == m_view && holds(T) &&
+                        m_only.has_value() == (only != nullptr) && (!only || *only == *m_only);
     if (!isKept)
         gather(view, painting, T, only);
     if (m_path.isEmpty())
@@ -30,8 +30,7 @@ void ErasureLines::paint(QPainter &painter, const View &view, const PaintingPtr 
     }
 }
 
-void ErasureLines::gather(const View &view, const PaintingPtr &painting, Microseconds T,
-                          const std::set<StrokeId> *only)
+void ErasureLines::gather(const View &view, const PaintingPtr &painting, Microseconds T, const std::set<StrokeId> *only)
 {
     m_painting = painting;
     m_view = view;
@@ -39,8 +38,9 @@ void ErasureLines::gather(const View &view, const PaintingPtr &painting, Microse
     m_from = std::numeric_limits<Microseconds>::min();
     m_until = std::numeric_limits<Microseconds>::max();
     m_path = {};
+    const Visibility isVisible(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        if ((only && !only->contains(stroke->id)) || !stroke->hasLift() || !painting->isVisible(*stroke))
+        if ((only && !only->contains(stroke->id)) || !stroke->hasLift() || !isVisible(*stroke))
             continue;
         for (const Segment &segment : stroke->segments) {
             if (!segment.lift)

@@ -1,6 +1,7 @@
 #include "app/canvas/overlay/selection_outline.h"
 
 #include "app/canvas/view_transform.h"
+#include "model/painting/editable.h"
 #include "model/shaping/transform.h"
 
 #include <cmath>
@@ -138,11 +139,12 @@ Rect SelectionOutline::curveBoxOf(const Painting &painting, const Selection &sel
 {
     locate(painting, selection);
     Rect box;
+    const Locks isLocked(painting.groups);
     for (const std::size_t place : m_places) {
         const Rect &around = m_boxes[place];
         const bool isWithin = box.contains({around.left, around.top}) && box.contains({around.right, around.bottom});
         // Most curves lie within the box so far, and add nothing to it.
-        if (!isWithin && !painting.isLocked(*painting.strokes[place]))
+        if (!isWithin && !isLocked(*painting.strokes[place]))
             box = box.united(curveBox(*painting.strokes[place]));
     }
     return box;

@@ -6,6 +6,7 @@
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/painting/editable.h"
 #include "undo/fill_edits.h"
 
 #include <QCheckBox>
@@ -168,13 +169,13 @@ void FillSection::fillSelected(bool on)
 void FillSection::keepChange(SliderField &row, const Inspected &inspected,
                              const std::function<double(const Fill &)> &valueOf)
 {
+    const Locks isLocked(inspected.painting->groups);
     row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
         return std::ranges::all_of(inspected.strokes, [&](const Stroke *stroke) {
             const StrokePtr then = start ? start->find(stroke->id) : nullptr;
             if (!stroke->fill || !then || !then->fill)
                 return start && !stroke->fill;
-            return inspected.painting->isLocked(*stroke) ||
-                   float(valueOf(*stroke->fill)) == float(change.applied(valueOf(*then->fill)));
+            return isLocked(*stroke) || float(valueOf(*stroke->fill)) == float(change.applied(valueOf(*then->fill)));
         });
     });
 }

@@ -2,6 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
+#include "model/painting/editable.h"
 #include "undo/fill_edits.h"
 
 #include <QHBoxLayout>
@@ -34,8 +35,8 @@ GradientRows::GradientRows(Editor &editor, QWidget *parent) : QWidget(parent), m
     m_add = button(tr("Add"), tr("The fill's colour fades from left to right. The Segments tool drags the ends."),
                    &addGradients, tr("Add gradient"));
     m_swap = button(tr("Swap"), tr("The two colours change places"), &swapGradients, tr("Swap colours of gradient"));
-    m_remove = button(tr("Remove"), tr("The fill has its first colour everywhere"), &removeGradients,
-                      tr("Remove gradient"));
+    m_remove =
+        button(tr("Remove"), tr("The fill has its first colour everywhere"), &removeGradients, tr("Remove gradient"));
     column->addLayout(row);
     m_colour = new ColourRows(true, this);
     m_colour->setToolTip(tr("The second colour of the gradient"));
@@ -109,6 +110,7 @@ void GradientRows::refresh(const Inspected &inspected)
     if (colours.empty())
         return;
     std::array<std::optional<double>, 4> channels;
+    const Locks isLocked(inspected.painting->groups);
     for (int channel = 0; channel < 4; ++channel) {
         const auto valueOf = [channel](const Fill &fill) {
             return double(ColourRows::channelOf(fill.gradient->colour, channel));
@@ -119,7 +121,7 @@ void GradientRows::refresh(const Inspected &inspected)
                 const StrokePtr then = start ? start->find(stroke->id) : nullptr;
                 if (!stroke->fill || !stroke->fill->gradient || !then || !then->fill || !then->fill->gradient)
                     return start && !(stroke->fill && stroke->fill->gradient);
-                return inspected.painting->isLocked(*stroke) ||
+                return isLocked(*stroke) ||
                        float(valueOf(*stroke->fill)) == float(change.applied(valueOf(*then->fill)));
             });
         });

@@ -1,6 +1,7 @@
 #include "app/panels/inspector/stroke_run.h"
 
 #include "model/brush/stroke_fit.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/nodes/reshape.h"
 #include "undo/edits.h"
@@ -60,8 +61,9 @@ StrokeRuns runsOf(const Document &document)
         targets[ref.stroke].push_back(ref.segment);
     StrokeRuns runs;
     const Painting &painting = *document.painting();
+    const Locks isLocked(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (const auto it = targets.find(stroke->id); it != targets.end() && !painting.isLocked(*stroke))
+        if (const auto it = targets.find(stroke->id); it != targets.end() && !isLocked(*stroke))
             runs.emplace(stroke->id, StrokeRun{stroke, placesOf(*stroke, it->second)});
     return runs;
 }

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/painting/editable.h"
 #include "undo/edits.h"
 
 #include <QComboBox>
@@ -18,10 +19,11 @@ namespace {
 /// A change that is shown is forgotten when β is not what it made of it any more.
 void forgetBetaUnless(SliderField &row, const Painting &now, const std::vector<const Stroke *> &strokes)
 {
+    const Locks isLocked(now.groups);
     row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
         return std::ranges::all_of(strokes, [&](const Stroke *stroke) {
             const StrokePtr then = start ? start->find(stroke->id) : nullptr;
-            return then && (now.isLocked(*stroke) || stroke->mix.beta == float(change.applied(double(then->mix.beta))));
+            return then && (isLocked(*stroke) || stroke->mix.beta == float(change.applied(double(then->mix.beta))));
         });
     });
 }

@@ -5,6 +5,7 @@
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
 #include "model/paint/style_function.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 
@@ -32,9 +33,10 @@ void forgetStyleChange(SliderField &row, const Inspected &inspected, std::size_t
         if (!start)
             return false;
         StrokePtr then;
+        const Locks isLocked(inspected.painting->groups);
         for (std::size_t i = 0; i < inspected.refs.size(); ++i) {
             const InspectedSegment &now = inspected.segments[i];
-            if (inspected.painting->isLocked(*now.stroke))
+            if (isLocked(*now.stroke))
                 continue;
             if (!then || then->id != inspected.refs[i].stroke)
                 then = start->find(inspected.refs[i].stroke);

@@ -3,9 +3,6 @@
 #include "app/session/editor.h"
 #include "undo/history/order_tree.h"
 
-#include <algorithm>
-#include <set>
-
 namespace suffuse {
 
 void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text,
@@ -43,14 +40,10 @@ void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)
 {
     const Painting &painting = *editor.document().painting();
     std::vector<Group> groups = painting.groups;
-    std::set<GroupId> within{id};
-    for (Group &group : groups) {
-        const std::vector<GroupId> around = groupsAround(painting, group.id);
-        if (group.id == id || std::ranges::find(around, id) == around.end())
-            continue;
-        within.insert(group.id);
-        changeGroup(group);
-    }
+    const std::unordered_set<GroupId> within = withGroupsWithin(groups, {id});
+    for (Group &group : groups)
+        if (group.id != id && within.contains(group.id))
+            changeGroup(group);
     Edit edit;
     if (groups != painting.groups)
         edit.groups = std::move(groups);

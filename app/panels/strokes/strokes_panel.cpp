@@ -9,6 +9,7 @@
 #include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "model/painting/editable.h"
 #include "undo/group_edits.h"
 
 #include <QAction>
@@ -196,8 +197,9 @@ void StrokesPanel::selectFound()
         return;
     const Painting &painting = *m_editor.document().painting();
     Selection selection{foundBelow({}), {}};
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (!painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!isEditable(*stroke))
             selection.strokes.erase(stroke->id);
     m_editor.document().setSelection(std::move(selection));
 }
@@ -405,9 +407,10 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
     addSwitches(menu, m_filter->mapToSource(name));
     const Document &document = m_editor.document();
     const std::set<StrokeId> &selected = document.selection().strokes;
+    const Locks isLocked(document.painting()->groups);
     const bool any = std::any_of(selected.begin(), selected.end(), [&](StrokeId id) {
         const StrokePtr stroke = document.painting()->find(id);
-        return stroke && !document.painting()->isLocked(*stroke);
+        return stroke && !isLocked(*stroke);
     });
     menu.addAction(icon("delete"), tr("&Delete"), this, [this] { commands::deleteSelected(m_editor); })
         ->setEnabled(any);

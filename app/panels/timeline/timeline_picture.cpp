@@ -143,11 +143,13 @@ void TimelinePicture::paintLanes(QPainter &painter, const QRect &area, const std
         return m_axes.laneTop(lane + 1) >= std::max(m_axes.rulerHeight, area.top()) &&
                m_axes.laneTop(lane) <= area.bottom() + 1;
     };
+    const Visibility isVisible(m_bars.painting().groups);
     for (int lane = 0; lane < m_bars.laneCount(); ++lane) {
         if (isShown(lane))
             m_bars.forEachIn(lane, span, grain, [&](std::size_t i) {
                 if (!dragged || !dragged->contains(m_bars[i].stroke))
-                    paintBar(painter, m_bars[i], *m_bars.painting().strokes[i]);
+                    paintBar(painter, m_bars[i], *m_bars.painting().strokes[i],
+                             isVisible(*m_bars.painting().strokes[i]));
             });
     }
     // What is dragged is shown where it is now, in the lanes from before the drag.
@@ -158,10 +160,10 @@ void TimelinePicture::paintLanes(QPainter &painter, const QRect &area, const std
         TimelineBar bar = barOf(*now.strokes[i]);
         bar.lane = m_bars[i].lane;
         if (bar.begin <= span.end && bar.end >= span.begin)
-            paintBar(painter, bar, *now.strokes[i]);
+            paintBar(painter, bar, *now.strokes[i], isVisible(*now.strokes[i]));
     }
     if (const std::optional<TimelineBar> draft = draftBar(m_bars, m_document))
-        paintBar(painter, *draft, *m_document.draft());
+        paintBar(painter, *draft, *m_document.draft(), isVisible(*m_document.draft()));
     else if (m_bars.size() == 0) {
         painter.setPen(m_palette.color(QPalette::PlaceholderText));
         painter.drawText(lanesRect(), Qt::AlignCenter,
@@ -169,12 +171,12 @@ void TimelinePicture::paintLanes(QPainter &painter, const QRect &area, const std
     }
 }
 
-void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const
+void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke, bool isVisible) const
 {
     const double top = m_axes.laneTop(bar.lane), begin = m_axes.xOf(bar.begin),
                  end = std::max(m_axes.xOf(bar.end), begin + 2);
     QColor colour = toOpaqueScreen(bar.colour);
-    colour.setAlphaF(m_bars.painting().isVisible(stroke) ? 1.0f : 0.35f);
+    colour.setAlphaF(isVisible ? 1.0f : 0.35f);
     const bool selected = m_document.selection().strokes.contains(bar.stroke);
     if (end - begin < 3) { // The bar is too small to show parts.
         const QRectF bar(begin, top, end - begin, TimelineAxes::laneHeight);

@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/playback.h"
 #include "app/widgets/numbers/time_text.h"
+#include "model/painting/editable.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -183,11 +184,12 @@ void TimelinePointer::selectBand(const TimelineAxes &axes)
     if (QApplication::keyboardModifiers() & Qt::ShiftModifier)
         selection = m_selectionBefore;
     const Painting &painting = m_bars.painting();
+    const Editable isEditable(painting.groups);
     for (int lane = 0; lane < m_bars.laneCount(); ++lane)
         if (axes.laneTop(lane + 1) > band.top() && axes.laneTop(lane) < band.bottom())
             m_bars.forEachIn(lane, span, 0, [&](std::size_t i) {
                 const Stroke &stroke = *painting.strokes[i];
-                if (painting.isVisible(stroke) && !painting.isLocked(stroke))
+                if (isEditable(stroke))
                     selection.strokes.insert(stroke.id);
             });
     m_editor.document().setSelection(std::move(selection));

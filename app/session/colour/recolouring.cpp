@@ -1,6 +1,7 @@
 #include "app/session/colour/recolouring.h"
 
 #include "app/session/editor.h"
+#include "model/painting/editable.h"
 #include "undo/colour_edits.h"
 
 #include <QCoreApplication>
@@ -165,9 +166,10 @@ void selectColour(Editor &editor, const Colour &colour)
 {
     const Painting &painting = *editor.document().painting();
     Selection selection;
+    const Editable isEditable(painting.groups);
     for (const ColourPart &part : partsOfColour(painting, colour)) {
         const Stroke &stroke = *part.stroke;
-        if (!painting.isVisible(stroke) || painting.isLocked(stroke))
+        if (!isEditable(stroke))
             continue;
         selection.strokes.insert(stroke.id);
         if (part.fill || part.gradient || part.count() == stroke.segments.size())

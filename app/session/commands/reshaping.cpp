@@ -1,6 +1,7 @@
 #include "app/session/commands/reshaping.h"
 
 #include "app/session/settings/settings.h"
+#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/curves/fairing.h"
 #include "model/shaping/curves/simplify.h"
@@ -127,9 +128,9 @@ QString reshapeSelected(Editor &editor, Reshaping what, const ReshapeAmounts &am
 std::size_t chosenCount(const Painting &painting, const Selection &selection)
 {
     std::size_t count = 0;
-    for (const StrokeId id : selection.strokes)
-        if (const StrokePtr stroke = painting.find(id);
-            stroke && painting.isVisible(*stroke) && !painting.isLocked(*stroke)) {
+    const Editable isEditable(painting.groups);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selection.strokes.contains(stroke->id) && isEditable(*stroke)) {
             const std::vector<bool> chosen = chosenSegments(*stroke, selection);
             count += chosen.empty() ? stroke->segments.size() : std::size_t(std::ranges::count(chosen, true));
         }

@@ -209,8 +209,9 @@ void deselectHidden(Editor &editor)
 {
     const Painting &painting = *editor.document().painting();
     Selection selection = editor.document().selection();
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (!painting.isVisible(*stroke) && selection.strokes.erase(stroke->id) > 0)
+        if (!isVisible(*stroke) && selection.strokes.erase(stroke->id) > 0)
             std::erase_if(selection.segments, [&](const SegmentRef &ref) { return ref.stroke == stroke->id; });
     if (selection != editor.document().selection())
         editor.document().setSelection(std::move(selection));

@@ -16,8 +16,9 @@ constexpr int hastyFactor = 4;
 /// Nothing of it is to be seen.
 bool isBlank(const Painting &painting)
 {
+    const Visibility isVisible(painting.groups);
     return std::none_of(painting.strokes.begin(), painting.strokes.end(),
-                        [&](const StrokePtr &stroke) { return painting.isVisible(*stroke); });
+                        [&](const StrokePtr &stroke) { return isVisible(*stroke); });
 }
 
 bool isWithin(const Rect &units, const View &view)

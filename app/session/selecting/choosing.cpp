@@ -53,9 +53,7 @@ std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, con
 {
     std::unordered_map<GroupId, std::vector<GroupId>> around; // remembered, since there are many strokes and few groups
     std::unordered_map<GroupId, GroupCounts> counts;
-    const auto isMember = [&](const Stroke &stroke) {
-        return painting.isVisible(stroke) && !painting.isLocked(stroke);
-    };
+    const Editable isMember(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         if (stroke->group == 0 || !isMember(*stroke))
             continue;
@@ -66,7 +64,7 @@ std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, con
             GroupCounts &count = counts[group];
             ++count.members;
             count.selected += selected.contains(stroke->id);
-            count.selectable += isSelectable(painting, T, *stroke);
+            count.selectable += stroke->born() <= T;
             count.found += found.contains(stroke->id);
         }
     }
@@ -89,8 +87,9 @@ std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, con
 StrokeId nextStroke(const Painting &painting, Microseconds T, const Selection &selection, int step)
 {
     std::vector<StrokeId> order;
+    const Selectable isSelectable(painting, T);
     for (const StrokePtr &stroke : painting.strokes)
-        if (isSelectable(painting, T, *stroke))
+        if (isSelectable(*stroke))
             order.push_back(stroke->id);
     if (order.empty())
         return 0;

@@ -8,7 +8,7 @@
 namespace suffuse {
 
 EraserReach::EraserReach(const Document &document, Microseconds T, EraserScope scope, Point point, double tolerance)
-    : m_scope(scope)
+    : m_scope(scope), m_isLocked(document.painting()->groups)
 {
     const Painting &painting = *document.painting();
     const std::set<StrokeId> &selected = document.selection().strokes;
@@ -18,25 +18,25 @@ EraserReach::EraserReach(const Document &document, Microseconds T, EraserScope s
         m_selected = selected;
     if (m_scope != EraserScope::Group)
         return;
+    std::set<GroupId> groups;
     for (const StrokePtr &stroke : painting.strokes)
         if (selected.contains(stroke->id))
-            m_groups.insert(stroke->group);
-    if (!m_groups.empty())
-        return;
-    const std::optional<SegmentRef> under = pickTopmost(painting, T, point, tolerance);
-    const StrokePtr stroke = under ? painting.find(under->stroke) : nullptr;
-    m_groups.insert(stroke ? stroke->group : 0);
+            groups.insert(stroke->group);
+    if (groups.empty()) {
+        const std::optional<SegmentRef> under = pickTopmost(painting, T, point, tolerance);
+        const StrokePtr stroke = under ? painting.find(under->stroke) : nullptr;
+        groups.insert(stroke ? stroke->group : 0);
+    }
+    m_groups = withGroupsWithin(painting.groups, groups);
 }
 
-Spared EraserReach::spares(const Painting &painting, const Stroke &stroke) const
+Spared EraserReach::spares(const Stroke &stroke) const
 {
-    if (painting.isLocked(stroke))
+    if (m_isLocked(stroke))
         return Spared::Locked;
     if (m_scope == EraserScope::Selected && !m_selected.contains(stroke.id))
         return Spared::NotSelected;
-    const auto isMeant = [this](GroupId group) { return m_groups.contains(group); };
-    if (m_scope == EraserScope::Group && !isMeant(stroke.group) &&
-        std::ranges::none_of(groupsAround(painting, stroke.group), isMeant))
+    if (m_scope == EraserScope::Group && !m_groups.contains(stroke.group))
         return Spared::OtherGroup;
     return Spared::Nothing;
 }
@@ -44,15 +44,16 @@ Spared EraserReach::spares(const Painting &painting, const Stroke &stroke) const
 std::vector<StrokePtr> EraserReach::strokesOf(const Painting &painting, Microseconds T) const
 {
     std::vector<StrokePtr> strokes = visibleStrokes(painting, T);
-    std::erase_if(strokes, [&](const StrokePtr &stroke) { return spares(painting, *stroke) != Spared::Nothing; });
+    std::erase_if(strokes, [&](const StrokePtr &stroke) { return spares(*stroke) != Spared::Nothing; });
     return strokes;
 }
 
 std::vector<StrokePtr> visibleStrokes(const Painting &painting, Microseconds T)
 {
     std::vector<StrokePtr> strokes;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (painting.isVisible(*stroke) && stroke->born() <= T)
+        if (isVisible(*stroke) && stroke->born() <= T)
             strokes.push_back(stroke);
     return strokes;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/document.h"
+#include "model/painting/editable.h"
 
 namespace suffuse {
 
@@ -20,14 +21,15 @@ public:
     EraserReach(const Document &document, Microseconds T, EraserScope scope, Point point, double tolerance);
 
     /// Of a visible stroke that is begun.
-    Spared spares(const Painting &painting, const Stroke &stroke) const;
+    Spared spares(const Stroke &stroke) const;
     /// The visible strokes that are begun by T and that it does not spare.
     std::vector<StrokePtr> strokesOf(const Painting &painting, Microseconds T) const;
 
 private:
     EraserScope m_scope = EraserScope::All;
-    std::set<StrokeId> m_selected; ///< of Selected
-    std::set<GroupId> m_groups;    ///< of Group; 0: what stands in none
+    Locks m_isLocked;                     ///< No group changes while it is erased.
+    std::set<StrokeId> m_selected;        ///< of Selected
+    std::unordered_set<GroupId> m_groups; ///< of Group, with those within them; 0: what stands in none
 };
 
 /// All visible strokes that are begun by T.

@@ -52,8 +52,9 @@ bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
 std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Point point, double tolerance)
 {
     std::vector<StrokePtr> near;
+    const Selectable isSelectable(painting, T);
     for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it)
-        if (isNear(**it, T, point, tolerance) && isSelectable(painting, T, **it))
+        if (isNear(**it, T, point, tolerance) && isSelectable(**it))
             near.push_back(*it);
     return near;
 }
@@ -84,8 +85,9 @@ std::set<StrokeId> strokesWhollyIn(const Painting &painting, Microseconds T, IsI
         return true;
     };
     std::set<StrokeId> ids;
+    const Selectable isSelectable(painting, T);
     for (const StrokePtr &stroke : painting.strokes)
-        if (isSelectable(painting, T, *stroke) && isWithin(*stroke))
+        if (isSelectable(*stroke) && isWithin(*stroke))
             ids.insert(ids.end(), stroke->id);
     return ids;
 }
@@ -143,7 +145,7 @@ std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, 
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)
 {
     const StrokePtr stroke = painting.find(id);
-    if (!stroke || !isSelectable(painting, T, *stroke) || !isNear(*stroke, T, point, tolerance))
+    if (!stroke || !Selectable(painting, T)(*stroke) || !isNear(*stroke, T, point, tolerance))
         return {};
     return pickFrom({stroke}, T, point, tolerance);
 }
@@ -171,9 +173,10 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
     const GroupId group = outermostGroup(painting, stroke->group);
     std::unordered_map<GroupId, GroupId> outer; // remembered, since there are many strokes and few groups
     std::set<StrokeId> members;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &s : painting.strokes) {
         // A group stays whole even where some of its strokes are not begun.
-        if (s->group == 0 || !painting.isVisible(*s) || painting.isLocked(*s))
+        if (s->group == 0 || !isEditable(*s))
             continue;
         const auto [it, isNew] = outer.try_emplace(s->group, 0);
         if (isNew)
@@ -201,8 +204,9 @@ std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const
 PathTouch::PathTouch(PaintingPtr painting, Microseconds T, double tolerance, Point start)
     : m_painting(std::move(painting)), m_time(T), m_tolerance(tolerance), m_last(start)
 {
+    const Selectable isSelectable(*m_painting, T);
     for (const StrokePtr &stroke : m_painting->strokes) {
-        if (!isSelectable(*m_painting, T, *stroke))
+        if (!isSelectable(*stroke))
             continue;
         // A hairline may run between the points, but not between the rings around them.
         const bool hairline = isHairline(*stroke, T, tolerance);
@@ -247,8 +251,9 @@ bool PathTouch::touches(const Candidate &candidate, Point p) const
 std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
 {
     std::set<SegmentRef> found;
+    const Selectable isSelectable(painting, T);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!isSelectable(painting, T, *stroke))
+        if (!isSelectable(*stroke))
             continue;
         for (int k = 0; k < int(stroke->segments.size()); ++k)
             if (pixels.contains(view.toPixels(stroke->cubicOf(stroke->segments[k]).at(0.5))))
@@ -257,16 +262,12 @@ std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, co
     return found;
 }
 
-bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
-{
-    return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
-}
-
 std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)
 {
     std::set<StrokeId> ids;
+    const Selectable isSelectable(painting, T);
     for (const StrokePtr &stroke : painting.strokes)
-        if (isSelectable(painting, T, *stroke))
+        if (isSelectable(*stroke))
             ids.insert(ids.end(), stroke->id); // the hint fits most often, since the order is mostly that of the ids
     return ids;
 }

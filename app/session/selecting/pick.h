@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/paint/seen_paint.h"
-#include "model/painting/painting.h"
+#include "model/painting/editable.h"
 #include "model/painting/selection.h"
 #include "render/view.h"
 
@@ -10,6 +10,18 @@
 #include <vector>
 
 namespace suffuse {
+
+/// Which strokes of a painting can be selected at T: those that are visible, unlocked and begun.
+class Selectable {
+public:
+    Selectable(const Painting &painting, Microseconds T) : m_isEditable(painting.groups), m_time(T) {}
+
+    bool operator()(const Stroke &stroke) const { return stroke.born() <= m_time && m_isEditable(stroke); }
+
+private:
+    Editable m_isEditable;
+    Microseconds m_time;
+};
 
 /// The topmost visible, unlocked stroke that paints at the point or, for hairlines, within `tolerance` canvas units of
 /// it; `segment` is the one with the largest share of the density there.
@@ -58,8 +70,6 @@ private:
 /// The segments of visible, unlocked strokes, begun by T, whose curves' middles lie within a rectangle of the view's
 /// pixels.
 std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
-/// Whether a stroke can be selected at T: it is visible, unlocked and begun.
-bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke);
 /// All strokes that can be selected at T.
 std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T);
 

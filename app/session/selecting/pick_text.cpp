@@ -53,12 +53,13 @@ StrokeId letterAt(const Painting &painting, Microseconds T, GroupId group, const
     StrokeId nearest = 0;
     double least = std::numeric_limits<double>::infinity();
     std::size_t k = 0;
+    const Selectable isSelectable(painting, T);
     for (const LaidCluster &cluster : laid.clusters) {
         if (!cluster.hasInk())
             continue;
         const StrokePtr letter = k < letters.size() && letters[k] ? painting.find(letters[k]) : nullptr;
         ++k;
-        if (!letter || !isSelectable(painting, T, *letter))
+        if (!letter || !isSelectable(*letter))
             continue;
         Corners corners = cluster.corners();
         for (Point &corner : corners)
@@ -91,9 +92,10 @@ std::vector<Candidate> smallTexts(const Painting &painting, Microseconds T, doub
         return found;
     std::unordered_map<GroupId, GroupId> texts; // around each group
     std::unordered_map<GroupId, std::size_t> places;
+    const Selectable isSelectable(painting, T);
     for (auto at = painting.strokes.rbegin(); at != painting.strokes.rend(); ++at) {
         const Stroke &stroke = **at;
-        if (stroke.group == 0 || !isSelectable(painting, T, stroke))
+        if (stroke.group == 0 || !isSelectable(stroke))
             continue;
         const auto [around, isNew] = texts.try_emplace(stroke.group, 0);
         if (isNew)

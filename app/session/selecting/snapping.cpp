@@ -9,8 +9,9 @@ Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftO
 {
     if (!aids.snapToNodes)
         return;
+    const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!painting.isVisible(*stroke))
+        if (!isVisible(*stroke))
             continue;
         for (int k = 0; k < nodeCount(*stroke); ++k)
             if (!leftOut || !leftOut(*stroke, k))

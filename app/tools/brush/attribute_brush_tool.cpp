@@ -6,6 +6,7 @@
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/quantity.h"
 #include "model/area/outline.h"
+#include "model/painting/editable.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>
@@ -82,9 +83,10 @@ void AttributeBrushTool::gatherTargets()
     std::set<StrokeId> inPart; // the strokes of which only segments are selected
     for (const SegmentRef &ref : selection.segments)
         inPart.insert(ref.stroke);
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const bool isMeant = selection.isEmpty() || selection.strokes.contains(stroke->id);
-        if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!isMeant || !isEditable(*stroke))
             continue;
         const bool part = inPart.contains(stroke->id);
         if (stroke->fill && !part && stroke->fill->age(m_editor.clock().time()) > 0)

@@ -1,5 +1,6 @@
 #include "app/tools/nodes/erasures.h"
 
+#include "model/painting/editable.h"
 #include "model/shaping/curves/chains.h"
 #include "model/shaping/nodes/reshape.h"
 
@@ -53,8 +54,9 @@ bool goesStraightOn(const ErasurePart &before, const ErasurePart &after)
 std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &sample)
 {
     std::vector<ErasurePart> parts;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasLift() || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!stroke->hasLift() || !isEditable(*stroke))
             continue;
         for (const Chain &chain : chainsOf(*stroke)) {
             ErasurePart part;
@@ -149,8 +151,9 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
 std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach)
 {
     std::optional<ErasurePlace> found;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasLift() || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!stroke->hasLift() || !isEditable(*stroke))
             continue;
         for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
             const Segment &segment = stroke->segments[k];

@@ -4,6 +4,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "model/area/outline.h"
+#include "model/painting/editable.h"
 #include "undo/edits.h"
 
 #include <QCoreApplication>
@@ -29,9 +30,9 @@ std::vector<StrokePtr> gradedStrokes(CanvasWidget &canvas)
     const std::set<StrokeId> &shown = canvas.selection().strokes;
     if (shown.empty())
         return strokes;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (shown.contains(stroke->id) && stroke->fill && stroke->fill->gradient && painting.isVisible(*stroke) &&
-            !painting.isLocked(*stroke))
+        if (shown.contains(stroke->id) && stroke->fill && stroke->fill->gradient && isEditable(*stroke))
             strokes.push_back(stroke);
     return strokes;
 }

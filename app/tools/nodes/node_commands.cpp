@@ -5,6 +5,7 @@
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 #include "app/tools/nodes/node_tool.h"
+#include "model/painting/editable.h"
 #include "model/shaping/nodes/coarse_nodes.h"
 #include "undo/node_edits.h"
 
@@ -327,9 +328,9 @@ bool NodeCommands::selectAll()
 {
     std::set<NodeRef> nodes;
     const Painting &painting = *m_editor.document().painting();
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
-            !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && isEditable(*stroke))
             for (int k = 0; k < nodeCount(*stroke); ++k)
                 nodes.insert(nodes.end(), NodeRef{stroke->id, k});
     if (nodes.empty())
@@ -342,9 +343,9 @@ void NodeCommands::selectNext(int step)
 {
     const Painting &painting = *m_editor.document().painting();
     std::vector<const Stroke *> strokes;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
-            !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && isEditable(*stroke))
             strokes.push_back(stroke.get());
     if (strokes.empty())
         return;

@@ -1,6 +1,7 @@
 #include "app/tools/nodes/node_marks.h"
 
 #include "app/canvas/view_transform.h"
+#include "model/painting/editable.h"
 #include "model/shaping/nodes/coarse_nodes.h"
 #include "render/pixel_map.h"
 
@@ -61,8 +62,9 @@ NodeMarks::NodeMarks(const Painting &painting, const std::set<StrokeId> &strokes
         shown = {now, {}};
     if (strokes.empty())
         return;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (strokes.contains(stroke->id) && isEditable(*stroke))
             add(*stroke, selected);
     if (m_nodes.size() > manyMarks)
         thinOut();

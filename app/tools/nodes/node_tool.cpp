@@ -6,6 +6,7 @@
 #include "app/session/selecting/seen_selection.h"
 #include "app/tools/nodes/erasures.h"
 #include "app/tools/tool_fields.h"
+#include "model/painting/editable.h"
 #include "model/shaping/nodes/coarse_nodes.h"
 #include "undo/node_edits.h"
 
@@ -232,8 +233,9 @@ NodeHit NodeTool::hitAt(const PointerEvent &event) const
     }
     if (!hit.mark.isEmpty() || hit.within)
         return hit;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!shown.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
+        if (!shown.contains(stroke->id) || !isEditable(*stroke))
             continue;
         const auto isNear = [&](const Segment &segment) {
             return stroke->cubicOf(segment).controlBox().grown(nearest).contains(event.point);
@@ -443,9 +445,9 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const Painting &painting = *m_editor.document().painting();
     std::set<NodeRef> nodes;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
-        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
-            !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && isEditable(*stroke))
             for (int k = 0; k < nodeCount(*stroke); ++k)
                 if (band.contains(m_canvas.view().toPixels(nodePosition(*stroke, k))))
                     nodes.insert({stroke->id, k});

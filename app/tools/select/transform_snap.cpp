@@ -1,5 +1,6 @@
 #include "app/tools/select/transform_snap.h"
 
+#include "model/painting/editable.h"
 #include "undo/transform_edits.h"
 
 #include <algorithm>
@@ -14,8 +15,9 @@ constexpr std::size_t snappingNodes = 64;
 std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> &moved, Point point)
 {
     std::vector<Point> nodes;
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!moved.contains(stroke->id) || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!moved.contains(stroke->id) || !isEditable(*stroke))
             continue;
         for (const Segment &segment : stroke->segments)
             nodes.push_back(stroke->origin + segment.bezier[0]);

@@ -234,7 +234,7 @@ std::set<StrokeId> EraserTool::targets(Point from, Point to)
     path = path.grown(radius());
     std::set<StrokeId> result;
     for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (m_boxes[i].intersects(path) && m_reach.spares(painting, *strokes[i]) == Spared::Nothing)
+        if (m_boxes[i].intersects(path) && m_reach.spares(*strokes[i]) == Spared::Nothing)
             result.insert(strokes[i]->id);
     return result;
 }
@@ -291,7 +291,7 @@ QString EraserTool::whyNothing() const
     anything.finish();
     std::set<Spared> reasons;
     for (const StrokeId id : anything.touched())
-        reasons.insert(m_reach.spares(painting, *painting.find(id)));
+        reasons.insert(m_reach.spares(*painting.find(id)));
     if (reasons.empty())
         return tr("Nothing is erased: no paint is seen under the circle.");
     if (reasons.contains(Spared::Nothing))

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
+#include "model/painting/editable.h"
 #include "model/shaping/erasing/erase.h"
 #include "model/shaping/erasing/fill_cut.h"
 
@@ -113,9 +114,10 @@ PlacesOfStrokes KnifeTool::cuts(bool *endsWithin) const
     line.include(m_from);
     line.include(m_to);
     const Painting &painting = *m_editor.document().painting();
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const bool isMeant = m_selected.empty() || m_selected.contains(stroke->id);
-        if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+        if (!isMeant || !isEditable(*stroke))
             continue;
         const auto isNear = [&](const Segment &s) { return stroke->cubicOf(s).controlBox().intersects(line); };
         if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
+#include "model/painting/editable.h"
 #include "undo/run_edits.h"
 
 #include <QComboBox>
@@ -97,10 +98,11 @@ StrokeId RedrawTool::strokeUnder(const std::vector<Point> &line) const
     const Selection &selection = m_editor.document().selection();
     StrokeId best = 0;
     double nearest = std::numeric_limits<double>::infinity();
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const bool isMeant = selection.isEmpty() || selection.strokes.contains(stroke->id);
-        if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke) ||
-            stroke->born() > m_editor.clock().time() || !partToRedraw(*stroke, line, reach()))
+        if (!isMeant || !isEditable(*stroke) || stroke->born() > m_editor.clock().time() ||
+            !partToRedraw(*stroke, line, reach()))
             continue;
         double atStart = 0, atEnd = 0;
         nearestPlace(*stroke, line.front(), &atStart);

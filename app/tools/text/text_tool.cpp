@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/tools/text/text_marks.h"
+#include "model/painting/editable.h"
 #include "undo/text_edits.h"
 
 #include <QGuiApplication>
@@ -183,10 +184,10 @@ GroupId TextTool::textAt(const PointerEvent &event) const
     }
     // Between the letters of one, the topmost first.
     std::set<GroupId> asked;
+    const Editable isEditable(painting.groups);
     for (auto at = painting.strokes.size(); at-- > 0;) {
         const Stroke &stroke = *painting.strokes[at];
-        if (stroke.group == 0 || !painting.isVisible(stroke) || painting.isLocked(stroke) ||
-            !asked.insert(stroke.group).second)
+        if (stroke.group == 0 || !isEditable(stroke) || !asked.insert(stroke.group).second)
             continue;
         const SharedText text = textOf(painting, stroke.group);
         const std::optional<Affine> back = text ? text->place.inverse() : std::nullopt;
