@@ -5251,6 +5251,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>%1 is hidden or locked: the paint lies above it</source>
         <translation>%1 ist ausgeblendet oder gesperrt: Die Farbe liegt darüber</translation>
     </message>
+    <message>
+        <source>All is shown again, since this would be hidden</source>
+        <translation>Alles ist wieder sichtbar, da dies sonst verborgen wäre</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CurveEditor</name>

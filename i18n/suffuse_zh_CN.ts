@@ -5231,6 +5231,10 @@ Arrow keys work too.</source>
         <source>%1 is hidden or locked: the paint lies above it</source>
         <translation>%1 被隐藏或锁定：颜料画在其上方</translation>
     </message>
+    <message>
+        <source>All is shown again, since this would be hidden</source>
+        <translation>已重新显示全部，否则新内容会被隐藏</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CurveEditor</name>

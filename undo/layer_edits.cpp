@@ -222,6 +222,36 @@ Edit addedToLayer(const Document &document, Edit edit, const PaintedLayer &layer
     return edit;
 }
 
+bool isHiddenBySolo(const std::vector<Group> &groups, GroupId group)
+{
+    if (std::ranges::none_of(groups, &Group::solo))
+        return false;
+    std::set<GroupId> alone;
+    for (const Group &g : groups)
+        if (g.solo)
+            alone.insert(g.id);
+    return !withGroupsWithin(groups, alone).contains(group);
+}
+
+Edit endingSolo(const Document &document, Edit edit)
+{
+    const Painting &painting = *document.painting();
+    const std::vector<Group> &groups = edit.groups ? *edit.groups : painting.groups;
+    if (!edit.order || std::ranges::none_of(groups, &Group::solo))
+        return edit;
+    const bool hides = std::ranges::any_of(edit.strokes, [&](const auto &entry) {
+        const StrokePtr &stroke = entry.second;
+        return stroke && isHiddenBySolo(groups, stroke->group) && !painting.find(stroke->id);
+    });
+    if (!hides)
+        return edit;
+    if (!edit.groups)
+        edit.groups = painting.groups;
+    for (Group &group : *edit.groups)
+        group.solo = false;
+    return edit;
+}
+
 Edit duplicateGroup(Document &document, GroupId group, GroupId &copy)
 {
     const Painting &painting = *document.painting();

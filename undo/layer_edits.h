@@ -37,6 +37,11 @@ std::vector<GroupId> layersOf(const Painting &painting);
 Edit addedToLayer(const Document &document, Edit edit, const PaintedLayer &layer, LayerEnd end,
                   std::optional<Microseconds> born = {});
 
+/// Whether strokes that come into a group would be hidden since others are solo; 0: into none.
+bool isHiddenBySolo(const std::vector<Group> &groups, GroupId group);
+/// The edit, which ends that groups are solo where they would hide a stroke that it adds.
+Edit endingSolo(const Document &document, Edit edit);
+
 /// Puts a copy of a group, with all that is in it, just above it. `copy` becomes its id.
 Edit duplicateGroup(Document &document, GroupId group, GroupId &copy);
 

@@ -114,19 +114,41 @@ Edit CurrentLayer::put(Edit edit, LayerEnd end) const
         for (const auto &[id, stroke] : edit.strokes)
             if (stroke)
                 born = born ? std::min(*born, stroke->born()) : stroke->born();
-    return addedToLayer(m_document, std::move(edit), m_layer, end, born);
+    return endingSolo(m_document, addedToLayer(m_document, std::move(edit), m_layer, end, born));
+}
+
+bool CurrentLayer::isTop() const
+{
+    return m_layer.group == 0 && !isHiddenBySolo(m_document.painting()->groups, 0);
+}
+
+/// Says of an edit that it ends solo, if it does.
+Edit CurrentLayer::shown(Edit edit)
+{
+    if (edit.groups && std::ranges::any_of(m_document.painting()->groups, &Group::solo) &&
+        std::ranges::none_of(*edit.groups, &Group::solo))
+        emit noted(tr("All is shown again, since this would be hidden"));
+    return edit;
+}
+
+Edit CurrentLayer::takePasted(Edit edit)
+{
+    const std::vector<Group> &groups = m_document.painting()->groups;
+    const bool isAlone =
+        m_layer.group != 0 && std::ranges::any_of(groups, &Group::solo) && !isHiddenBySolo(groups, m_layer.group);
+    return isAlone ? take(std::move(edit)) : shown(endingSolo(m_document, std::move(edit)));
 }
 
 Edit CurrentLayer::take(Edit edit, LayerEnd end)
 {
-    if (m_layer.group == 0 || edit.isEmpty())
+    if (isTop() || edit.isEmpty())
         return edit;
     const Painting &painting = *m_document.painting();
     const GroupId wanted = isComing() ? m_layer.coming->parent : m_layer.group;
     const GroupId taking = groupTakingPaint(painting, wanted);
-    if (taking != wanted && !addedOnTop(painting, edit).empty())
+    if (wanted != 0 && taking != wanted && !addedOnTop(painting, edit).empty())
         emit noted(tr("%1 is hidden or locked: the paint lies above it").arg(titleOf(*painting.findGroup(wanted))));
-    return put(std::move(edit), end);
+    return shown(put(std::move(edit), end));
 }
 
 bool CurrentLayer::findDraftPlace() const

@@ -35,8 +35,13 @@ public:
     /// stroke that is painted on it.
     void beginNew();
 
-    /// The edit with the strokes that it adds on top put into the layer. If that takes no paint, it says so.
+    /// The edit with the strokes that it adds on top put into the layer. If that takes no paint, it says so. Where
+    /// others are shown alone, all are shown again.
     Edit take(Edit edit, LayerEnd end = LayerEnd::Top);
+    /// The same of what is pasted, which comes on top of all where no group is shown alone.
+    Edit takePasted(Edit edit);
+    /// Whether paint comes on top of all, and shows there.
+    bool isTop() const;
     /// The painting with the draft in the place where it will be. There must be a draft.
     PaintingPtr withDraft() const;
 
@@ -62,6 +67,7 @@ private:
     void set(PaintedLayer layer);
     QString newName() const;
     Edit put(Edit edit, LayerEnd end) const;
+    Edit shown(Edit edit);
     bool findDraftPlace() const;
 
     Document &m_document;

@@ -269,7 +269,7 @@ PaintingPtr Editor::unsettledShown() const
 
 PaintingPtr Editor::snapshotInTime() const
 {
-    const bool isOnTop = m_layer->group() == 0 && !m_clock.isInPast();
+    const bool isOnTop = m_layer->isTop() && !m_clock.isInPast();
     return !m_document.draft() || isOnTop ? m_document.snapshot() : m_layer->withDraft();
 }
 

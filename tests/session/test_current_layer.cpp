@@ -216,6 +216,41 @@ private slots:
         s.table[Command::HideOtherLayers].trigger();
         QVERIFY(s.painting().isVisible(*s.painting().find(2)) && s.painting().isVisible(*s.painting().find(5)));
     }
+
+    /// What comes is seen: into what is shown alone, or else all is shown again, in the same step.
+    void whatComesIsSeen()
+    {
+        Stage s;
+        QSignalSpy noted(&s.layer, &CurrentLayer::noted);
+        const auto isAlone = [&s](GroupId group) { return s.painting().findGroup(group)->solo; };
+        const auto paste = [&s] {
+            const StrokePtr stroke = lineStroke(s.editor.document().takeStrokeId());
+            s.editor.push(s.layer.takePasted(addStrokes(s.editor.document(), {stroke}, false)), "paste");
+            return s.painting().find(stroke->id);
+        };
+        s.layer.choose(2);
+        s.table[Command::HideOtherLayers].trigger();
+        noted.clear();
+        QCOMPARE(s.painting().find(s.paint())->group, GroupId(2));
+        QCOMPARE(paste()->group, GroupId(2));
+        QVERIFY(isAlone(2) && noted.isEmpty());
+        for (const GroupId layer : {1, 0}) {
+            for (const bool pasted : {false, true}) {
+                s.layer.choose(layer);
+                noted.clear();
+                const StrokePtr came = pasted ? paste() : s.painting().find(s.paint());
+                QVERIFY(s.painting().isVisible(*came) && !isAlone(2));
+                QCOMPARE(came->group, pasted ? GroupId(0) : layer);
+                QCOMPARE(int(noted.count()), 1);
+                s.editor.undo();
+                QVERIFY(isAlone(2));
+            }
+            const StrokePtr draft = lineStroke(s.editor.document().takeStrokeId());
+            s.editor.document().setDraft(draft);
+            QVERIFY(s.editor.shown()->isVisible(*s.editor.shown()->find(draft->id)));
+            s.editor.document().setDraft(nullptr);
+        }
+    }
 };
 
 QTEST_MAIN(TestCurrentLayer)

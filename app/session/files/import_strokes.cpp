@@ -149,7 +149,7 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
     }
     const bool comes = !edit.strokes.empty();
     if (comes)
-        editor.push(std::move(edit), undoText);
+        editor.push(editor.layer().takePasted(std::move(edit)), undoText);
     if (comes && later > 0 && keepsTimes)
         editor.clock().setTime(document.painting()->end()); // as its file is seen when it is opened
     return joinedSentences(
