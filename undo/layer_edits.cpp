@@ -1,6 +1,6 @@
 #include "undo/layer_edits.h"
 
-#include "undo/history/order_tree.h"
+#include "undo/history/group_spans.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -9,40 +9,6 @@
 namespace suffuse {
 
 namespace {
-
-/// The places in the order from the lowest stroke of a group to behind its topmost one.
-struct GroupSpan {
-    std::size_t begin = 0, end = 0;
-    bool isEmpty() const { return begin == end; }
-};
-
-GroupSpan spanOf(const Painting &painting, GroupId group)
-{
-    if (group == 0)
-        return {0, painting.strokes.size()};
-    const std::unordered_set<GroupId> within = withGroupsWithin(painting.groups, {group});
-    GroupSpan span;
-    for (std::size_t i = 0; i < painting.strokes.size(); ++i) {
-        if (!within.contains(painting.strokes[i]->group))
-            continue;
-        if (span.isEmpty())
-            span.begin = i;
-        span.end = i + 1;
-    }
-    return span;
-}
-
-/// The group just within `outer` that is around a stroke; 0 if the stroke is in `outer` itself.
-GroupId memberAround(const Painting &painting, GroupId outer, const Stroke &stroke)
-{
-    GroupId member = 0;
-    for (const GroupId group : groupsAround(painting, stroke.group)) {
-        if (group == outer)
-            break;
-        member = group;
-    }
-    return member;
-}
 
 /// The place in a group below what was begun after `born`, and in none of the groups within it.
 std::size_t placeWithin(const Painting &painting, GroupId group, const GroupSpan &span, Microseconds born)
