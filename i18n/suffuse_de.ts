@@ -1310,6 +1310,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Make wash a plain group</source>
         <translation>Lavierung zur einfachen Gruppe machen</translation>
     </message>
+    <message>
+        <source>Delete layer</source>
+        <translation>Ebene löschen</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

@@ -1297,6 +1297,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Make wash a plain group</source>
         <translation>将淡彩变为普通组</translation>
     </message>
+    <message>
+        <source>Delete layer</source>
+        <translation>删除图层</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>

@@ -43,11 +43,9 @@ PlaceInLayer placeFor(const Painting &painting, const PaintedLayer &layer, Layer
         const GroupSpan past = spanOf(painting, *std::prev(inner));
         return {group, past.isEmpty() ? top : past.end};
     }
+    if (isComing)
+        return {group, comingIndex(painting, layer).value_or(top)};
     const GroupSpan span = spanOf(painting, group);
-    if (isComing) {
-        const GroupSpan past = spanOf(painting, layer.above);
-        return {group, layer.above == 0 || past.isEmpty() ? (span.isEmpty() ? top : span.end) : past.end};
-    }
     if (span.isEmpty()) // of an empty group: on top of what is around it
         return {group, spanOf(painting, painting.findGroup(group)->parent).end};
     if (born)

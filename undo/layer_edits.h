@@ -3,19 +3,9 @@
 #pragma once
 
 #include "undo/edits.h"
-
-#include <optional>
+#include "undo/painted_layer.h"
 
 namespace suffuse {
-
-/// A group that new strokes go into.
-struct PaintedLayer {
-    GroupId group = 0; ///< 0: none, so that they go on top of all
-    /// What the group is made as, with the first stroke that goes into it, where the painting does not have it: a group
-    /// without strokes would have no place in the order.
-    std::optional<Group> coming;
-    GroupId above = 0; ///< the group above which it comes then; 0: it comes on top of what is in its parent
-};
 
 enum class LayerEnd { Top, Bottom };
 

@@ -79,7 +79,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
         .runs([&editor] { editor.redo(); });
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
-        .when([&canvas, selected = anySelected(editor)] { return isBusy(canvas) || selected(); })
+        .when([&canvas, &editor] { return isBusy(canvas) || commands::canDelete(editor); })
         .runs([&canvas, &editor, &table] {
             if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
                                            : givesUp(canvas) || canvas.tool()->deleteSelected())

@@ -1,6 +1,7 @@
 #include "app/session/current_layer.h"
 
 #include "app/session/painting_clock.h"
+#include "undo/emptied_groups.h"
 #include "undo/history/order_tree.h"
 #include "undo/time_edits.h"
 
@@ -40,6 +41,11 @@ QString CurrentLayer::title() const
 void CurrentLayer::set(PaintedLayer layer)
 {
     m_layer = std::move(layer);
+    tell();
+}
+
+void CurrentLayer::tell()
+{
     const Painting &painting = *m_document.painting();
     m_around = groupsAround(painting, isComing() ? m_layer.coming->parent : m_layer.group);
     m_title = title();
@@ -54,7 +60,16 @@ void CurrentLayer::choose(GroupId group)
     if (layer == m_layer.group)
         return;
     set({layer, {}, 0});
+    m_chosen = m_layer;
     emit noted(layer ? tr("Layer: %1").arg(m_title) : tr("No layer: paint goes on top of all"));
+}
+
+void CurrentLayer::chooseByStep(GroupId group)
+{
+    const PaintedLayer *before = m_steps.before(m_done - 1);
+    const PaintedLayer was = before ? *before : m_chosen;
+    choose(group);
+    m_steps.note(m_done - 1, was, m_layer);
 }
 
 QString CurrentLayer::newName() const
@@ -68,7 +83,7 @@ QString CurrentLayer::newName() const
 
 void CurrentLayer::beginNew()
 {
-    if (isComing())
+    if (isComing() && !m_layer.place)
         return emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
     const Group *below = m_document.painting()->findGroup(m_layer.group);
     PaintedLayer layer;
@@ -76,35 +91,79 @@ void CurrentLayer::beginNew()
     Group &coming = layer.coming.emplace();
     coming.id = layer.group;
     coming.name = newName();
-    coming.parent = below ? below->parent : 0;
+    coming.parent = below ? below->parent : isComing() ? m_layer.coming->parent : 0;
     layer.above = m_layer.group;
+    layer.place = m_layer.place;
     set(std::move(layer));
+    m_chosen = m_layer;
     emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
+}
+
+/// Whether it is there, or can come.
+bool CurrentLayer::canBe(const PaintedLayer &layer) const
+{
+    const Painting &painting = *m_document.painting();
+    return layer.group == 0 || painting.findGroup(layer.group) ||
+           (layer.coming && (layer.coming->parent == 0 || painting.findGroup(layer.coming->parent)));
 }
 
 void CurrentLayer::follow(const Change &change)
 {
-    if (change.reset)
-        return set({});
+    if (change.reset) {
+        set({});
+        m_chosen = m_layer;
+        return;
+    }
     if (m_layer.group == 0 || (!change.canvas && !change.texts && !change.order))
         return;
     const Painting &painting = *m_document.painting();
-    const bool isThere = painting.findGroup(m_layer.group);
-    const bool stays =
-        isThere || (m_layer.coming && (m_layer.coming->parent == 0 || painting.findGroup(m_layer.coming->parent)));
-    if (!stays) {
+    if (!canBe(m_layer)) {
         const auto left = std::ranges::find_if(m_around, [&](GroupId id) { return painting.findGroup(id); });
         return set({left == m_around.end() ? 0 : layerAround(painting, *left), {}, 0});
     }
-    if (isThere && layerAround(painting, m_layer.group) != m_layer.group)
-        return set({layerAround(painting, m_layer.group), {}, 0});
-    if (isThere)
+    if (painting.findGroup(m_layer.group)) {
+        if (layerAround(painting, m_layer.group) != m_layer.group)
+            return set({layerAround(painting, m_layer.group), {}, 0});
+        m_layer = {m_layer.group, {}, 0};
         m_around = groupsAround(painting, m_layer.group);
-    if (title() == m_title && isComing() == m_wasComing)
+    }
+    if (title() != m_title || isComing() != m_wasComing)
+        tell();
+}
+
+void CurrentLayer::takeEmptied(Edit &edit)
+{
+    const Painting &painting = *m_document.painting();
+    const std::vector<GroupId> gone = suffuse::takeEmptied(painting, edit);
+    if (std::ranges::find(gone, m_layer.group) != gone.end())
+        m_layer = emptiedLayer(painting, m_layer.group, gone);
+}
+
+void CurrentLayer::stepComes(int number)
+{
+    m_steps.add(number, m_chosen, m_layer);
+    m_chosen = m_layer;
+    m_done = number + 1;
+}
+
+void CurrentLayer::walkTo(int steps)
+{
+    const int from = std::exchange(m_done, steps);
+    if (from == steps)
         return;
-    m_title = title();
-    m_wasComing = isComing();
-    emit changed();
+    const PaintedLayer was = m_chosen;
+    if (const std::optional<PaintedLayer> layer = m_steps.walked(was, from, steps); layer && canBe(*layer))
+        set(*layer);
+    else if (m_layer.group != was.group && from > steps) // It went by what was undone, and comes back with it.
+        m_steps.note(from - 1, m_layer, was);
+    m_chosen = m_layer;
+}
+
+void CurrentLayer::forgetSteps(int steps)
+{
+    m_steps.clear();
+    m_done = steps;
+    m_chosen = m_layer;
 }
 
 Edit CurrentLayer::put(Edit edit, LayerEnd end) const

@@ -1,6 +1,7 @@
 // The layer that is painted on.
 #pragma once
 
+#include "app/session/layer_steps.h"
 #include "undo/layer_edits.h"
 
 #include <QObject>
@@ -14,8 +15,9 @@ class PaintingClock;
 QString titleOf(const Group &group);
 
 /// Remembers which group what is painted goes into, or that it is none. This is no part of the painting, and nothing
-/// that is undone by itself: where a group goes, the one around it becomes the layer, and where it comes back, it is
-/// the layer again only if it was made as one (`beginNew`).
+/// that is undone by itself; but where a step made another group the layer, undoing it gives back the one before. Where
+/// a group goes, the one around it becomes the layer. Where it goes since it has no stroke any more, it stays the layer
+/// and comes again with the next stroke, in its place.
 class CurrentLayer : public QObject {
     Q_OBJECT
 
@@ -31,9 +33,20 @@ public:
 
     /// Makes a group the layer or, of a text, the group around it; 0: none.
     void choose(GroupId group);
+    /// The same, as a part of the step that was done last: undoing that gives back the layer before.
+    void chooseByStep(GroupId group);
     /// Begins a layer just above this one, or on top of all where there is none. It comes into being with the first
     /// stroke that is painted on it.
     void beginNew();
+
+    /// Lets the edit take away the groups that lose their last stroke by it. If the layer is one of them, it will come
+    /// again.
+    void takeEmptied(Edit &edit);
+    /// These follow the undo stack: a step is pushed, as that number; so many steps are done after undo or redo; and
+    /// the stack has others now.
+    void stepComes(int number);
+    void walkTo(int steps);
+    void forgetSteps(int steps);
 
     /// The edit with the strokes that it adds on top put into the layer. If that takes no paint, it says so. Where
     /// others are shown alone, all are shown again.
@@ -65,6 +78,8 @@ private:
 
     void follow(const Change &change);
     void set(PaintedLayer layer);
+    void tell();
+    bool canBe(const PaintedLayer &layer) const;
     QString newName() const;
     Edit put(Edit edit, LayerEnd end) const;
     Edit shown(Edit edit);
@@ -73,6 +88,9 @@ private:
     Document &m_document;
     const PaintingClock &m_clock;
     PaintedLayer m_layer;
+    PaintedLayer m_chosen; ///< as it was chosen, or after the step that was done last
+    LayerSteps m_steps;
+    int m_done = 0;                ///< steps
     std::vector<GroupId> m_around; ///< the groups around it when it was there last, the innermost first
     QString m_title;               ///< as it was told last
     bool m_wasComing = false;      ///< when that was told

@@ -75,8 +75,12 @@ Editor::~Editor()
 
 void Editor::followStack()
 {
-    if (!m_takesUpSteps)
+    if (m_takesUpSteps) {
+        m_layer->forgetSteps(m_undoStack.index());
+    } else {
+        m_layer->walkTo(m_undoStack.index());
         emit edited();
+    }
     m_savedStep.follow();
     tellModified();
 }
@@ -122,6 +126,7 @@ bool Editor::isStepping() const
 Edit Editor::placed(Edit edit)
 {
     followTexts(*m_document.painting(), edit);
+    m_layer->takeEmptied(edit);
     if (!m_clock.isInPast())
         return edit;
     edit = placedInTime(m_document, std::move(edit));
@@ -176,6 +181,7 @@ bool Editor::goesOn(const ValueEntry &entry) const
 void Editor::pushDone(Edit back, const QString &text)
 {
     m_savedStep.willPush();
+    m_layer->stepComes(m_undoStack.index());
     m_undoStack.push(new EditCommand(m_document, std::move(back), text));
 }
 

@@ -44,7 +44,7 @@ QString mergeLayerDown(Editor &editor)
         return whyNotMerged(merged.why);
     const bool loses = layer && (layer->isIsolated() || layer->wash);
     editor.push(std::move(merged.edit), Commands::tr("Merge layer down"));
-    editor.layer().choose(merged.below);
+    editor.layer().chooseByStep(merged.below);
     return loses ? Commands::tr("What the upper layer's opacity, mode, mask or wash did is gone with it.") : QString();
 }
 
@@ -53,7 +53,7 @@ void duplicateLayer(Editor &editor)
     GroupId copy = 0;
     editor.push(duplicateGroup(editor.document(), editor.layer().group(), copy), Commands::tr("Duplicate layer"));
     if (copy != 0)
-        editor.layer().choose(copy);
+        editor.layer().chooseByStep(copy);
 }
 
 QString moveLayer(Editor &editor, bool up)

@@ -1,10 +1,15 @@
 #include "app/session/commands/selection_commands.h"
 
+#include "app/session/current_layer.h"
 #include "app/session/selecting/pick.h"
 #include "model/painting/decimal.h"
+#include "undo/emptied_groups.h"
+#include "undo/history/order_tree.h"
 #include "undo/node_edits.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace suffuse::commands {
 
@@ -15,10 +20,34 @@ QString tr(const char *text)
     return QCoreApplication::translate("Commands", text);
 }
 
+/// A layer that was deleted as a whole does not come again: another one is painted on.
+void leaveDeletedLayer(Editor &editor, const Painting &before, const std::vector<GroupId> &deleted)
+{
+    CurrentLayer &layer = editor.layer();
+    const Painting &after = *editor.document().painting();
+    const std::vector<GroupId> around = groupsAround(before, layer.group());
+    if (!after.findGroup(layer.group()) && std::ranges::find_first_of(around, deleted) != around.end())
+        layer.chooseByStep(layerBeside(before, layer.group(), after));
+}
+
 } // namespace
+
+bool canDelete(const Editor &editor)
+{
+    return !editor.selection().strokes.empty() || isEmptyGroup(*editor.unsettled().painting(), editor.layer().group());
+}
 
 QString deleteSelected(Editor &editor)
 {
+    const PaintingPtr was = editor.document().painting();
+    const GroupId layer = editor.layer().group();
+    if (editor.selection().strokes.empty() && isEmptyGroup(*was, layer)) {
+        editor.push(deleteEmptyGroup(editor.document(), layer),
+                    QCoreApplication::translate("Commands", "Delete layer"));
+        editor.layer().chooseByStep(layerBeside(*was, layer, *editor.document().painting()));
+        return {};
+    }
+    const std::vector<GroupId> groups = selectedGroups(editor.document());
     const bool segments = !editor.document().selection().segments.empty();
     const auto count = [&] {
         const Painting &painting = *editor.document().painting();
@@ -28,6 +57,7 @@ QString deleteSelected(Editor &editor)
     editor.push(deleteSelection(editor.document(), Leaves::Chains),
                 segments ? QCoreApplication::translate("Commands", "Delete segments")
                          : QCoreApplication::translate("Commands", "Delete strokes"));
+    leaveDeletedLayer(editor, *was, groups);
     const int gone = before - count();
     if (gone <= 0)
         return {}; // what is locked stays

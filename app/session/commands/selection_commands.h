@@ -8,7 +8,10 @@
 
 namespace suffuse::commands {
 
-/// Deletes what is selected, and returns what to say of it; an empty text if nothing could be deleted.
+/// Whether something is selected, or the layer has no stroke.
+bool canDelete(const Editor &editor);
+/// Deletes what is selected, or else the layer if it has no stroke. Where the layer is deleted as a whole, the one
+/// beside it is the layer. Returns what to say of it; an empty text if nothing could be deleted.
 QString deleteSelected(Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
 /// their stroke. Then the copies are selected.

@@ -1,0 +1,32 @@
+// Which layer was painted on, for undo and redo.
+#pragma once
+
+#include "undo/painted_layer.h"
+
+#include <map>
+#include <optional>
+
+namespace suffuse {
+
+/// Remembers of undo steps, by their numbers, the layer before and after those that made another one of it.
+class LayerSteps {
+public:
+    /// A step was done; the ones that could be redone in its place are gone.
+    void add(int step, const PaintedLayer &before, const PaintedLayer &after);
+    /// The layer became another one by the step itself, which was known for none or for this one.
+    void note(int step, const PaintedLayer &before, const PaintedLayer &after);
+    /// The layer before a step, if it made another one of it.
+    const PaintedLayer *before(int step) const;
+    /// The layer when steps have been undone or redone: `from` and `to` tell how many are done. Where another layer was
+    /// chosen since a step, that stays. Nothing, if the layer is the same one.
+    std::optional<PaintedLayer> walked(const PaintedLayer &layer, int from, int to) const;
+    void clear() { m_steps.clear(); }
+
+private:
+    struct Step {
+        PaintedLayer before, after;
+    };
+    std::map<int, Step> m_steps;
+};
+
+} // namespace suffuse
