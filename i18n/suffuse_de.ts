@@ -5099,10 +5099,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ebene nach unten vereinen</translation>
     </message>
     <message>
-        <source>What the upper layer&apos;s opacity, mode, mask or wash did is gone with it.</source>
-        <translation>Was Deckkraft, Modus, Maske oder Lavierung der oberen Ebene bewirkten, ist mit ihr verschwunden.</translation>
-    </message>
-    <message>
         <source>Duplicate layer</source>
         <translation>Ebene duplizieren</translation>
     </message>
@@ -5141,10 +5137,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Put what is on the layer onto the layer just below it, which keeps what it is</source>
-        <translation>Legt, was auf der Ebene ist, auf die direkt darunter, die bleibt, wie sie ist</translation>
     </message>
     <message>
         <source>&amp;Raise Layer</source>
@@ -5206,6 +5198,26 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Nothing changes.</source>
         <translation>Nichts ändert sich.</translation>
     </message>
+    <message>
+        <source>Not merged: one of the two layers is a mask, and the picture would change.</source>
+        <translation>Nicht vereint: Eine der beiden Ebenen ist eine Maske, und das Bild würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>Not merged: the layer below is clipped, and the picture would change.</source>
+        <translation>Nicht vereint: Die Ebene darunter ist auf Unteres begrenzt, und das Bild würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>Not merged: what lies above is clipped to this layer, and the picture would change.</source>
+        <translation>Nicht vereint: Was darüber liegt, ist auf diese Ebene begrenzt, und das Bild würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>So that the picture stays, %1 is a group of its own within %2.</source>
+        <translation>Damit das Bild bleibt, ist %1 eine eigene Gruppe in %2.</translation>
+    </message>
+    <message>
+        <source>Put the layer onto the one just below it; the picture stays</source>
+        <translation>Vereint die Ebene mit der direkt darunter; das Bild bleibt</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5252,12 +5264,24 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Neue Ebene: %1. Malen Sie darauf.</translation>
     </message>
     <message>
-        <source>%1 is hidden or locked: the paint lies above it</source>
-        <translation>%1 ist ausgeblendet oder gesperrt: Die Farbe liegt darüber</translation>
-    </message>
-    <message>
         <source>All is shown again, since this would be hidden</source>
         <translation>Alles ist wieder sichtbar, da dies sonst verborgen wäre</translation>
+    </message>
+    <message>
+        <source>%1 is locked: nothing is painted there</source>
+        <translation>%1 ist gesperrt: Dort wird nichts gemalt</translation>
+    </message>
+    <message>
+        <source>%1 is hidden: nothing is painted there</source>
+        <translation>%1 ist ausgeblendet: Dort wird nichts gemalt</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>%1 copy %2</source>
+        <translation>%1 (Kopie %2)</translation>
     </message>
 </context>
 <context>

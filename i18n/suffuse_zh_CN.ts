@@ -5079,10 +5079,6 @@ Arrow keys work too.</source>
         <translation>向下合并图层</translation>
     </message>
     <message>
-        <source>What the upper layer&apos;s opacity, mode, mask or wash did is gone with it.</source>
-        <translation>上面图层的不透明度、模式、蒙版或渲染的效果已随之消失。</translation>
-    </message>
-    <message>
         <source>Duplicate layer</source>
         <translation>复制图层</translation>
     </message>
@@ -5121,10 +5117,6 @@ Arrow keys work too.</source>
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Put what is on the layer onto the layer just below it, which keeps what it is</source>
-        <translation>把图层上的内容放到紧接其下的图层上，后者的属性不变</translation>
     </message>
     <message>
         <source>&amp;Raise Layer</source>
@@ -5186,6 +5178,26 @@ Arrow keys work too.</source>
         <source>Nothing changes.</source>
         <translation>没有变化。</translation>
     </message>
+    <message>
+        <source>Not merged: one of the two layers is a mask, and the picture would change.</source>
+        <translation>未合并：两个图层之一是蒙版，合并会改变画面。</translation>
+    </message>
+    <message>
+        <source>Not merged: the layer below is clipped, and the picture would change.</source>
+        <translation>未合并：下方的图层有剪贴，合并会改变画面。</translation>
+    </message>
+    <message>
+        <source>Not merged: what lies above is clipped to this layer, and the picture would change.</source>
+        <translation>未合并：上方内容剪贴到此图层，合并会改变画面。</translation>
+    </message>
+    <message>
+        <source>So that the picture stays, %1 is a group of its own within %2.</source>
+        <translation>为保持画面不变，%1 成为 %2 中的一个组。</translation>
+    </message>
+    <message>
+        <source>Put the layer onto the one just below it; the picture stays</source>
+        <translation>把图层并入紧接其下的图层；画面不变</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5232,12 +5244,24 @@ Arrow keys work too.</source>
         <translation>新图层：%1。请在上面绘画。</translation>
     </message>
     <message>
-        <source>%1 is hidden or locked: the paint lies above it</source>
-        <translation>%1 被隐藏或锁定：颜料画在其上方</translation>
-    </message>
-    <message>
         <source>All is shown again, since this would be hidden</source>
         <translation>已重新显示全部，否则新内容会被隐藏</translation>
+    </message>
+    <message>
+        <source>%1 is locked: nothing is painted there</source>
+        <translation>%1 已锁定：无法在其上绘画</translation>
+    </message>
+    <message>
+        <source>%1 is hidden: nothing is painted there</source>
+        <translation>%1 已隐藏：无法在其上绘画</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>%1 copy %2</source>
+        <translation>%1 副本 %2</translation>
     </message>
 </context>
 <context>

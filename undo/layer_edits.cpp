@@ -24,6 +24,13 @@ std::size_t placeWithin(const Painting &painting, GroupId group, const GroupSpan
     return at;
 }
 
+/// Where a group ends in the order; an empty one ends on top of what is around it.
+std::size_t endOf(const Painting &painting, GroupId group)
+{
+    const GroupSpan span = spanOf(painting, group);
+    return span.isEmpty() ? spanOf(painting, painting.findGroup(group)->parent).end : span.end;
+}
+
 /// Where strokes come, in which group.
 struct PlaceInLayer {
     GroupId group = 0;
@@ -46,37 +53,45 @@ PlaceInLayer placeFor(const Painting &painting, const PaintedLayer &layer, Layer
     if (isComing)
         return {group, comingIndex(painting, layer).value_or(top)};
     const GroupSpan span = spanOf(painting, group);
-    if (span.isEmpty()) // of an empty group: on top of what is around it
-        return {group, spanOf(painting, painting.findGroup(group)->parent).end};
+    if (span.isEmpty())
+        return {group, endOf(painting, group)};
     if (born)
         return {group, placeWithin(painting, group, span, *born)};
     return {group, end == LayerEnd::Top ? span.end : span.begin};
-}
-
-/// The siblings among which a group is, and its number among them; none where there is no such group, or it is empty.
-std::vector<Sibling> *siblingsOf(std::vector<Sibling> &tree, GroupId group, std::size_t &number)
-{
-    for (std::size_t i = 0; i < tree.size(); ++i) {
-        number = i;
-        if (tree[i].group == group)
-            return &tree;
-        if (tree[i].group != 0)
-            if (std::vector<Sibling> *found = siblingsOf(tree[i].members, group, number))
-                return found;
-    }
-    return nullptr;
-}
-
-bool isGroupHidden(const Painting &painting, GroupId group)
-{
-    return std::ranges::any_of(groupsAround(painting, group),
-                               [&](GroupId id) { return !painting.findGroup(id)->visible; });
 }
 
 bool isGroupLocked(const Painting &painting, GroupId group)
 {
     return std::ranges::any_of(groupsAround(painting, group),
                                [&](GroupId id) { return painting.findGroup(id)->locked; });
+}
+
+/// The place above the topmost selected stroke of a group, and above what that is in there.
+std::optional<std::size_t> aboveSelected(const Document &document, GroupId group)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    WithinGroup within(painting, group);
+    for (std::size_t i = selected.empty() ? 0 : painting.strokes.size(); i > 0; --i) {
+        const Stroke &stroke = *painting.strokes[i - 1];
+        if (!selected.contains(stroke.id) || !within(stroke))
+            continue;
+        const GroupId member = memberAround(painting, group, stroke);
+        return member ? spanOf(painting, member).end : i;
+    }
+    return {};
+}
+
+/// Selects another stroke, of as many segments, in place of one that is selected.
+void moveSelected(Selection &selection, StrokeId from, StrokeId to)
+{
+    if (selection.strokes.erase(from) == 0)
+        return;
+    selection.strokes.insert(to);
+    for (auto it = selection.segments.lower_bound({from, 0}); it != selection.segments.end() && it->stroke == from;) {
+        selection.segments.insert({to, it->segment});
+        it = selection.segments.erase(it);
+    }
 }
 
 StrokePtr intoGroup(const Stroke &stroke, GroupId group)
@@ -156,34 +171,86 @@ std::vector<GroupId> layersOf(const Painting &painting)
     return layers;
 }
 
+namespace {
+
+bool canTake(const Painting &painting, const Edit &edit, const PaintedLayer &layer)
+{
+    return layer.group != 0 && (painting.findGroup(layer.group) || layer.coming) && !addedOnTop(painting, edit).empty();
+}
+
+/// Puts what an edit adds on top in its place.
+Edit putAt(const Painting &painting, Edit edit, const PlaceInLayer &place)
+{
+    const std::vector<StrokeId> added = addedOnTop(painting, edit);
+    if (edit.groups)
+        for (Group &group : *edit.groups)
+            if (group.parent == 0 && !painting.findGroup(group.id))
+                group.parent = place.group;
+    for (const StrokeId id : added)
+        if (StrokePtr &stroke = edit.strokes.at(id); stroke->group == 0)
+            stroke = intoGroup(*stroke, place.group);
+    edit.order->resize(painting.strokes.size());
+    edit.order->insert(edit.order->begin() + std::ptrdiff_t(place.index), added.begin(), added.end());
+    return edit;
+}
+
+/// The same in the layer, which the edit makes there where it is not there yet.
+Edit putInto(const Painting &painting, Edit edit, const PaintedLayer &layer, PlaceInLayer place)
+{
+    if (painting.findGroup(layer.group))
+        return putAt(painting, std::move(edit), place);
+    Group coming = *layer.coming;
+    coming.id = layer.group;
+    coming.parent = std::exchange(place.group, layer.group);
+    edit = putAt(painting, std::move(edit), place);
+    if (!edit.groups)
+        edit.groups = painting.groups;
+    edit.groups->push_back(std::move(coming));
+    return edit;
+}
+
+} // namespace
+
 Edit addedToLayer(const Document &document, Edit edit, const PaintedLayer &layer, LayerEnd end,
                   std::optional<Microseconds> born)
 {
     const Painting &painting = *document.painting();
-    const bool isThere = painting.findGroup(layer.group) != nullptr;
-    const std::vector<StrokeId> added = addedOnTop(painting, edit);
-    if (added.empty() || layer.group == 0 || (!isThere && !layer.coming))
+    if (!canTake(painting, edit, layer))
         return edit;
-    const PlaceInLayer place = placeFor(painting, layer, end, born);
-    const GroupId into = isThere ? place.group : layer.group;
-    if (edit.groups)
-        for (Group &group : *edit.groups)
-            if (group.parent == 0 && !painting.findGroup(group.id))
-                group.parent = into;
-    if (!isThere) {
-        Group coming = *layer.coming;
-        coming.id = layer.group;
-        coming.parent = place.group;
-        if (!edit.groups)
-            edit.groups = painting.groups;
-        edit.groups->push_back(std::move(coming));
+    return putInto(painting, std::move(edit), layer, placeFor(painting, layer, end, born));
+}
+
+std::vector<GroupId> layersAdded(const Painting &painting, const Edit &edit)
+{
+    std::vector<GroupId> layers;
+    for (const auto &[id, stroke] : edit.strokes)
+        if (!stroke || stroke->group == 0)
+            return {};
+    for (const Group &group : edit.groups ? *edit.groups : painting.groups)
+        if (group.parent == 0 && !painting.findGroup(group.id)) {
+            if (group.text)
+                return {};
+            layers.push_back(group.id);
+        }
+    return layers;
+}
+
+Edit pastedToLayer(const Document &document, Edit edit, const PaintedLayer &layer, std::optional<Microseconds> born)
+{
+    const Painting &painting = *document.painting();
+    if (!canTake(painting, edit, layer))
+        return edit;
+    PlaceInLayer place = placeFor(painting, layer, LayerEnd::Top, born);
+    const bool isThere = painting.findGroup(layer.group);
+    if (!layersAdded(painting, edit).empty()) {
+        const GroupId parent = isThere ? painting.findGroup(layer.group)->parent : layer.coming->parent;
+        if (isThere && place.group == layer.group)
+            place = {parent, endOf(painting, layer.group)};
+        return putAt(painting, std::move(edit), place);
     }
-    for (const StrokeId id : added)
-        if (StrokePtr &stroke = edit.strokes.at(id); stroke->group == 0)
-            stroke = intoGroup(*stroke, into);
-    edit.order->resize(painting.strokes.size());
-    edit.order->insert(edit.order->begin() + std::ptrdiff_t(place.index), added.begin(), added.end());
-    return edit;
+    if (isThere && place.group == layer.group && !born)
+        place.index = aboveSelected(document, layer.group).value_or(place.index);
+    return putInto(painting, std::move(edit), layer, place);
 }
 
 bool isHiddenBySolo(const std::vector<Group> &groups, GroupId group)
@@ -216,7 +283,7 @@ Edit endingSolo(const Document &document, Edit edit)
     return edit;
 }
 
-Edit duplicateGroup(Document &document, GroupId group, GroupId &copy)
+Edit duplicateGroup(Document &document, GroupId group, const QString &name, GroupId &copy)
 {
     const Painting &painting = *document.painting();
     const GroupSpan span = painting.findGroup(group) ? spanOf(painting, group) : GroupSpan();
@@ -235,53 +302,28 @@ Edit duplicateGroup(Document &document, GroupId group, GroupId &copy)
             continue;
         Group made = original;
         made.id = copies.at(original.id);
-        if (original.id != group)
+        if (original.id == group)
+            made.name = name;
+        else
             made.parent = copies.at(original.parent);
         edit.groups->push_back(std::move(made));
     }
     std::vector<StrokeId> added;
+    Selection selection = document.selection();
     for (std::size_t i = span.begin; i < span.end; ++i) {
         const Stroke &original = *painting.strokes[i];
         auto made = std::make_shared<Stroke>(original);
         made->id = document.takeStrokeId();
         made->group = copies.at(original.group);
         added.push_back(made->id);
+        moveSelected(selection, original.id, made->id);
         edit.strokes.emplace(made->id, std::move(made));
     }
     edit.order = orderOf(painting);
     edit.order->insert(edit.order->begin() + std::ptrdiff_t(span.end), added.begin(), added.end());
+    if (selection != document.selection())
+        edit.selection = std::move(selection);
     return edit;
-}
-
-MergedDown mergeDown(const Document &document, GroupId group)
-{
-    const Painting &painting = *document.painting();
-    std::vector<Sibling> tree = orderTree(painting, {});
-    std::size_t number = 0;
-    const std::vector<Sibling> *siblings = painting.findGroup(group) ? siblingsOf(tree, group, number) : nullptr;
-    if (!siblings || number == 0)
-        return {{}, 0, NotMerged::NothingBelow};
-    const GroupId below = (*siblings)[number - 1].group;
-    if (below == 0 || layerAround(painting, below) != below)
-        return {{}, 0, NotMerged::NoGroupBelow};
-    if (isGroupLocked(painting, group) || isGroupLocked(painting, below))
-        return {{}, 0, NotMerged::Locked};
-    if (isGroupHidden(painting, group) || isGroupHidden(painting, below))
-        return {{}, 0, NotMerged::Hidden};
-    MergedDown merged;
-    merged.below = below;
-    merged.edit.groups.emplace();
-    for (Group g : painting.groups) {
-        if (g.id == group)
-            continue;
-        if (g.parent == group)
-            g.parent = below;
-        merged.edit.groups->push_back(std::move(g));
-    }
-    for (const StrokePtr &stroke : painting.strokes)
-        if (stroke->group == group)
-            merged.edit.strokes.emplace(stroke->id, intoGroup(*stroke, below));
-    return merged;
 }
 
 Edit moveGroup(const Document &document, GroupId group, bool up)

@@ -27,23 +27,21 @@ std::vector<GroupId> layersOf(const Painting &painting);
 Edit addedToLayer(const Document &document, Edit edit, const PaintedLayer &layer, LayerEnd end,
                   std::optional<Microseconds> born = {});
 
+/// The same for what is pasted: above the topmost selected stroke of the layer, if there is one; groups, if nothing
+/// else comes and none is a text, come just above the layer.
+Edit pastedToLayer(const Document &document, Edit edit, const PaintedLayer &layer,
+                   std::optional<Microseconds> born = {});
+/// The groups that an edit adds in no other one, if all strokes that it adds are in groups, and none of them is a text.
+std::vector<GroupId> layersAdded(const Painting &painting, const Edit &edit);
+
 /// Whether strokes that come into a group would be hidden since others are solo; 0: into none.
 bool isHiddenBySolo(const std::vector<Group> &groups, GroupId group);
 /// The edit, which ends that groups are solo where they would hide a stroke that it adds.
 Edit endingSolo(const Document &document, Edit edit);
 
-/// Puts a copy of a group, with all that is in it, just above it. `copy` becomes its id.
-Edit duplicateGroup(Document &document, GroupId group, GroupId &copy);
-
-/// Why a group is not merged with the one below it.
-enum class NotMerged { Merged, NothingBelow, NoGroupBelow, Hidden, Locked };
-/// Puts what is in a group into the group just below it, which keeps what it is.
-struct MergedDown {
-    Edit edit;
-    GroupId below = 0; ///< the group that there is then
-    NotMerged why = NotMerged::Merged;
-};
-MergedDown mergeDown(const Document &document, GroupId group);
+/// Puts a copy of a group, with all that is in it, just above it. `copy` becomes its id. Of what is selected in the
+/// group, the copies are selected.
+Edit duplicateGroup(Document &document, GroupId group, const QString &name, GroupId &copy);
 
 /// Moves a group past the next thing above or below it in the same group. A locked one stays.
 Edit moveGroup(const Document &document, GroupId group, bool up);

@@ -20,6 +20,15 @@ QString titleOf(const Group &group)
     return title.isEmpty() ? QCoreApplication::translate("suffuse::StrokesModel", "Group %1").arg(group.id) : title;
 }
 
+QString nameOfCopy(const std::vector<Group> &groups, const QString &name)
+{
+    const QString copy = CurrentLayer::tr("%1 copy").arg(name);
+    for (int n = 1;; ++n)
+        if (const QString numbered = n == 1 ? copy : CurrentLayer::tr("%1 copy %2").arg(name).arg(n);
+            std::ranges::find(groups, numbered, &Group::name) == groups.end())
+            return numbered;
+}
+
 CurrentLayer::CurrentLayer(Document &document, const PaintingClock &clock) : m_document(document), m_clock(clock)
 {
     connect(&document, &Document::changed, this, &CurrentLayer::follow);
@@ -72,13 +81,36 @@ void CurrentLayer::chooseByStep(GroupId group)
     m_steps.note(m_done - 1, was, m_layer);
 }
 
+/// The number in a name that `newName` gives; 0: it is another one.
+int CurrentLayer::numberIn(const QString &name) const
+{
+    const QString pattern = tr("Layer %1");
+    const qsizetype at = pattern.indexOf(QLatin1String("%1")), after = pattern.size() - at - 2;
+    if (!name.startsWith(pattern.left(at)) || !name.endsWith(pattern.right(after)))
+        return 0;
+    return name.mid(at, name.size() - at - after).toInt();
+}
+
+/// Counts on, also where layers have been renamed or deleted.
 QString CurrentLayer::newName() const
 {
-    const std::vector<Group> &groups = m_document.painting()->groups;
-    for (std::size_t n = 1;; ++n)
-        if (const QString name = tr("Layer %1").arg(n);
-            std::ranges::none_of(groups, [&name](const Group &group) { return group.name == name; }))
-            return name;
+    int last = m_lastNumber;
+    for (const Group &group : m_document.painting()->groups)
+        last = std::max(last, numberIn(group.name));
+    return tr("Layer %1").arg(last + 1);
+}
+
+/// What is selected on a layer that is left could be deleted by mistake.
+void CurrentLayer::deselectWithin(GroupId group)
+{
+    Selection selection = m_document.selection();
+    if (group == 0 || selection.isEmpty())
+        return;
+    WithinGroup within(*m_document.painting(), group);
+    for (const StrokePtr &stroke : m_document.painting()->strokes)
+        if (within(*stroke) && selection.strokes.erase(stroke->id) > 0)
+            std::erase_if(selection.segments, [&](const SegmentRef &ref) { return ref.stroke == stroke->id; });
+    m_document.setSelection(std::move(selection));
 }
 
 void CurrentLayer::beginNew()
@@ -91,6 +123,7 @@ void CurrentLayer::beginNew()
     Group &coming = layer.coming.emplace();
     coming.id = layer.group;
     coming.name = newName();
+    deselectWithin(m_layer.group);
     coming.parent = below ? below->parent : isComing() ? m_layer.coming->parent : 0;
     layer.above = m_layer.group;
     layer.place = m_layer.place;
@@ -112,6 +145,7 @@ void CurrentLayer::follow(const Change &change)
     if (change.reset) {
         set({});
         m_chosen = m_layer;
+        m_lastNumber = 0;
         return;
     }
     if (m_layer.group == 0 || (!change.canvas && !change.texts && !change.order))
@@ -124,6 +158,8 @@ void CurrentLayer::follow(const Change &change)
     if (painting.findGroup(m_layer.group)) {
         if (layerAround(painting, m_layer.group) != m_layer.group)
             return set({layerAround(painting, m_layer.group), {}, 0});
+        if (m_wasComing)
+            m_lastNumber = std::max(m_lastNumber, numberIn(title()));
         m_layer = {m_layer.group, {}, 0};
         m_around = groupsAround(painting, m_layer.group);
     }
@@ -166,13 +202,20 @@ void CurrentLayer::forgetSteps(int steps)
     m_chosen = m_layer;
 }
 
-Edit CurrentLayer::put(Edit edit, LayerEnd end) const
+/// When the first of what an edit brings was begun, in the past; else nothing.
+std::optional<Microseconds> CurrentLayer::bornIn(const Edit &edit) const
 {
     std::optional<Microseconds> born;
     if (m_clock.isInPast())
         for (const auto &[id, stroke] : edit.strokes)
             if (stroke)
                 born = born ? std::min(*born, stroke->born()) : stroke->born();
+    return born;
+}
+
+Edit CurrentLayer::put(Edit edit, LayerEnd end) const
+{
+    const std::optional<Microseconds> born = bornIn(edit);
     return endingSolo(m_document, addedToLayer(m_document, std::move(edit), m_layer, end, born));
 }
 
@@ -192,21 +235,36 @@ Edit CurrentLayer::shown(Edit edit)
 
 Edit CurrentLayer::takePasted(Edit edit)
 {
-    const std::vector<Group> &groups = m_document.painting()->groups;
-    const bool isAlone =
-        m_layer.group != 0 && std::ranges::any_of(groups, &Group::solo) && !isHiddenBySolo(groups, m_layer.group);
-    return isAlone ? take(std::move(edit)) : shown(endingSolo(m_document, std::move(edit)));
+    const std::optional<Microseconds> born = bornIn(edit);
+    return shown(endingSolo(m_document, pastedToLayer(m_document, std::move(edit), m_layer, born)));
+}
+
+/// The layer or the innermost group around it that is hidden or locked; null: none.
+const Group *CurrentLayer::closed() const
+{
+    const Painting &painting = *m_document.painting();
+    for (const GroupId id : groupsAround(painting, isComing() ? m_layer.coming->parent : m_layer.group))
+        if (const Group *group = painting.findGroup(id); group && (!group->visible || group->locked))
+            return group;
+    return nullptr;
+}
+
+bool CurrentLayer::takesPaint()
+{
+    const Group *group = closed();
+    if (group)
+        emit noted((group->locked ? tr("%1 is locked: nothing is painted there")
+                                  : tr("%1 is hidden: nothing is painted there"))
+                       .arg(titleOf(*group)));
+    return !group;
 }
 
 Edit CurrentLayer::take(Edit edit, LayerEnd end)
 {
     if (isTop() || edit.isEmpty())
         return edit;
-    const Painting &painting = *m_document.painting();
-    const GroupId wanted = isComing() ? m_layer.coming->parent : m_layer.group;
-    const GroupId taking = groupTakingPaint(painting, wanted);
-    if (wanted != 0 && taking != wanted && !addedOnTop(painting, edit).empty())
-        emit noted(tr("%1 is hidden or locked: the paint lies above it").arg(titleOf(*painting.findGroup(wanted))));
+    if (!addedOnTop(*m_document.painting(), edit).empty() && !takesPaint())
+        return {};
     return shown(put(std::move(edit), end));
 }
 

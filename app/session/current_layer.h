@@ -13,6 +13,8 @@ class PaintingClock;
 /// The name of a group that people see. One without a name has what it is and its number; a text is called by what it
 /// says.
 QString titleOf(const Group &group);
+/// A name for a copy of a group that no group of a painting has yet.
+QString nameOfCopy(const std::vector<Group> &groups, const QString &name);
 
 /// Remembers which group what is painted goes into, or that it is none. This is no part of the painting, and nothing
 /// that is undone by itself; but where a step made another group the layer, undoing it gives back the one before. Where
@@ -48,10 +50,12 @@ public:
     void walkTo(int steps);
     void forgetSteps(int steps);
 
-    /// The edit with the strokes that it adds on top put into the layer. If that takes no paint, it says so. Where
-    /// others are shown alone, all are shown again.
+    /// Whether paint may come. If the layer is hidden or locked, it may not, and `noted` says so.
+    bool takesPaint();
+    /// The edit with the strokes that it adds on top put into the layer; none if that takes no paint. Where others are
+    /// shown alone, all are shown again.
     Edit take(Edit edit, LayerEnd end = LayerEnd::Top);
-    /// The same of what is pasted, which comes on top of all where no group is shown alone.
+    /// The same of what is pasted: into the layer, or just above it where groups come or it takes no paint.
     Edit takePasted(Edit edit);
     /// Whether paint comes on top of all, and shows there.
     bool isTop() const;
@@ -80,7 +84,11 @@ private:
     void set(PaintedLayer layer);
     void tell();
     bool canBe(const PaintedLayer &layer) const;
+    int numberIn(const QString &name) const;
     QString newName() const;
+    void deselectWithin(GroupId group);
+    const Group *closed() const;
+    std::optional<Microseconds> bornIn(const Edit &edit) const;
     Edit put(Edit edit, LayerEnd end) const;
     Edit shown(Edit edit);
     bool findDraftPlace() const;
@@ -91,6 +99,7 @@ private:
     PaintedLayer m_chosen; ///< as it was chosen, or after the step that was done last
     LayerSteps m_steps;
     int m_done = 0;                ///< steps
+    int m_lastNumber = 0;          ///< of a layer that was new in this painting
     std::vector<GroupId> m_around; ///< the groups around it when it was there last, the innermost first
     QString m_title;               ///< as it was told last
     bool m_wasComing = false;      ///< when that was told

@@ -2,6 +2,7 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/current_layer.h"
+#include "app/session/files/import_strokes.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 #include "undo/group_edits.h"
@@ -329,17 +330,123 @@ private slots:
         QVERIFY(*shown == s.painting());
     }
 
-    void whoPaintsOnALockedLayerIsTold()
+    /// Hidden or locked, by itself or by a group around it.
+    void aClosedLayerTakesNoPaint_data()
     {
+        QTest::addColumn<int>("closed");
+        QTest::addColumn<bool>("isLocked");
+        for (const int closed : {2, 3})
+            for (const bool isLocked : {false, true})
+                QTest::addRow("%d, %d", closed, isLocked) << closed << isLocked;
+    }
+    void aClosedLayerTakesNoPaint()
+    {
+        QFETCH(const int, closed);
+        QFETCH(const bool, isLocked);
         Stage s;
         s.layer.choose(3);
-        s.editor.push(setGroupLocked(s.editor.document(), 3, true), "lock");
+        QVERIFY(s.layer.takesPaint());
+        const auto group = GroupId(closed);
+        s.editor.push(isLocked ? setGroupLocked(s.editor.document(), group, true)
+                               : setGroupVisible(s.editor.document(), group, false),
+                      "close");
         QSignalSpy noted(&s.layer, &CurrentLayer::noted);
-        const StrokeId stroke = s.paint();
+        const PaintingPtr before = s.editor.document().painting();
+        s.paint();
+        QCOMPARE(s.editor.document().painting(), before);
         QCOMPARE(int(noted.count()), 1);
-        QVERIFY(noted.front().front().toString().contains("group 3"));
-        QCOMPARE(s.painting().find(stroke)->group, GroupId(2));
-        QCOMPARE(s.layer.group(), GroupId(3));
+        QVERIFY(noted.front().front().toString().contains(QStringLiteral("group %1").arg(closed)));
+        s.layer.beginNew();
+        QCOMPARE(s.layer.takesPaint(), closed == 3);
+        QCOMPARE(s.layer.group() != 3, true);
+    }
+
+    void aCopyIsSelectedInPlaceOfItsOriginal()
+    {
+        Stage s;
+        s.layer.choose(2);
+        s.editor.document().setSelection({{1, 3, 4}, {{4, 0}}});
+        s.table[Command::DuplicateLayer].trigger();
+        QCOMPARE(s.layer.title(), QString("group 2 copy"));
+        std::set<StrokeId> wanted{1};
+        for (const StrokePtr &stroke : s.painting().strokes)
+            if (stroke->id > 5)
+                wanted.insert(stroke->id);
+        QCOMPARE(s.editor.selection().strokes, wanted);
+        QCOMPARE(s.editor.selection().segments.size(), std::size_t(1));
+        QVERIFY(s.editor.selection().segments.begin()->stroke > 5);
+        s.layer.choose(2);
+        s.table[Command::DuplicateLayer].trigger();
+        QCOMPARE(s.layer.title(), QString("group 2 copy 2"));
+        s.editor.undo();
+        s.editor.undo();
+        QCOMPARE(s.editor.selection().strokes, (std::set<StrokeId>{1, 3, 4}));
+        QCOMPARE(s.layer.group(), GroupId(2));
+    }
+
+    void aNewLayerLeavesTheSelectionOfTheOldOne()
+    {
+        Stage s;
+        s.layer.choose(2);
+        s.editor.document().setSelection({{1, 4}, {{4, 0}}});
+        s.table[Command::NewLayer].trigger();
+        QVERIFY((s.editor.selection() == Selection{{1}, {}}));
+    }
+
+    void namesOfNewLayersCountOn()
+    {
+        Stage s;
+        s.table[Command::NewLayer].trigger();
+        s.paint();
+        s.editor.push(renameGroup(s.editor.document(), s.layer.group(), "Sky"), "rename");
+        s.table[Command::NewLayer].trigger();
+        QCOMPARE(s.layer.title(), QString("Layer 2"));
+        s.layer.choose(1);
+        s.editor.push(renameGroup(s.editor.document(), 1, "Layer 7"), "rename");
+        s.table[Command::NewLayer].trigger();
+        QCOMPARE(s.layer.title(), QString("Layer 8"));
+    }
+
+    /// Strokes come into the layer, above what is selected there; groups come above it.
+    void whatIsPastedComesToTheLayer()
+    {
+        Stage s;
+        const auto paste = [&s](bool asGroup) {
+            const StrokePtr stroke = lineStroke(9);
+            Painting copied;
+            copied.strokes = {asGroup ? lineStroke(9, 4) : stroke};
+            if (asGroup)
+                copied.groups = {{4, "group 2"}};
+            addStrokes(s.editor, copied, Landing(), "paste");
+            return s.painting().find(*s.editor.selection().strokes.begin());
+        };
+        s.layer.choose(2);
+        StrokePtr came = paste(false);
+        QCOMPARE(came->group, GroupId(2));
+        QCOMPARE(s.order(), (Order{1, 2, 3, 4, came->id, 5}));
+        s.editor.undo();
+        s.editor.document().setSelection({{1, 3}, {}});
+        came = paste(false);
+        QCOMPARE(s.order(), (Order{1, 2, 3, came->id, 4, 5}));
+        s.editor.undo();
+        s.editor.document().setSelection({{4}, {}}); // which is in a group of the layer
+        came = paste(false);
+        QCOMPARE(came->group, GroupId(2));
+        QCOMPARE(s.order(), (Order{1, 2, 3, 4, came->id, 5}));
+        s.editor.undo();
+        came = paste(true);
+        QCOMPARE(s.order(), (Order{1, 2, 3, 4, came->id, 5}));
+        const Group pasted = *s.painting().findGroup(came->group);
+        QCOMPARE(pasted.parent, GroupId(0));
+        QCOMPARE(pasted.name, QString("group 2 copy"));
+        QCOMPARE(s.layer.group(), pasted.id);
+        s.editor.undo();
+        QCOMPARE(s.layer.group(), GroupId(2));
+        s.layer.choose(0);
+        came = paste(true);
+        QCOMPARE(s.order(), (Order{1, 2, 3, 4, 5, came->id}));
+        QCOMPARE(s.layer.group(), GroupId(0));
+        QCOMPARE(problemOf(s.painting()), QString());
     }
 
     void keysGoThroughTheLayers()
@@ -377,10 +484,10 @@ private slots:
         s.editor.push(setGroupOpacity(s.editor.document(), {s.layer.group()}, 0.5f), "opacity");
         s.table[Command::MergeLayerDown].trigger();
         QCOMPARE(s.layer.group(), GroupId(2));
-        QCOMPARE(int(said.count()), 1); // The opacity is gone.
+        QCOMPARE(int(said.count()), 1); // It is a group within the lower one.
         s.table[Command::MergeLayerDown].trigger();
         QCOMPARE(s.layer.group(), GroupId(1));
-        QCOMPARE(int(said.count()), 1); // Nothing is lost.
+        QCOMPARE(int(said.count()), 1);
         const int steps = s.editor.undoStack().count();
         s.table[Command::MergeLayerDown].trigger();
         QCOMPARE(int(said.count()), 2); // A stroke lies below.
@@ -422,14 +529,14 @@ private slots:
         QCOMPARE(s.painting().find(painted)->group, GroupId(2));
         QCOMPARE(paste()->group, GroupId(2));
         QVERIFY(isAlone(2) && noted.isEmpty());
-        for (const GroupId layer : {1, 0}) {
+        for (const GroupId layer : {GroupId(1), GroupId(0)}) {
             for (const bool pasted : {false, true}) {
                 s.layer.choose(layer);
                 noted.clear();
                 const StrokeId drawn = pasted ? 0 : s.paint();
                 const StrokePtr came = pasted ? paste() : s.painting().find(drawn);
                 QVERIFY(s.painting().isVisible(*came) && !isAlone(2));
-                QCOMPARE(came->group, pasted ? GroupId(0) : layer);
+                QCOMPARE(came->group, layer);
                 QCOMPARE(int(noted.count()), 1);
                 s.editor.undo();
                 QVERIFY(isAlone(2));

@@ -3,6 +3,7 @@
 #include "tests/undo/random_edits.h"
 #include "undo/group_edits.h"
 #include "undo/layer_edits.h"
+#include "undo/merge_layers.h"
 
 using namespace suffuse;
 
@@ -185,7 +186,7 @@ private slots:
         d.reset(layered());
         change(d, 2, [](Group &group) { group.opacity = 0.5f, group.locked = true; });
         GroupId copy = 0;
-        Edit edit = duplicateGroup(d, 1, copy);
+        Edit edit = duplicateGroup(d, 1, "copy", copy);
         exchangeAndCheck(d, edit);
         QCOMPARE(d.painting()->strokes.size(), std::size_t(11));
         QCOMPARE(d.painting()->groups.size(), std::size_t(5));
@@ -204,15 +205,15 @@ private slots:
     {
         Document d;
         d.reset(layered());
-        change(d, 1, [](Group &group) { group.opacity = 0.25f; });
+        change(d, 2, [](Group &group) { group.opacity = 0.25f; });
         MergedDown merged = mergeDown(d, 3);
         QCOMPARE(merged.why, NotMerged::Merged);
         QCOMPARE(merged.below, GroupId(1));
         exchangeAndCheck(d, merged.edit);
         QCOMPARE(orderOf(d), (Order{1, 2, 3, 4, 5, 6, 7}));
         QCOMPARE(strokeOf(d, 6).group, GroupId(1));
-        QVERIFY(!d.painting()->findGroup(3));
-        QCOMPARE(d.painting()->findGroup(1)->opacity, 0.25f);
+        QVERIFY(!d.painting()->findGroup(3) && !merged.keepsGroup);
+        QCOMPARE(d.painting()->findGroup(2)->opacity, 0.25f);
     }
 
     void whatCannotBeMergedSaysWhy()

@@ -86,6 +86,19 @@ std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings)
     return order;
 }
 
+std::vector<Sibling> *siblingsOf(std::vector<Sibling> &tree, GroupId group, std::size_t &number)
+{
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        number = i;
+        if (tree[i].group == group)
+            return &tree;
+        if (tree[i].group != 0)
+            if (std::vector<Sibling> *found = siblingsOf(tree[i].members, group, number))
+                return found;
+    }
+    return nullptr;
+}
+
 std::vector<GroupId> groupsAround(const Painting &painting, GroupId id)
 {
     std::vector<GroupId> chain;

@@ -26,6 +26,9 @@ std::vector<const Sibling *> selectedUnits(const std::vector<Sibling> &siblings)
 /// Visits the strokes of a sibling: itself, or its members.
 void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &visit);
 
+/// The siblings among which a group is, and its number among them; none where there is no such group, or it is empty.
+std::vector<Sibling> *siblingsOf(std::vector<Sibling> &tree, GroupId group, std::size_t &number);
+
 /// The order of the strokes in a tree, from bottom to top.
 std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
 

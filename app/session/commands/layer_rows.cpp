@@ -3,6 +3,7 @@
 
 #include "app/session/commands/selection_commands.h"
 #include "app/session/current_layer.h"
+#include "undo/merge_layers.h"
 
 #include <algorithm>
 
@@ -29,6 +30,12 @@ QString whyNotMerged(NotMerged why)
         return Commands::tr("Not merged: one of the two layers is hidden.");
     case NotMerged::Locked:
         return Commands::tr("Not merged: one of the two layers is locked.");
+    case NotMerged::Mask:
+        return Commands::tr("Not merged: one of the two layers is a mask, and the picture would change.");
+    case NotMerged::Clipped:
+        return Commands::tr("Not merged: the layer below is clipped, and the picture would change.");
+    case NotMerged::ClippedTo:
+        return Commands::tr("Not merged: what lies above is clipped to this layer, and the picture would change.");
     case NotMerged::Merged:
         break;
     }
@@ -38,20 +45,22 @@ QString whyNotMerged(NotMerged why)
 /// Returns what to say of it, or nothing.
 QString mergeLayerDown(Editor &editor)
 {
-    const Group *layer = layerOf(editor);
+    const QString name = editor.layer().title();
     MergedDown merged = mergeDown(editor.document(), editor.layer().group());
     if (merged.why != NotMerged::Merged)
         return whyNotMerged(merged.why);
-    const bool loses = layer && (layer->isIsolated() || layer->wash);
     editor.push(std::move(merged.edit), Commands::tr("Merge layer down"));
     editor.layer().chooseByStep(merged.below);
-    return loses ? Commands::tr("What the upper layer's opacity, mode, mask or wash did is gone with it.") : QString();
+    return merged.keepsGroup ? Commands::tr("So that the picture stays, %1 is a group of its own within %2.")
+                                   .arg(name, editor.layer().title())
+                             : QString();
 }
 
 void duplicateLayer(Editor &editor)
 {
     GroupId copy = 0;
-    editor.push(duplicateGroup(editor.document(), editor.layer().group(), copy), Commands::tr("Duplicate layer"));
+    const QString name = nameOfCopy(editor.document().painting()->groups, editor.layer().title());
+    editor.push(duplicateGroup(editor.document(), editor.layer().group(), name, copy), Commands::tr("Duplicate layer"));
     if (copy != 0)
         editor.layer().chooseByStep(copy);
 }
@@ -110,7 +119,7 @@ void addLayerRows(Commands &table, OpenPainting &open)
         .runs([&editor] { duplicateLayer(editor); });
     table
         .add(MergeLayerDown, "mergeLayerDown", Commands::tr("&Merge Down"), "", key(Commands::tr("Ctrl+M")),
-             Commands::tr("Put what is on the layer onto the layer just below it, which keeps what it is"))
+             Commands::tr("Put the layer onto the one just below it; the picture stays"))
         .when(isThere)
         .runs([&editor, says] { says(mergeLayerDown(editor)); });
     table

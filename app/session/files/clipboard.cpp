@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
+#include "model/painting/editable.h"
 #include "model/painting/influence.h"
 #include "model/shaping/erasing/erase.h"
 #include "render/backends.h"
@@ -116,8 +117,8 @@ std::map<GroupId, GroupId> parentsOf(const Painting &painting)
     return parents;
 }
 
-/// The groups that come along: those of which several members are copied, or all. One stroke out of a group is a stroke
-/// and no group. `members` counts what is copied of each group by itself; in `incomplete` are those that keep strokes.
+/// The groups that come along: those that are copied as a whole. Strokes out of a group are strokes and no group.
+/// `members` counts what is copied of each group by itself; in `incomplete` are those that keep strokes.
 std::set<GroupId> groupsToCopy(const std::map<GroupId, GroupId> &parents, std::map<GroupId, int> members,
                                std::set<GroupId> incomplete)
 {
@@ -139,7 +140,7 @@ std::set<GroupId> groupsToCopy(const std::map<GroupId, GroupId> &parents, std::m
             ++members[parent];
         if (incomplete.contains(group))
             incomplete.insert(parent);
-        if (copied > 1 || (copied > 0 && !incomplete.contains(group)))
+        if (copied > 0 && !incomplete.contains(group))
             result.insert(group);
     }
     return result;
@@ -185,10 +186,14 @@ Painting asPainting(const Painting &painting, const Selection &selection)
     if (result.canvas.paper.kind == PaperKind::Image)
         result.canvas.paper = {};
     std::map<GroupId, int> members; // of each group, how many of its strokes and groups are copied
-    std::set<GroupId> incomplete;   // not all of their own strokes are
+    std::set<GroupId> incomplete;   // not all of their own strokes are that can be selected
+    std::set<GroupId> lacking;      // nor those that cannot
+    const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         if (!selection.strokes.contains(stroke->id)) {
-            incomplete.insert(stroke->group);
+            lacking.insert(stroke->group);
+            if (isEditable(*stroke))
+                incomplete.insert(stroke->group);
             continue;
         }
         std::optional<Stroke> part = selectedPart(*stroke, selection);
@@ -208,7 +213,7 @@ Painting asPainting(const Painting &painting, const Selection &selection)
         if (!kept.contains(group.id))
             continue;
         group.parent = nearestKept(group.parent);
-        if (incomplete.contains(group.id))
+        if (lacking.contains(group.id))
             group.text = {}; // Some of a text's letters are no text: it would have all of them when it is edited.
         result.groups.push_back(std::move(group));
     }

@@ -1,5 +1,6 @@
 #include "app/session/files/import_strokes.h"
 
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "model/formats/messages.h"
 #include "model/painting/validate.h"
@@ -100,6 +101,11 @@ Painting inOneGroup(Painting painting, const QString &name)
     return painting;
 }
 
+bool isNameTaken(const std::vector<Group> &groups, const QString &name)
+{
+    return !name.isEmpty() && std::ranges::find(groups, name, &Group::name) != groups.end();
+}
+
 } // namespace
 
 QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText)
@@ -127,6 +133,8 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
             group.id = fresh[group.id];
             group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
             group.text = moved(group.text, by);
+            if (group.parent == 0 && isNameTaken(document.painting()->groups, group.name))
+                group.name = nameOfCopy(*edit.groups, group.name);
             edit.groups->push_back(std::move(group));
         }
     }
@@ -148,8 +156,12 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
     const bool comes = !edit.strokes.empty();
-    if (comes)
+    if (comes) {
+        const std::vector<GroupId> layers = layersAdded(*document.painting(), edit);
         editor.push(editor.layer().takePasted(std::move(edit)), undoText);
+        if (layers.size() == 1 && editor.layer().group() != 0)
+            editor.layer().chooseByStep(layers.front());
+    }
     if (comes && later > 0 && keepsTimes)
         editor.clock().setTime(document.painting()->end()); // as its file is seen when it is opened
     return joinedSentences(

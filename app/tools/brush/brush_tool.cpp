@@ -128,6 +128,8 @@ void BrushTool::press(const PointerEvent &event)
         showOutlineAt(event.pixel);
         return;
     }
+    if (!m_extended && !m_editor.layer().takesPaint())
+        return showOutlineAt(event.pixel);
     if (m_extended)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     say({});

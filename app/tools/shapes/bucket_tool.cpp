@@ -93,7 +93,7 @@ void BucketTool::setWish(const RegionWish &wish, bool isUnder)
 void BucketTool::press(const PointerEvent &event)
 {
     say({});
-    m_isPressed = !event.doubleClick; // Its first click has filled what is there.
+    m_isPressed = !event.doubleClick && m_editor.layer().takesPaint(); // Its first click has filled what is there.
 }
 
 void BucketTool::release(const PointerEvent &event)

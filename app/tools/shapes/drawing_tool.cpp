@@ -81,6 +81,11 @@ void DrawingTool::setPaint(ShapePaint paint)
         show();
 }
 
+bool DrawingTool::mayBegin()
+{
+    return m_editor.layer().takesPaint();
+}
+
 void DrawingTool::begin(Microseconds born)
 {
     say({});

@@ -37,6 +37,8 @@ protected:
     /// Forgets what is in hand; called when it is finished or given up, and when nothing of it can come back any more.
     virtual void forget() = 0;
 
+    /// Whether one may be begun; the canvas says why not.
+    bool mayBegin();
     /// Takes a new stroke in hand, which was begun at `born`.
     void begin(Microseconds born);
     /// The same by the pointer; time stands still until it is finished.

@@ -50,8 +50,11 @@ void LassoFillTool::press(const PointerEvent &event)
         return finish();
     if (!isBusy() && event.doubleClick) // Its first press has closed the outline.
         return;
-    if (!isBusy())
+    if (!isBusy()) {
+        if (!mayBegin())
+            return;
         begin(event);
+    }
     m_takenBack.clear();
     m_parts.push_back({m_parts.empty() ? snapped(event) : placeOf(event, m_parts.back().back())});
     m_isPressed = true;

@@ -74,6 +74,8 @@ void PenTool::showNumbers()
 /// Sets the node where the row says that it is.
 void PenTool::setTyped()
 {
+    if (!isBusy() && !mayBegin())
+        return;
     const Point place = placeFor(lastPlace().value_or(Point{}));
     m_fields->clear();
     m_takenBack.clear();
@@ -141,6 +143,9 @@ void PenTool::press(const PointerEvent &event)
         return;
     if (m_fields)
         m_fields->takeEdited();
+    const bool goesOn = !isTyped() && selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
+    if (!isBusy() && !goesOn && !mayBegin())
+        return;
     m_isPressed = true;
     m_takenBack.clear();
     m_pressPixel = event.pixel;

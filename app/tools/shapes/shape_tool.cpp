@@ -185,6 +185,8 @@ StrokePtr ShapeTool::strokeBetween(Point a, Point b) const
 
 void ShapeTool::press(const PointerEvent &event)
 {
+    if (!mayBegin())
+        return;
     begin(event);
     m_from = m_a = m_b = snapped(event);
 }
@@ -250,6 +252,8 @@ bool ShapeTool::keyPress(QKeyEvent *event)
 {
     if (!wantsKey(*event) || isBusy())
         return false;
+    if (!mayBegin())
+        return true;
     const Point middle = m_canvas.view().centre;
     const Point a = isFromMiddle(m_form.kind) ? middle : middle - 0.5 * m_size;
     begin(m_editor.clock().time());

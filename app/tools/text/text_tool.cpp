@@ -221,7 +221,7 @@ void TextTool::press(const PointerEvent &event)
     if (!m_entry.isOpen()) {
         if (const GroupId text = textAt(event)) {
             edit(text, event.point);
-        } else {
+        } else if (m_editor.layer().takesPaint()) {
             m_values.noteChosen(m_editor.selection().strokes);
             Text begun = m_values.style();
             begun.place = Affine::translation(event.point);
@@ -283,6 +283,8 @@ void TextTool::beginByKey()
         m_entry.open(text);
         return;
     }
+    if (!m_editor.layer().takesPaint())
+        return;
     Text begun = m_values.style();
     begun.place = Affine::translation(m_canvas.view().centre);
     m_entry.begin(begun);
