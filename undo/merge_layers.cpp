@@ -35,11 +35,11 @@ bool beginsClipped(const Painting &painting, It from, It to)
     return false;
 }
 
-/// Whether its strokes look as if there were no such group.
+/// Whether its strokes look as if there were no such group, in pictures that are exported, too.
 bool doesNothing(const Painting &painting, const Sibling &sibling)
 {
     const Group &group = *groupOf(painting, sibling);
-    return !group.isIsolated() && !group.wash &&
+    return !group.isIsolated() && !group.wash && !group.draft &&
            std::ranges::none_of(sibling.members, [&](const Sibling &s) { return isMask(painting, s); });
 }
 
@@ -100,6 +100,7 @@ void wrapMembers(Document &document, GroupId lower, Edit &edit)
     outer->blend = BlendMode::Normal;
     outer->isolated = false;
     outer->wash.reset();
+    outer->draft = false;
     edit.groups->push_back(std::move(inner));
 }
 

@@ -6,6 +6,7 @@
 #include "model/painting/validate.h"
 #include "undo/group_edits.h"
 #include "undo/group_roles.h"
+#include "undo/history/order_tree.h"
 #include "undo/merge_layers.h"
 
 #include <QSignalSpy>
@@ -103,6 +104,30 @@ private slots:
         editor.undo();
         QVERIFY(*editor.document().painting() == *before);
         QCOMPARE(editor.layer().group(), GroupId(2));
+    }
+
+    /// What is not exported before is not exported then, and nothing else.
+    void draftsStayDrafts_data()
+    {
+        QTest::addColumn<int>("draft");
+        QTest::newRow("lower") << 1;
+        QTest::newRow("upper") << 2;
+    }
+    void draftsStayDrafts()
+    {
+        QFETCH(const int, draft);
+        auto painting = std::make_shared<Painting>(*lantern());
+        painting->groups[std::size_t(draft) - 1].draft = true;
+        Document document;
+        document.reset(painting);
+        MergedDown merged = mergeDown(document, 2);
+        document.exchange(merged.edit);
+        for (const StrokePtr &stroke : document.painting()->strokes) {
+            const std::vector<GroupId> around = groupsAround(*document.painting(), stroke->group);
+            const bool isDraft =
+                std::ranges::any_of(around, [&](GroupId id) { return document.painting()->findGroup(id)->draft; });
+            QCOMPARE(isDraft, painting->find(stroke->id)->group == GroupId(draft));
+        }
     }
 
     void whatWouldChangeThePictureIsRefused()

@@ -1,6 +1,7 @@
 #include "app/tools/text/text_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/tools/text/text_marks.h"
