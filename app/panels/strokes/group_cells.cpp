@@ -1,5 +1,6 @@
 #include "app/panels/strokes/group_cells.h"
 
+#include "app/panels/strokes/row_look.h"
 #include "app/widgets/look/group_tags.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/numbers/blend_modes.h"
@@ -91,7 +92,8 @@ GroupCells groupCells(const Group &group, const QRect &row, int name, const QFon
     const int marks = int(marksOf(group).size()) * markStep;
     // The mode stands between both, but gives way to the marks.
     const int mode = metrics.horizontalAdvance(nameOf(group.blend)) + roundedOff;
-    const int besides = marks > 0 ? marks + cellGap : 0, leastOfMode = std::min(mode, leastMode);
+    const int besides = marks > 0 ? marks + cellGap : 0,
+              leastOfMode = group.blend == BlendMode::Normal ? mode : std::min(mode, leastMode);
     if (right - left - besides >= leastOfMode)
         cells.mode = take(std::min(mode, right - left - besides), leastOfMode);
     cells.marks = take(marks, marks);
@@ -100,7 +102,7 @@ GroupCells groupCells(const Group &group, const QRect &row, int name, const QFon
 
 void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, const Group &group, const GroupCells &cells)
 {
-    const bool selected = option.state & QStyle::State_Selected;
+    const bool selected = isStronglySelected(option);
     const auto colourOf = [&](bool isUsual) {
         return option.palette.color(selected  ? QPalette::HighlightedText
                                     : isUsual ? QPalette::PlaceholderText

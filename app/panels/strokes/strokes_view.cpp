@@ -1,11 +1,13 @@
 #include "app/panels/strokes/strokes_view.h"
 
+#include "app/panels/strokes/row_look.h"
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/held_button.h"
+#include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/theme.h"
 
 #include <QApplication>
@@ -91,9 +93,22 @@ public:
         empty.features &= ~QStyleOptionViewItem::HasDecoration;
         const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
         style->drawControl(QStyle::CE_ItemViewItem, &empty, painter, option.widget);
-        const bool selected = option.state & QStyle::State_Selected;
+        const bool selected = isStronglySelected(option);
         const QRect area = QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, QSize(16, 16), option.rect);
+        constexpr double dimmed = 0.35;
+        const double before = painter->opacity();
+        if (index.column() == StrokesModel::EyeColumn && isHidden(index))
+            painter->setOpacity(dimmed * before);
         painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
+        painter->setOpacity(before);
+    }
+
+    bool isHidden(const QModelIndex &index) const
+    {
+        const QModelIndex source = m_filter.mapToSource(index);
+        const StrokePtr stroke = m_model.strokeValueAt(source);
+        const Group *group = stroke ? nullptr : m_model.groupAt(source);
+        return (stroke || group) && isHiddenByOthers(*m_editor.unsettled().painting(), stroke.get(), group);
     }
 
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const override
@@ -158,7 +173,7 @@ private:
         const int room = option.rect.width() - name - 2 * gap;
         if (room < leastRoom)
             return;
-        const bool selected = option.state & QStyle::State_Selected;
+        const bool selected = isStronglySelected(option);
         painter.save();
         painter.setFont(font);
         painter.setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::PlaceholderText));
@@ -259,6 +274,7 @@ StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilte
             update(index);
     });
     connect(&editor, &Editor::dragEnded, viewport(), qOverload<>(&QWidget::update));
+    KeyboardFocus::passLetters(*this);
     setModel(&filter);
     setItemDelegate(new StrokeRowDelegate(filter, model, *thumbnails, editor, this));
     setIconSize(StrokeThumbnails::size);
@@ -429,7 +445,8 @@ void StrokesView::mousePressEvent(QMouseEvent *event)
     const bool onArrow = index.isValid() && event->position().x() < visualRect(index).left();
     const QPersistentModelIndex pressed = index;
     QTreeView::mousePressEvent(event);
-    if (event->button() == Qt::LeftButton && !event->modifiers() && !onArrow)
+    const bool isPlain = event->button() == Qt::LeftButton || (event->button() == Qt::RightButton && pressed.isValid());
+    if (isPlain && !event->modifiers() && !onArrow) // The menu of a row is about its layer, too.
         emit chosen(pressed);
 }
 
@@ -444,12 +461,16 @@ void StrokesView::startDrag(Qt::DropActions actions)
     QTreeView::startDrag(actions);
 }
 
-/// A group looks selected when all of its strokes are selected.
+/// A group looks selected when all of its strokes are selected. The row of the layer that is painted on stands out,
+/// whatever is selected.
 void StrokesView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     QStyleOptionViewItem row = option;
-    if (index.data(StrokesModel::WhollySelectedRole).toBool())
+    const bool isLayer = index.data(StrokesModel::CurrentLayerRole).toBool();
+    if (isLayer || index.data(StrokesModel::WhollySelectedRole).toBool())
         row.state |= QStyle::State_Selected;
+    if (!isLayer)
+        row.palette = m_weak.of(row.palette);
     QTreeView::drawRow(painter, row, index);
 }
 

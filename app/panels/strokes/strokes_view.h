@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/panels/strokes/group_cells.h"
+#include "app/panels/strokes/row_look.h"
 
 #include <QTreeView>
 
@@ -56,6 +57,7 @@ private:
     const StrokesModel &m_model;
     const StrokesFilter &m_filter;
     mutable bool m_ranging = false; ///< what the last event selected
+    WeakPalette m_weak;
 };
 
 } // namespace suffuse

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
+#include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"

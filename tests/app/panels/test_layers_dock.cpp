@@ -6,6 +6,7 @@
 #include "app/widgets/look/group_tags.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
+#include "undo/layer_edits.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -61,7 +62,7 @@ private slots:
     {
         Layered bench;
         LayersDock dock(bench.editor);
-        QCOMPARE(dock.said(), QString());
+        QCOMPARE(dock.said(), QString("Painting on top of all"));
         dock.click(dock.groupRow());
         QCOMPARE(bench.editor.layer().group(), GroupId(1));
         QCOMPARE(bench.editor.selection().strokes, (std::set<StrokeId>{3, 4})); // as before
@@ -70,7 +71,7 @@ private slots:
         QCOMPARE(dock.groupRow().data(Qt::AccessibleTextRole).toString(), QString("sky, painted on"));
         dock.click(dock.panel.viewIndexOf(5));
         QCOMPARE(bench.editor.layer().group(), GroupId(0));
-        QCOMPARE(dock.said(), QString());
+        QCOMPARE(dock.said(), QString("Painting on top of all"));
         QVERIFY(!dock.groupRow().data(StrokesModel::CurrentLayerRole).toBool());
         dock.view().expand(dock.groupRow());
         dock.click(dock.panel.viewIndexOf(3));
@@ -79,6 +80,47 @@ private slots:
         QTest::mouseClick(dock.view().viewport(), Qt::LeftButton, {},
                           dock.view().viewport()->rect().bottomLeft() - QPoint(-60, 8));
         QCOMPARE(bench.editor.layer().group(), GroupId(0));
+    }
+
+    /// It stands out, whatever is selected: other rows look selected in a weaker way.
+    void theLayersRowStandsOut()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const auto ground = [&](const QModelIndex &index) {
+            const QImage image = dock.view().viewport()->grab().toImage();
+            const QRect row = dock.view().visualRect(index);
+            return image.pixelColor(QPoint(row.left() + 5, row.top() + 2));
+        };
+        const QColor accent = dock.view().palette().color(QPalette::Highlight);
+        dock.click(dock.groupRow());
+        QCOMPARE(ground(dock.groupRow()), accent);
+        dock.click(dock.panel.viewIndexOf(5));
+        const QColor selected = ground(dock.panel.viewIndexOf(5));
+        QVERIFY(selected != accent && selected != ground(dock.panel.viewIndexOf(1)));
+        bench.editor.layer().choose(1);
+        QCOMPARE(ground(dock.groupRow()), accent);
+        QCOMPARE(ground(dock.panel.viewIndexOf(5)), selected);
+        bench.editor.document().setSelection({{3, 4}, {}});
+        bench.editor.layer().choose(0);
+        QCOMPARE(ground(dock.groupRow()), selected);
+    }
+
+    /// Their eyes are dimmed, since they are not seen.
+    void othersAreDimmedWhileOneIsShownAlone()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const auto eye = [&](const QModelIndex &index) {
+            return dock.view()
+                .viewport()
+                ->grab(dock.view().visualRect(index.siblingAtColumn(StrokesModel::EyeColumn)))
+                .toImage();
+        };
+        const QImage group = eye(dock.groupRow()), other = eye(dock.panel.viewIndexOf(1));
+        bench.editor.push(toggleSolo(bench.editor.document(), 1), "solo");
+        QCOMPARE(eye(dock.groupRow()), group);
+        QVERIFY(eye(dock.panel.viewIndexOf(1)) != other);
     }
 
     void keysInTheDockChooseIt()
