@@ -106,10 +106,16 @@ bool canBeTypedInto(const QWidget &widget)
            (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
 }
 
+/// The property of lists that pass letters.
+constexpr char passesProperty[] = "passesLetters";
+
 /// Whether a key is a letter for which a widget has no use. A view that shows neither rows nor a text, such as the
 /// timeline, is not typed into.
 bool isLetterToPass(const QWidget &widget, int key)
 {
+    if (widget.property(passesProperty).toBool())
+        return (key >= Qt::Key_A && key <= Qt::Key_Z) || (key >= Qt::Key_0 && key <= Qt::Key_9) ||
+               key == Qt::Key_BracketLeft || key == Qt::Key_BracketRight;
     const bool isView = qobject_cast<const QAbstractScrollArea *>(&widget) &&
                         !qobject_cast<const QScrollArea *>(&widget) &&
                         !qobject_cast<const QAbstractItemView *>(&widget) &&
@@ -262,10 +268,21 @@ void KeyboardFocus::leaveAfterClicks(QWidget &widget)
     widget.setProperty(leavesProperty, true);
 }
 
+void KeyboardFocus::passLetters(QWidget &list)
+{
+    list.setProperty(passesProperty, true);
+}
+
 void KeyboardFocus::toCanvas()
 {
     m_window.activateWindow(); // the panel may float
     m_canvas.setFocus(Qt::OtherFocusReason);
+}
+
+void KeyboardFocus::toDock(QDockWidget &dock)
+{
+    m_front = nullptr; // It is meant to stay there.
+    enter(dock);
 }
 
 QWidget *KeyboardFocus::panelOf(QWidget *widget) const

@@ -14,7 +14,8 @@ class PanelFrame;
 
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
-/// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them.
+/// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them,
+/// and letters, digits and brackets from lists that have none (`passLetters`).
 /// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a use for them. So does the
 /// release of the mouse over something that cannot be typed into, or that one chooses from to go on at the canvas
 /// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose
@@ -33,7 +34,12 @@ public:
     /// is what the hand goes on with.
     static void leaveAfterClicks(QWidget &widget);
 
+    /// What is chosen in the list is what tools go on with, so what is typed in it is meant for their keys.
+    static void passLetters(QWidget &list);
+
     void toCanvas();
+    /// Gives the keyboard to a dock that is shown, and brings it to the front.
+    void toDock(QDockWidget &dock);
     /// Gives the keyboard to the next of canvas, docks and tool bars, in the order in which they stand, or to the one
     /// before. A dock that is hidden behind another one is raised. The widget in it that had the keyboard last gets it
     /// again. A frame shows where the keyboard is until something is clicked.
