@@ -142,10 +142,11 @@ struct GroupCounts {
     explicit GroupCounts(const std::vector<Group> &groups)
         : blending(std::ranges::count_if(groups, &Group::isIsolated)),
           clipped(std::ranges::count_if(groups, &Group::clips)), masks(std::ranges::count_if(groups, &Group::mask)),
-          washes(std::ranges::count_if(groups, [](const Group &group) { return group.wash.has_value(); }))
+          washes(std::ranges::count_if(groups, [](const Group &group) { return group.wash.has_value(); })),
+          solo(std::ranges::count_if(groups, &Group::solo))
     {}
 
-    qint64 blending, clipped, masks, washes;
+    qint64 blending, clipped, masks, washes, solo;
 };
 
 QJsonObject jsonOf(const Facts &f)
@@ -171,6 +172,7 @@ QJsonObject jsonOf(const Facts &f)
         {"clippedGroups", counts.clipped},
         {"masks", counts.masks},
         {"washes", counts.washes},
+        {"soloGroups", counts.solo},
         {"begin", toSeconds(f.begin)},
         {"end", toSeconds(f.end)},
         {"duration", toSeconds(f.end - f.begin)},
@@ -224,6 +226,8 @@ QString groupsLine(const Painting &painting)
         said << QCoreApplication::translate("Cli", "%1 masking").arg(counts.masks);
     if (counts.washes > 0)
         said << QCoreApplication::translate("Cli", "%1 a wash").arg(counts.washes);
+    if (counts.solo > 0)
+        said << QCoreApplication::translate("Cli", "%1 shown alone").arg(counts.solo);
     return said.join(QLatin1String(", "));
 }
 

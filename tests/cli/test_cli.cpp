@@ -178,17 +178,19 @@ void TestCli::infoOfGroups()
     QCOMPARE(outcome.json()["clippedGroups"].toInt(-1), 0);
     const QJsonObject wash{{"style", QJsonObject{{"kind", "uniform"}, {"xi", QJsonArray{0.5, 0.05}}}},
                            {"mix", QJsonObject{{"mode", "alpha"}}}};
-    root["groups"] =
-        QJsonArray{QJsonObject{{"id", 1}}, QJsonObject{{"id", 2}, {"clips", true}},
-                   QJsonObject{{"id", 3}, {"clips", true}, {"wash", wash}}, QJsonObject{{"id", 4}, {"mask", true}}};
+    root["groups"] = QJsonArray{QJsonObject{{"id", 1}}, QJsonObject{{"id", 2}, {"clips", true}},
+                                QJsonObject{{"id", 3}, {"clips", true}, {"wash", wash}},
+                                QJsonObject{{"id", 4}, {"mask", true}, {"solo", true}}};
     QVERIFY(writeFile(file, QJsonDocument(root).toJson()));
     const CliOutcome roles = runCli({"info", file, "--json"});
     QVERIFY2(roles.code == 0, qPrintable(roles.text()));
     QCOMPARE(roles.json()["clippedGroups"].toInt(), 2);
     QCOMPARE(roles.json()["masks"].toInt(), 1);
     QCOMPARE(roles.json()["washes"].toInt(), 1);
+    QCOMPARE(roles.json()["soloGroups"].toInt(), 1);
     const QByteArray said = runCli({"info", file}).out;
-    QVERIFY2(said.contains("\n  groups    4, 3 of them blending, 2 clipped, 1 masking, 1 a wash\n"), said.constData());
+    QVERIFY2(said.contains("\n  groups    4, 3 of them blending, 2 clipped, 1 masking, 1 a wash, 1 shown alone\n"),
+             said.constData());
 }
 
 void TestCli::backends()
