@@ -1030,6 +1030,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>%n Gruppen sähen in anderen Programmen anders aus; ihre Ebenen zeigen stattdessen, was sie aus dem Bild machen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 shown alone</source>
+        <translation>%1 allein gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -5218,6 +5222,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Put the layer onto the one just below it; the picture stays</source>
         <translation>Vereint die Ebene mit der direkt darunter; das Bild bleibt</translation>
     </message>
+    <message>
+        <source>La&amp;yer</source>
+        <translation>&amp;Ebene</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -9022,6 +9030,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
         <translation>Was gemalt wird, kommt in diese Gruppe. Klick neben alle Zeilen: wieder über alles.</translation>
+    </message>
+    <message>
+        <source>Painting on top of all</source>
+        <translation>Es wird über allem gemalt</translation>
     </message>
 </context>
 <context>

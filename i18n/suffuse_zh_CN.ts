@@ -1023,6 +1023,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>%n 个组在其他程序中会显得不同；其图层改为显示它们对图片的效果</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 shown alone</source>
+        <translation>%1 个单独显示</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -5198,6 +5202,10 @@ Arrow keys work too.</source>
         <source>Put the layer onto the one just below it; the picture stays</source>
         <translation>把图层并入紧接其下的图层；画面不变</translation>
     </message>
+    <message>
+        <source>La&amp;yer</source>
+        <translation>图层(&amp;Y)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -8968,6 +8976,10 @@ Arrow keys work too.</source>
     <message>
         <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
         <translation>所画内容进入此群组。在行外单击：重新画在所有内容之上。</translation>
+    </message>
+    <message>
+        <source>Painting on top of all</source>
+        <translation>在最上方绘画</translation>
     </message>
 </context>
 <context>

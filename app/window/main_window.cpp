@@ -256,8 +256,9 @@ void MainWindow::resetLayout()
 
 std::vector<PaletteEntry> MainWindow::paletteEntries()
 {
-    return suffuse::paletteEntries(m_editor, *m_commands, m_docksMenu->actions(),
-                                   [this](const QString &path) { openFile(path); });
+    return suffuse::paletteEntries(
+        m_editor, *m_commands, m_docksMenu->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
+        [this](const QString &path) { openFile(path); });
 }
 
 MainWindow *MainWindow::openFile(const QString &path)

@@ -41,6 +41,7 @@ PaletteEntry entryOf(QAction &action)
 } // namespace
 
 std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, const QList<QAction *> &docks,
+                                         const std::function<void(QAction &toggle)> &toggleDock,
                                          const std::function<void(const QString &path)> &openFile)
 {
     std::vector<PaletteEntry> entries;
@@ -48,8 +49,10 @@ std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, 
         if (action->isVisible() && action != &table[Command::FindCommand])
             entries.push_back(entryOf(*action));
     for (QAction *toggle : docks)
-        if (!toggle->isSeparator())
+        if (!toggle->isSeparator()) {
             entries.push_back(entryOf(*toggle));
+            entries.back().run = [toggleDock, toggle] { toggleDock(*toggle); };
+        }
     for (const Brush &brush : BrushLibrary::instance().brushes())
         entries.push_back({under(words(QT_TRANSLATE_NOOP("suffuse::CommandPalette", "Brush")), brushTitle(brush.name)),
                            brush.name,

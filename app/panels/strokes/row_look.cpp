@@ -13,11 +13,8 @@ const QPalette &WeakPalette::of(const QPalette &palette) const
     m_madeOf = palette.cacheKey();
     m_weak = palette;
     const auto mixed = [](const QColor &a, const QColor &b) {
-        constexpr float share = 0.3f;
-        const auto channel = [](float x, float y) { return share * x + (1 - share) * y; };
-        return QColor::fromRgbF(channel(float(a.redF()), float(b.redF())),
-                                channel(float(a.greenF()), float(b.greenF())),
-                                channel(float(a.blueF()), float(b.blueF())));
+        const auto channel = [](int x, int y) { return (3 * x + 7 * y) / 10; };
+        return QColor(channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue()));
     };
     for (const auto group : {QPalette::Active, QPalette::Inactive}) {
         m_weak.setColor(group, QPalette::Highlight,

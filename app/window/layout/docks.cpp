@@ -16,11 +16,14 @@
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/section.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -50,7 +53,8 @@ public:
 
 } // namespace
 
-Docks::Docks(const Workplace &place, KeyboardFocus &keyboard, QObject *parent) : QObject(parent), m_place(place)
+Docks::Docks(const Workplace &place, KeyboardFocus &keyboard, QObject *parent)
+    : QObject(parent), m_place(place), m_keyboard(keyboard)
 {
     makeDocks();
     addRows(keyboard);
@@ -76,6 +80,16 @@ QDockWidget *Docks::add(const char *name, const QString &title, QWidget *panel, 
     });
     m_docks << dock;
     return dock;
+}
+
+void Docks::toggle(QAction &entry)
+{
+    const auto at =
+        std::ranges::find(m_docks, &entry, [](const QDockWidget *dock) { return dock->toggleViewAction(); });
+    if (at == m_docks.end() || isInFront(**at))
+        return entry.trigger();
+    (*at)->show();
+    m_keyboard.toDock(**at);
 }
 
 QDockWidget *Docks::makeProbe()
@@ -104,11 +118,19 @@ void Docks::makeDocks()
     auto *brushPanel = new BrushPanel(editor);
     auto *inspectorPanel = new InspectorPanel(editor);
     const Commands &commands = m_place.commands;
-    auto *order = new QMenu(tr("&Arrange"), &window);
-    for (const Command command : {Command::Top, Command::Raise, Command::Lower, Command::Bottom})
-        order->addAction(&commands[command]);
-    m_strokes = new StrokesPanel(editor, {&commands[Command::Duplicate], &commands[Command::GroupStrokes],
-                                          &commands[Command::UngroupStrokes], order->menuAction()});
+    const auto menuOf = [&](const QString &title, std::initializer_list<Command> rows) {
+        auto *menu = new QMenu(title, &window);
+        for (const Command command : rows)
+            menu->addAction(&commands[command]);
+        return menu->menuAction();
+    };
+    using enum Command;
+    m_strokes = new StrokesPanel(
+        editor,
+        {&commands[Duplicate], &commands[GroupStrokes], &commands[UngroupStrokes],
+         menuOf(tr("&Arrange"), {Top, Raise, Lower, Bottom}),
+         menuOf(Commands::tr("La&yer"), {DuplicateLayer, MergeLayerDown, RaiseLayer, LowerLayer, HideOtherLayers}),
+         menuOf(Commands::tr("Group as a Whole"), {ClipGroups, MaskGroups, WashGroups})});
     connect(brushPanel, &BrushPanel::chosen, this, [this] { takeToPaint(m_place.commands, m_place.open.editor); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });

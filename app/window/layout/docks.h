@@ -7,6 +7,7 @@
 #include <QList>
 #include <QObject>
 
+class QAction;
 class QDockWidget;
 class QWidget;
 
@@ -26,6 +27,9 @@ public:
 
     /// In the order of their menu.
     const QList<QDockWidget *> &all() const { return m_docks; }
+    /// Does what an entry of their menu does, by the keyboard: a dock that is hidden, or stands behind another one,
+    /// comes to the front and gets the keyboard; one that is seen is hidden.
+    void toggle(QAction &entry);
     /// Puts them where they stand at the first start.
     void arrangeAnew();
 
@@ -44,6 +48,7 @@ private:
     void hide(bool hide);
 
     Workplace m_place;
+    KeyboardFocus &m_keyboard;
     StrokesPanel *m_strokes = nullptr;
     QDockWidget *m_brushes = nullptr;
     QDockWidget *m_inspector = nullptr;

@@ -139,7 +139,7 @@ private slots:
             QVERIFY(problemOf(s.painting()).isEmpty());
             QCOMPARE(s.painting().groups.size(), std::size_t(4));
             const Group &outer = s.painting().groups[2], &inner = s.painting().groups[3];
-            QCOMPARE(outer, (Group{outer.id, "Trees", 0, true, false}));
+            QCOMPARE(outer, (Group{outer.id, duplicates ? "Trees" : "Trees copy", 0, true, false}));
             QCOMPARE(inner, (Group{inner.id, "Leaves", outer.id, true, false}));
             QCOMPARE(s.painting().find(2)->group, GroupId(1));
             QCOMPARE(s.selection().strokes.size(), std::size_t(2));
@@ -177,7 +177,8 @@ private slots:
             QCOMPARE(s.painting().groups.size(), std::size_t(3));
             Group copy = s.painting().groups[2];
             QCOMPARE(copy.solo, duplicates);
-            copy.id = group.id, copy.solo = true;
+            QCOMPARE(copy.name, QString(duplicates ? "Shade" : "Shade copy"));
+            copy.id = group.id, copy.solo = true, copy.name = group.name;
             QCOMPARE(copy, group);
         }
     }
@@ -303,11 +304,11 @@ private slots:
         };
         QCOMPARE(names({1}), QStringList{""});
         QCOMPARE(names({4}), QStringList{""});
-        QCOMPARE(names({1, 2}), (QStringList{"Trees", "Trees"}));
+        QCOMPARE(names({1, 2}), (QStringList{"", ""}));
         QCOMPARE(names({4, 5}), (QStringList{"Leaves", "Leaves"})); // without the group that it is a part of
-        QCOMPARE(names({1, 4}), (QStringList{"Trees", "Trees"}));
+        QCOMPARE(names({1, 4}), (QStringList{"", ""}));
         QCOMPARE(names({1, 6}), (QStringList{"", ""}));
-        QCOMPARE(names({1, 4, 5}), (QStringList{"Trees", "Trees/Leaves", "Trees/Leaves"}));
+        QCOMPARE(names({1, 4, 5}), (QStringList{"", "Leaves", "Leaves"}));
         QCOMPARE(names({1, 2, 3, 4, 5}), (QStringList{"Trees", "Trees", "Trees", "Trees/Leaves", "Trees/Leaves"}));
     }
 

@@ -664,7 +664,7 @@ private slots:
         showAt(panel, {280, 400});
         const auto said = [&panel] {
             for (const QLabel *label : panel.findChildren<QLabel *>())
-                if (label->isVisible())
+                if (label->isVisible() && label->objectName() != "layer")
                     return label->text();
             return QString();
         };

@@ -1,4 +1,5 @@
 // The rows of the Strokes dock as they are seen.
+#include "app/panels/strokes/row_look.h"
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
@@ -68,7 +69,8 @@ private slots:
             QApplication::processEvents();
             const QImage view = panel.view()->viewport()->grab().toImage();
             const QRect row = panel.view()->visualRect(index);
-            return view.pixelColor(row.right() - 2, row.top() + 2) == panel.palette().color(QPalette::Highlight);
+            return view.pixelColor(row.right() - 2, row.top() + 2) ==
+                   WeakPalette().of(panel.view()->palette()).color(QPalette::Highlight);
         };
         QModelIndex outermost = panel.viewIndexOf(1).parent();
         QVERIFY(outermost.isValid());

@@ -116,10 +116,9 @@ private slots:
                     if (own.contains(QKeySequence(keys)) || (shift && keys.keyboardModifiers() == Qt::ShiftModifier))
                         continue;
                     const bool isLetter = keys.key() >= Qt::Key_A && keys.key() <= Qt::Key_Z;
-                    const bool passes =
-                        isTimeline
-                            ? isLetter
-                            : isStrokes && (isLetter || QStringLiteral("0123456789[]").contains(QChar(keys.key())));
+                    const bool isKeyOfTools = isLetter || (keys.key() >= Qt::Key_0 && keys.key() <= Qt::Key_9) ||
+                                              keys.key() == Qt::Key_BracketLeft || keys.key() == Qt::Key_BracketRight;
+                    const bool passes = isTimeline ? isLetter : isStrokes && isKeyOfTools;
                     QVERIFY2(isTaken(*widget, keys) != passes,
                              qPrintable(panel->objectName() + ' ' + widget->accessibleName() + ' ' +
                                         QKeySequence(keys).toString()));

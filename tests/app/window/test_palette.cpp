@@ -307,6 +307,24 @@ private slots:
         QVERIFY(!dock->isHidden());
     }
 
+    /// It is not closed, as by the menu, but comes to the front, and the keyboard with it.
+    void aDockBehindAnotherComesToTheFront()
+    {
+        Session s;
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        const QList<QDockWidget *> beside = s.window.tabifiedDockWidgets(strokes);
+        auto *other = beside.isEmpty() ? s.window.findChild<QDockWidget *>("inspectorDock") : beside.front();
+        s.window.tabifyDockWidget(strokes, other);
+        other->show();
+        other->raise();
+        QTRY_VERIFY(strokes->visibleRegion().isEmpty() && !strokes->isHidden());
+        ask(s, "docks strokes");
+        QTRY_VERIFY(!strokes->visibleRegion().isEmpty());
+        QTRY_VERIFY(QApplication::focusWidget() && strokes->isAncestorOf(QApplication::focusWidget()));
+        ask(s, "docks strokes");
+        QVERIFY(strokes->isHidden());
+    }
+
     /// What works while a key is held does nothing here; what finds is not found.
     void leavesOutWhatCannotRun()
     {
