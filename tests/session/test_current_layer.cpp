@@ -449,6 +449,20 @@ private slots:
         QCOMPARE(problemOf(s.painting()), QString());
     }
 
+    /// As a hidden layer of a drawing: its strokes are not seen, and so they are not selected.
+    void aHiddenGroupComesInHidden()
+    {
+        Stage s;
+        Painting copied;
+        copied.strokes = {lineStroke(9, 4), lineStroke(10)};
+        copied.groups = {{4, "hidden"}};
+        copied.groups[0].visible = false;
+        addStrokes(s.editor, copied, Landing(), "paste");
+        QCOMPARE(s.editor.selection().strokes.size(), std::size_t(1));
+        QVERIFY(!s.painting().groups.back().visible);
+        QVERIFY(s.painting().isVisible(*s.painting().find(*s.editor.selection().strokes.begin())));
+    }
+
     void keysGoThroughTheLayers()
     {
         Stage s;

@@ -129,7 +129,7 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
     if (!added.groups.empty()) {
         edit.groups = document.painting()->groups;
         for (Group group : added.groups) {
-            group.visible = true, group.locked = group.solo = false; // What comes hides nothing that is there.
+            group.locked = group.solo = false; // What comes hides nothing that is there.
             group.id = fresh[group.id];
             group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
             group.text = moved(group.text, by);
@@ -142,6 +142,10 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
     for (const StrokePtr &stroke : document.painting()->strokes)
         edit.order->push_back(stroke->id);
     edit.selection.emplace();
+    std::vector<Group> groups = edit.groups.value_or(std::vector<Group>());
+    for (Group &group : groups)
+        group.solo = false; // Where it hid what comes, it will not.
+    const Visibility isSeen(groups);
     int refused = 0;
     for (Stroke &stroke : strokes) {
         stroke.id = document.takeStrokeId();
@@ -152,7 +156,8 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
             continue;
         }
         edit.order->push_back(stroke.id);
-        edit.selection->strokes.insert(stroke.id);
+        if (isSeen(stroke))
+            edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
     const bool comes = !edit.strokes.empty();

@@ -43,6 +43,7 @@ struct SvgGroup {
     float opacity = 1;       ///< as Suffuse's groups have these three
     BlendMode blend = BlendMode::Normal;
     bool isIsolated = false;
+    bool isHidden = false; ///< as a layer that Inkscape has hidden
 };
 
 /// How much of a drawing strokes cannot show.

@@ -67,7 +67,7 @@ void dissolveGroups(SvgDrawing &drawing)
             group.name = group.words.left(longestWords);
     }
     const auto isKept = [&](std::size_t i) {
-        return held[i] > 1 || (held[i] > 0 && (groups[i].text || blends(groups[i])));
+        return held[i] > 1 || (held[i] > 0 && (groups[i].text || groups[i].isHidden || blends(groups[i])));
     };
     std::vector<SvgGroup> kept;
     for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -161,6 +161,7 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const Str
             Group &group = groups.emplace_back();
             group.id = GroupId(i + 1), group.parent = GroupId(drawn.parent + 1);
             group.name = drawn.name;
+            group.visible = !drawn.isHidden;
             group.text = placedText(drawn.text, corner, drawing.scale);
             group.opacity = drawn.opacity, group.blend = drawn.blend, group.isolated = drawn.isIsolated;
         }

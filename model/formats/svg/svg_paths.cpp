@@ -118,7 +118,7 @@ private:
             return;
         ++place.depth;
         SvgStyle style = SvgStyle::of(element, parent, m_tree.sheet());
-        if (!style.isDisplayed || !isForAll(element))
+        if ((!style.isDisplayed && !mayBeHidden(element, place)) || !isForAll(element))
             return;
         if (const SvgElement *clip = m_tree.find(svgReference(style.clipPath));
             clip && clip->name == QLatin1String("clipPath"))
@@ -138,6 +138,13 @@ private:
         if (m_out.paths.size() > before)
             for (const auto &[reference, kind] : {std::pair(style.mask, "mask"), {style.filter, "filter"}})
                 lose(reference, kind);
+    }
+
+    /// Whether an element that is not displayed comes in all the same, as a hidden group: other programs hide layers
+    /// by it.
+    static bool mayBeHidden(const SvgElement &element, const Place &place)
+    {
+        return element.name == QLatin1String("g") && !place.isCopy && place.groupDepth < deepestGroups;
     }
 
     void drawContent(const SvgElement &element, const SvgStyle &style, const Place &place)
@@ -166,6 +173,7 @@ private:
             return false;
         m_out.groups.push_back({name, place.group});
         setBlending(m_out.groups.back(), style);
+        m_out.groups.back().isHidden = !style.isDisplayed;
         place.group = int(m_out.groups.size()) - 1;
         ++place.groupDepth;
         return true;

@@ -110,6 +110,13 @@ private slots:
         QCOMPARE(single.groups.size(), std::size_t(2));
         QVERIFY(isPut(single.groups[0], 0, Normal) && isPut(single.groups[1], 1, Normal, true));
         QCOMPARE(single.strokes[2]->group, GroupId(0));
+        // One that is not displayed is hidden; single things that are not are left out.
+        const Painting hidden = read("<g display='none'>" + a + "</g><g style='display:none'>" + a + b +
+                                     "</g><rect display='none' width='9' height='9'/>" + a);
+        QCOMPARE(hidden.strokes.size(), std::size_t(4));
+        QCOMPARE(hidden.groups.size(), std::size_t(2));
+        QVERIFY(std::ranges::none_of(hidden.groups, &Group::visible));
+        QVERIFY(hidden.isVisible(*hidden.strokes[3]) && !hidden.isVisible(*hidden.strokes[1]));
         // Neither is inherited, and each counts where it stands.
         const Painting nested = read("<g opacity='.5'>" + a + "<svg opacity='.25'>" + a + b + "</svg></g>");
         QCOMPARE(nested.groups.size(), std::size_t(2));
