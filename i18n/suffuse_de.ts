@@ -9035,6 +9035,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Painting on top of all</source>
         <translation>Es wird über allem gemalt</translation>
     </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>&amp;Modus</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity…</source>
+        <translation>&amp;Deckkraft …</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

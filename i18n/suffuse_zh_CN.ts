@@ -8981,6 +8981,14 @@ Arrow keys work too.</source>
         <source>Painting on top of all</source>
         <translation>在最上方绘画</translation>
     </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>模式(&amp;M)</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity…</source>
+        <translation>不透明度(&amp;P)…</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

@@ -9,6 +9,7 @@
 #include "app/widgets/habits/held_button.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/menu_titles.h"
 #include "model/painting/editable.h"
 #include "undo/group_edits.h"
 
@@ -395,8 +396,23 @@ void StrokesPanel::showMenu(const QPoint &at)
     if (!index.isValid())
         return;
     QMenu menu;
-    fillMenu(menu, index);
+    makeMenu(menu, index);
     menu.exec(m_view->viewport()->mapToGlobal(at));
+}
+
+void StrokesPanel::makeMenu(QMenu &menu, const QModelIndex &index)
+{
+    fillMenu(menu, index);
+    const QPersistentModelIndex row = index.siblingAtColumn(StrokesModel::NameColumn);
+    if (const Group *group = m_model->groupAt(m_filter->mapToSource(row))) {
+        menu.addSeparator();
+        m_hand->fillModes(*menu.addMenu(tr("&Mode")), group->id);
+        menu.addAction(tr("O&pacity…"), this, [this, row] {
+            if (const Group *now = row.isValid() ? m_model->groupAt(m_filter->mapToSource(row)) : nullptr)
+                m_hand->typeOpacity(row, *now, m_view->cellsOf(row));
+        });
+    }
+    makeMnemonicsDistinct(menu);
 }
 
 void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)

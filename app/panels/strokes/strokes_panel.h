@@ -37,6 +37,9 @@ public:
     QLineEdit *search() const { return m_search; }
     /// The view's index of a stroke; invalid where the search hides it.
     QModelIndex viewIndexOf(StrokeId id) const;
+    /// Makes the menu of a row: what can be done with the selection and, of a group's, its mode and opacity. No letter
+    /// stands in it twice.
+    void makeMenu(QMenu &menu, const QModelIndex &index);
     /// Fills a menu with what can be done with the selection; `index` is the row that was clicked.
     void fillMenu(QMenu &menu, const QModelIndex &index);
 

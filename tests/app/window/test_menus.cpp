@@ -1,4 +1,5 @@
 // The menus as a whole: what can be typed is typed once.
+#include "app/panels/strokes/strokes_panel.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
 #include "tests/app/session.h"
@@ -76,12 +77,27 @@ private slots:
         QVERIFY(s.window.menuBar()->actions().size() > 5);
         const QStringList repeated = repeatedIn(s.window.menuBar()->actions(), "menu bar");
         QVERIFY2(repeated.isEmpty(), qPrintable(repeated.join("\n")));
+        s.paintLine({200, 200}, {400, 250});
+        s.paintLine({200, 250}, {400, 300});
+        s.use(Command::SelectAll);
+        s.use(Command::GroupStrokes);
+        s.use(Command::NextPanel); // and the panels are up to date
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        const QModelIndex row = panel->viewIndexOf(1);
+        for (const QModelIndex &index : {row, row.parent()}) {
+            QMenu menu;
+            panel->makeMenu(menu, index);
+            QVERIFY(index.isValid() && menu.actions().size() > 10);
+            const QStringList inRow = repeatedIn(menu.actions(), "menu of a row");
+            QVERIFY2(inRow.isEmpty(), qPrintable(inRow.join("\n")));
+        }
     }
 
     /// Qt's own German leaves it in English, while the texts speak of the key by its name.
     void theReturnKeyHasAName()
     {
-        for (const auto &[code, name] : {std::pair("de", "Eingabe"), std::pair("zh_CN", "回车"), std::pair("en", "Return")}) {
+        for (const auto &[code, name] :
+             {std::pair("de", "Eingabe"), std::pair("zh_CN", "回车"), std::pair("en", "Return")}) {
             settings::setLanguage(code);
             installTranslators();
             QCOMPARE(QKeySequence(Qt::Key_Return).toString(QKeySequence::NativeText), QString(name));
