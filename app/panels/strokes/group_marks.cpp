@@ -15,18 +15,14 @@ Share shareOf(int marked, int all)
 
 class MarkCounting {
 public:
-    explicit MarkCounting(const StrokesTree &tree) : m_tree(tree)
-    {
-        for (const Group &group : tree.painting()->groups)
-            m_groups.emplace(group.id, &group);
-    }
+    explicit MarkCounting(const StrokesTree &tree) : m_tree(tree) {}
 
     /// Counts what is below a node, and notes the marks of the groups there.
     MarkCounts countBelow(const StrokesTree::Node &node)
     {
         MarkCounts sum;
         for (const auto &child : node.children) {
-            const MarkCounts part = child->stroke ? ofStroke(child->stroke) : ofGroup(*child);
+            const MarkCounts part = child->stroke ? ofStroke(*child->value) : ofGroup(*child);
             sum.strokes += part.strokes;
             sum.hidden += part.hidden;
             sum.locked += part.locked;
@@ -37,25 +33,20 @@ public:
     MarksOfGroups marks;
 
 private:
-    MarkCounts ofStroke(StrokeId id) const
-    {
-        const StrokePtr stroke = m_tree.strokeOf(id);
-        return {1, stroke && !stroke->visible, stroke && stroke->locked};
-    }
+    static MarkCounts ofStroke(const Stroke &stroke) { return {1, !stroke.visible, stroke.locked}; }
 
     MarkCounts ofGroup(const StrokesTree::Node &node)
     {
         MarkCounts counts = countBelow(node);
         marks[node.group] = {shareOf(counts.hidden, counts.strokes), shareOf(counts.locked, counts.strokes)};
-        if (const auto it = m_groups.find(node.group); it != m_groups.end()) {
-            counts.hidden = it->second->visible ? counts.hidden : counts.strokes;
-            counts.locked = it->second->locked ? counts.strokes : counts.locked;
+        if (const Group *group = m_tree.groupOf(node.group)) {
+            counts.hidden = group->visible ? counts.hidden : counts.strokes;
+            counts.locked = group->locked ? counts.strokes : counts.locked;
         }
         return counts;
     }
 
     const StrokesTree &m_tree;
-    std::unordered_map<GroupId, const Group *> m_groups;
 };
 
 } // namespace

@@ -20,7 +20,6 @@ void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> 
                  ValueEntry *entry = nullptr);
 /// Changes all strokes and groups in a group, but not the group itself, in one undo step.
 void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)> &changeStroke,
-                  const std::function<void(Group &)> &changeGroup, const QString &text,
-                  ValueEntry *entry = nullptr);
+                  const std::function<void(Group &)> &changeGroup, const QString &text, ValueEntry *entry = nullptr);
 
 } // namespace suffuse

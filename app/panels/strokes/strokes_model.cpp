@@ -51,12 +51,21 @@ QModelIndex StrokesModel::indexOf(const SegmentRef &ref) const
 
 StrokePtr StrokesModel::strokeValueAt(const QModelIndex &index) const
 {
-    return m_tree.strokeOf(strokeAt(index));
+    return nodeAt(index).value;
 }
 
 QModelIndex StrokesModel::indexOf(const Node *node, int column) const
 {
     return !node || node == &m_tree.root() ? QModelIndex() : createIndex(node->row, column, const_cast<Node *>(node));
+}
+
+QModelIndex StrokesModel::indexLike(const QModelIndex &filtered) const
+{
+    if (!filtered.isValid())
+        return {};
+    const bool isSegment = filtered.internalId() & segmentTag;
+    const int row = isSegment ? filtered.row() : reinterpret_cast<const Node *>(filtered.internalId())->row;
+    return createIndex(row, filtered.column(), filtered.internalId());
 }
 
 QModelIndex StrokesModel::indexOf(StrokeId id) const
@@ -156,7 +165,7 @@ QVariant StrokesModel::data(const QModelIndex &index, int role) const
             return tr("%1, painted on").arg(titleOf(*group));
         return group ? groupRowData(*group, marksOf(node.group), index.column(), role) : QVariant();
     }
-    const StrokePtr stroke = m_tree.strokeOf(node.stroke);
+    const StrokePtr &stroke = node.value;
     if (!stroke)
         return {};
     const int segment = segmentAt(index);
@@ -168,6 +177,7 @@ bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int 
 {
     if (!index.isValid() || segmentAt(index) >= 0 || index.column() != NameColumn || role != Qt::EditRole)
         return false;
+    const QScopedValueRollback renaming(m_renaming, true);
     const QString name = value.toString().trimmed();
     const Node &node = nodeAt(index);
     if (node.group)
@@ -202,7 +212,7 @@ void StrokesModel::toggle(const QModelIndex &index, ValueEntry *entry)
             changeGroup(m_editor, node.group, flip, text, entry);
         else
             changeWithin(m_editor, node.group, clear, clear, text, entry);
-    } else if (const StrokePtr stroke = m_tree.strokeOf(node.stroke)) {
+    } else if (const StrokePtr stroke = node.value) {
         const bool on = eye ? stroke->visible : stroke->locked;
         changeStroke(
             m_editor, node.stroke, flip,
@@ -226,11 +236,14 @@ void StrokesModel::follow(const Change &change)
     const PaintingPtr painting = m_editor.document().painting();
     if (painting == m_tree.painting() && !change.reset)
         return;
-    const auto changed = change.reset ? std::nullopt : m_tree.follow(painting, change, *this);
-    if (changed)
-        announce(*changed);
-    else
-        rebuild();
+    if (change.reset)
+        return rebuild();
+    emit aboutToFollow();
+    const StrokesTree::Changed changed = m_tree.follow(painting, change, *this);
+    announce(changed);
+    emit followed();
+    if (changed.names)
+        emit renamed();
 }
 
 void StrokesModel::announce(const StrokesTree::Changed &changed)
@@ -293,12 +306,18 @@ void StrokesModel::rowsGo(const Node &parent, int first, int last)
     beginRemoveRows(indexOf(&parent), first, last);
 }
 
-void StrokesModel::rowsMove(const Node &parent)
+void StrokesModel::rowsMove(const Node &parent, int first, int last, int to)
+{
+    const QModelIndex rows = indexOf(&parent);
+    beginMoveRows(rows, first, last, rows, to);
+}
+
+void StrokesModel::rowsSort(const Node &parent)
 {
     emit layoutAboutToBeChanged({QPersistentModelIndex(indexOf(&parent))});
 }
 
-void StrokesModel::rowsMoved(const Node &parent)
+void StrokesModel::rowsSorted(const Node &parent)
 {
     const QModelIndexList before = persistentIndexList();
     QModelIndexList after;

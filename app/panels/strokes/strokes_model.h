@@ -14,8 +14,8 @@ class ValueEntry;
 QString titleOf(const Stroke &stroke);
 
 /// Shows groups, strokes and their segments as a tree, the topmost first. It compares the document with the state
-/// before: a change of values touches only rows that changed, strokes that are new or gone are inserted or removed in
-/// runs, and only another grouping or another painting resets the model. Edits go through the editor, and each is an
+/// before: a change of values touches only rows that changed, what is new, gone or in another group is inserted and
+/// removed in runs, and only another painting resets the model. Edits go through the editor, and each is an
 /// undo step.
 class StrokesModel : public QAbstractItemModel, private StrokesTree::Listener {
     Q_OBJECT
@@ -73,15 +73,30 @@ public:
     /// The strokes that belong to a row: the stroke itself, or all in the group.
     std::set<StrokeId> strokesBelow(const QModelIndex &index) const;
 
+    /// The tree that the rows show.
+    const StrokesTree &tree() const { return m_tree; }
+    /// The row of a node of that tree; invalid for its root.
+    QModelIndex indexOf(const StrokesTree::Node *node, int column = 0) const;
+    /// The index of a filter's index, which has the same internal id and stands in another row.
+    QModelIndex indexLike(const QModelIndex &filtered) const;
+
     /// True while rows change because the document has changed. What views deselect then was not deselected by a
     /// person.
     bool isFollowing() const { return m_following; }
+
+    /// True while a row is renamed by the one who typed its name.
+    bool isRenaming() const { return m_renaming; }
 
     /// Shows or hides, or locks or unlocks, what the row stands for. The column of the index says which. What one entry
     /// switches in a row is one step.
     void toggle(const QModelIndex &index, ValueEntry *entry = nullptr);
 
 signals:
+    /// Emitted around all that changes when the rows follow the painting.
+    void aboutToFollow();
+    void followed();
+    /// A row has another name.
+    void renamed();
     /// Rows were dragged into a group.
     void droppedInto(GroupId group);
 
@@ -93,12 +108,13 @@ private:
     void rowsCame() override { endInsertRows(); }
     void rowsGo(const Node &parent, int first, int last) override;
     void rowsWent() override { endRemoveRows(); }
-    void rowsMove(const Node &parent) override;
-    void rowsMoved(const Node &parent) override;
+    void rowsMove(const Node &parent, int first, int last, int to) override;
+    void rowsMoved() override { endMoveRows(); }
+    void rowsSort(const Node &parent) override;
+    void rowsSorted(const Node &parent) override;
 
     /// The node of a row; for a segment's row it is that of its stroke.
     const Node &nodeAt(const QModelIndex &index) const;
-    QModelIndex indexOf(const Node *node, int column = 0) const;
     bool isWhollySelected(const Node &node) const;
     void rebuild();
     void follow(const Change &change);
@@ -110,6 +126,7 @@ private:
     StrokesTree m_tree;
     MarksOfGroups m_marks; ///< of the painting that the tree shows
     bool m_following = false;
+    bool m_renaming = false;
 };
 
 } // namespace suffuse

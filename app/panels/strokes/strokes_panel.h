@@ -6,7 +6,6 @@
 #include <QModelIndex>
 #include <QWidget>
 
-#include <functional>
 #include <optional>
 
 class QLabel;
@@ -18,6 +17,8 @@ namespace suffuse {
 
 class Editor;
 class GroupHand;
+class KeptRows;
+class RowSelection;
 class StrokesFilter;
 class StrokesModel;
 class StrokesView;
@@ -57,7 +58,6 @@ signals:
     void said(const QString &message);
 
 protected:
-    void showEvent(QShowEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -73,20 +73,7 @@ private:
     void chooseLayer(const QModelIndex &index);
     /// Moves the focus from the search to the first row that was found.
     void goToFirstFound();
-    void documentChanged(const Change &change);
-    void takeSelectionFromDocument();
-    void giveSelectionToDocument();
-    /// Visits the groups among the view's rows below a parent, including groups in groups.
-    void forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const;
-    std::set<GroupId> openGroups() const;
-    /// Opens a group and those around it.
-    void openGroup(GroupId id);
-    /// The strokes that have a row of their own in the view below a row; all of them where the index is invalid.
-    std::set<StrokeId> foundBelow(const QModelIndex &index) const;
-    std::set<QModelIndex> groupsAroundSelected() const;
     void showMenu(const QPoint &at);
-    void addSwitches(QMenu &menu, const QModelIndex &index);
-    void addIsolated(QMenu &menu, GroupId group);
 
     Editor &m_editor;
     QList<QAction *> m_more;
@@ -101,15 +88,11 @@ private:
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;
     GroupHand *m_hand = nullptr;
+    KeptRows *m_kept = nullptr;
+    RowSelection *m_selection = nullptr;
     QLineEdit *m_search = nullptr;
-    QLabel *m_notFound = nullptr;     ///< shown only while nothing is found
-    QLabel *m_layer = nullptr;        ///< shown only while there is a layer
-    std::set<GroupId> m_openBefore;   ///< the groups that were open when the rows were made anew
-    int m_scrolledTo = 0;             ///< the place of the scroll bar then
-    std::set<GroupId> m_openGroups;   ///< the groups that were open before the search
-    std::optional<Selection> m_given; ///< what the rows have selected, until something else selects
-    bool m_syncing = false;
-    bool m_stale = true;
+    QLabel *m_notFound = nullptr; ///< shown only while nothing is found
+    QLabel *m_layer = nullptr;    ///< shown only while there is a layer
 };
 
 } // namespace suffuse

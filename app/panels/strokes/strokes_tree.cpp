@@ -14,15 +14,16 @@ bool sameTree(const std::vector<Group> &a, const std::vector<Group> &b)
                       [](const Group &x, const Group &y) { return x.id == y.id && x.parent == y.parent; });
 }
 
-/// Those of the named strokes that are in the painting.
-std::unordered_map<StrokeId, StrokePtr> changedStrokes(const Painting &painting, const std::set<StrokeId> &ids)
+bool isCalledLike(const Group &a, const Group &b)
 {
-    std::unordered_map<StrokeId, StrokePtr> changed;
-    if (!ids.empty())
-        for (const StrokePtr &stroke : painting.strokes)
-            if (ids.contains(stroke->id))
-                changed.emplace(stroke->id, stroke);
-    return changed;
+    return a.name == b.name && a.text == b.text;
+}
+
+template <typename Map>
+auto *foundIn(const Map &map, typename Map::key_type key)
+{
+    const auto it = map.find(key);
+    return it == map.end() ? nullptr : it->second;
 }
 
 } // namespace
@@ -37,24 +38,61 @@ StrokesTree::Layout StrokesTree::layoutOf(const Painting &painting)
     // A group stands where its topmost member stands.
     const auto place = [&](GroupId group) {
         while (group && parentOf.contains(group) && placed.insert(group).second) {
-            layout[parentOf[group]].push_back({0, group});
+            layout[parentOf[group]].push_back({nullptr, group});
             group = parentOf[group];
         }
     };
+    Entries *run = nullptr; // Most often neighbours are of one group, which is looked up once.
+    GroupId last = 0;
     for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it) {
-        const GroupId group = parentOf.contains((*it)->group) ? (*it)->group : 0;
-        place(group);
-        layout[group].push_back({(*it)->id, 0});
+        if (const GroupId own = (*it)->group; !run || own != last) {
+            last = own;
+            const GroupId group = parentOf.contains(own) ? own : 0;
+            place(group);
+            run = &layout[group];
+        }
+        run->push_back({&*it, 0});
     }
     for (const Group &group : painting.groups)
         place(group.id);
     return layout;
 }
 
-void StrokesTree::renumber(Node &node)
+void StrokesTree::renumber(Node &node, std::size_t from)
 {
-    for (std::size_t i = 0; i < node.children.size(); ++i)
+    for (std::size_t i = from; i < node.children.size(); ++i)
         node.children[i]->row = int(i);
+}
+
+bool StrokesTree::matches(const Node &node, const Entries &wanted)
+{
+    return std::equal(wanted.begin(), wanted.end(), node.children.begin(), node.children.end(),
+                      [](const Entry &entry, const auto &child) { return entry.is(*child); });
+}
+
+void StrokesTree::takeGroups(const Painting &painting)
+{
+    m_groups = painting.groups;
+    m_places.clear();
+    for (std::size_t i = 0; i < m_groups.size(); ++i)
+        m_places.emplace(m_groups[i].id, i);
+}
+
+std::unique_ptr<StrokesTree::Node> StrokesTree::made(const Entry &entry, Node &parent, const Layout &layout)
+{
+    auto node = std::make_unique<Node>();
+    node->parent = &parent;
+    node->group = entry.group;
+    if (entry.stroke) {
+        node->value = *entry.stroke;
+        node->stroke = node->value->id;
+        node->segments = int(node->value->segments.size());
+        m_nodes[node->stroke] = node.get();
+    } else {
+        m_groupNodes[node->group] = node.get();
+        buildBelow(*node, layout);
+    }
+    return node;
 }
 
 void StrokesTree::buildBelow(Node &node, const Layout &layout)
@@ -62,57 +100,63 @@ void StrokesTree::buildBelow(Node &node, const Layout &layout)
     const auto it = layout.find(node.group);
     if (it == layout.end())
         return;
-    for (const Entry &entry : it->second) {
-        auto child = std::make_unique<Node>();
-        child->stroke = entry.stroke;
-        child->group = entry.group;
-        child->parent = &node;
-        child->row = int(node.children.size());
-        if (entry.stroke) {
-            m_nodes[entry.stroke] = child.get();
-            child->segments = int(m_values.at(entry.stroke)->segments.size());
-        } else {
-            buildBelow(*child, layout);
-        }
-        node.children.push_back(std::move(child));
-    }
+    node.children.reserve(it->second.size());
+    for (const Entry &entry : it->second)
+        node.children.push_back(made(entry, node, layout));
+    renumber(node, 0);
+}
+
+void StrokesTree::forget(const Node &node)
+{
+    if (node.stroke)
+        m_nodes.erase(node.stroke);
+    else
+        m_groupNodes.erase(node.group);
+    for (const auto &child : node.children)
+        forget(*child);
 }
 
 void StrokesTree::build(const PaintingPtr &painting)
 {
     m_painting = painting;
-    m_groups = painting->groups;
-    m_values.clear();
-    m_values.reserve(painting->strokes.size());
-    for (const StrokePtr &stroke : painting->strokes)
-        m_values.emplace(stroke->id, stroke);
+    takeGroups(*painting);
     m_nodes.clear();
-    m_nodes.reserve(m_values.size());
+    m_nodes.reserve(painting->strokes.size());
+    m_groupNodes.clear();
     m_root = std::make_unique<Node>();
     buildBelow(*m_root, layoutOf(*painting));
 }
 
 const StrokesTree::Node *StrokesTree::nodeOf(StrokeId id) const
 {
-    const auto it = m_nodes.find(id);
-    return it == m_nodes.end() ? nullptr : it->second;
+    return foundIn(m_nodes, id);
+}
+
+const StrokesTree::Node *StrokesTree::nodeOfGroup(GroupId id) const
+{
+    return foundIn(m_groupNodes, id);
+}
+
+const StrokesTree::Node *StrokesTree::nodeOf(const Entry &entry) const
+{
+    return entry.stroke ? nodeOf((*entry.stroke)->id) : nodeOfGroup(entry.group);
 }
 
 StrokePtr StrokesTree::strokeOf(StrokeId id) const
 {
-    const auto it = m_values.find(id);
-    return it == m_values.end() ? nullptr : it->second;
+    const Node *node = nodeOf(id);
+    return node ? node->value : nullptr;
 }
 
 const Group *StrokesTree::groupOf(GroupId id) const
 {
-    const auto it = std::find_if(m_groups.begin(), m_groups.end(), [id](const Group &g) { return g.id == id; });
-    return it == m_groups.end() ? nullptr : &*it;
+    const auto it = m_places.find(id);
+    return it == m_places.end() ? nullptr : &m_groups[it->second];
 }
 
 bool StrokesTree::isWithin(GroupId group, const std::set<GroupId> &groups) const
 {
-    for (const Group *at = groupOf(group); at; at = groupOf(at->parent))
+    for (const Group *at = groups.empty() ? nullptr : groupOf(group); at; at = groupOf(at->parent))
         if (groups.contains(at->id))
             return true;
     return false;
@@ -120,17 +164,18 @@ bool StrokesTree::isWithin(GroupId group, const std::set<GroupId> &groups) const
 
 std::set<StrokeId> StrokesTree::strokesBelow(const Node &node)
 {
-    std::set<StrokeId> result;
+    std::vector<StrokeId> found;
     std::vector<const Node *> open{&node};
     while (!open.empty()) {
         const Node *next = open.back();
         open.pop_back();
         if (next->stroke)
-            result.insert(next->stroke);
+            found.push_back(next->stroke);
         for (const auto &child : next->children)
             open.push_back(child.get());
     }
-    return result;
+    std::ranges::sort(found); // A set is made of sorted numbers in a pass.
+    return {found.begin(), found.end()};
 }
 
 StrokeId StrokesTree::lowestStrokeOf(const Node &node)
@@ -143,52 +188,48 @@ StrokeId StrokesTree::lowestStrokeOf(const Node &node)
     return 0;
 }
 
-std::optional<StrokesTree::Changed> StrokesTree::follow(const PaintingPtr &painting, const Change &change,
-                                                        Listener &listener)
+StrokesTree::Changed StrokesTree::follow(const PaintingPtr &painting, const Change &change, Listener &listener)
 {
-    if (!sameTree(painting->groups, m_groups))
-        return {};
-    const std::set<StrokeId> ids(change.strokes.begin(), change.strokes.end());
-    const Values changed = changedStrokes(*painting, ids);
-    const bool regrouped = std::any_of(changed.begin(), changed.end(), [&](const auto &entry) {
-        const auto before = m_values.find(entry.first);
-        return before != m_values.end() && entry.second->group != before->second->group;
-    });
-    if (regrouped)
-        return {};
-    for (const auto &[id, stroke] : changed)
-        // Only what is new is taken; rows that stay show their old values until their changes are announced.
-        m_values.emplace(id, stroke);
-    if (change.order)
+    const std::unordered_set<StrokeId> ids(change.strokes.begin(), change.strokes.end());
+    const bool groupsChanged = m_groups != painting->groups;
+    const bool groupsRenamed = groupsChanged && !std::ranges::equal(m_groups, painting->groups, isCalledLike);
+    bool ordered = change.order || (groupsChanged && !sameTree(painting->groups, m_groups));
+    if (!ids.empty() && !ordered)
+        ordered = std::ranges::any_of(painting->strokes, [&](const StrokePtr &stroke) {
+            const Node *node = ids.contains(stroke->id) ? nodeOf(stroke->id) : nullptr;
+            return node && node->value->group != stroke->group;
+        });
+    if (groupsChanged)
+        takeGroups(*painting);
+    if (ordered)
         followOrder(*painting, listener);
     m_painting = painting;
-    for (const auto &[id, stroke] : changed)
-        if (const auto it = m_nodes.find(id); it != m_nodes.end())
-            followSegments(*it->second, *stroke, listener);
-    Changed result = takeValues(ids, changed);
-    result.groups = m_groups != painting->groups;
-    result.switches |= change.order;
-    m_groups = painting->groups;
+    Changed result = followValues(*painting, change.strokes, listener);
+    result.groups = groupsChanged;
+    result.names |= groupsRenamed;
+    result.switches |= ordered;
     return result;
 }
 
-StrokesTree::Changed StrokesTree::takeValues(const std::set<StrokeId> &ids, const Values &changed)
+/// Rows that stay show their old values until their changes are announced.
+StrokesTree::Changed StrokesTree::followValues(const Painting &painting, const std::vector<StrokeId> &ids,
+                                               Listener &listener)
 {
     Changed result;
-    for (const StrokeId id : ids) {
-        const auto now = changed.find(id);
-        if (now == changed.end()) {
-            m_values.erase(id);
+    std::unordered_set<StrokeId> left(ids.begin(), ids.end());
+    for (auto it = painting.strokes.begin(); it != painting.strokes.end() && !left.empty(); ++it) {
+        const StrokePtr &now = *it;
+        const auto node = left.erase(now->id) > 0 ? m_nodes.find(now->id) : m_nodes.end();
+        if (node == m_nodes.end() || node->second->value == now)
             continue;
-        }
-        StrokePtr &value = m_values[id];
-        if (const auto it = m_nodes.find(id); it != m_nodes.end()) {
-            result.strokes.push_back(it->second);
-            if (value->segments != now->second->segments)
-                result.withSegments.push_back(it->second);
-            result.switches |= value->visible != now->second->visible || value->locked != now->second->locked;
-        }
-        value = now->second;
+        StrokePtr &value = node->second->value;
+        followSegments(*node->second, *now, listener);
+        result.strokes.push_back(node->second);
+        if (value->segments != now->segments)
+            result.withSegments.push_back(node->second);
+        result.names |= value->name != now->name;
+        result.switches |= value->visible != now->visible || value->locked != now->locked;
+        value = now;
     }
     return result;
 }
@@ -210,30 +251,38 @@ void StrokesTree::followSegments(Node &node, const Stroke &stroke, Listener &lis
 void StrokesTree::followOrder(const Painting &painting, Listener &listener)
 {
     const Layout layout = layoutOf(painting);
-    std::vector<Node *> open{m_root.get()};
-    while (!open.empty()) {
-        Node *node = open.back();
-        open.pop_back();
-        const auto it = layout.find(node->group);
-        const Entries wanted = it == layout.end() ? Entries() : it->second;
-        removeMissing(*node, wanted, listener);
-        insertNew(*node, wanted, listener);
-        sortLike(*node, wanted, listener);
-        for (const auto &child : node->children)
-            if (child->group)
-                open.push_back(child.get());
-    }
+    const Entries none;
+    const auto visit = [&](const auto &change) {
+        std::vector<Node *> open{m_root.get()};
+        while (!open.empty()) {
+            Node *node = open.back();
+            open.pop_back();
+            const auto it = layout.find(node->group);
+            if (const Entries &wanted = it == layout.end() ? none : it->second; !matches(*node, wanted))
+                change(*node, wanted);
+            for (const auto &child : node->children)
+                if (child->group)
+                    open.push_back(child.get());
+        }
+    };
+    // What comes into another group has gone everywhere before it comes.
+    visit([&](Node &node, const Entries &wanted) { removeMissing(node, wanted, listener); });
+    visit([&](Node &node, const Entries &wanted) {
+        insertNew(node, wanted, layout, listener);
+        sortLike(node, wanted, listener);
+    });
 }
 
 void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &listener)
 {
-    std::unordered_set<StrokeId> stay;
+    std::unordered_set<const Node *> stay;
+    stay.reserve(wanted.size());
     for (const Entry &entry : wanted)
-        stay.insert(entry.stroke);
-    const auto gone = [&](int row) {
-        const Node &child = *node.children[std::size_t(row)];
-        return child.stroke && !stay.contains(child.stroke);
-    };
+        if (const Node *there = nodeOf(entry); there && there->parent == &node)
+            stay.insert(there);
+    if (stay.size() == node.children.size())
+        return;
+    const auto gone = [&](int row) { return !stay.contains(node.children[std::size_t(row)].get()); };
     for (int last = int(node.children.size()) - 1; last >= 0; --last) {
         if (!gone(last))
             continue;
@@ -242,42 +291,36 @@ void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &lis
             --first;
         listener.rowsGo(node, first, last);
         for (int row = first; row <= last; ++row)
-            m_nodes.erase(node.children[std::size_t(row)]->stroke);
+            forget(*node.children[std::size_t(row)]);
         node.children.erase(node.children.begin() + first, node.children.begin() + last + 1);
-        renumber(node);
+        renumber(node, std::size_t(first));
         listener.rowsWent();
         last = first;
     }
 }
 
-void StrokesTree::insertNew(Node &node, const Entries &wanted, Listener &listener)
+void StrokesTree::insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener)
 {
-    const auto isNew = [&](const Entry &entry) { return entry.stroke && !m_nodes.contains(entry.stroke); };
+    if (wanted.size() == node.children.size())
+        return; // What has gone has gone by now, so none is new.
     // A new row goes behind the one that it follows in the new order. Sorting moves what is left.
     int at = 0;
     for (std::size_t i = 0; i < wanted.size();) {
-        if (!isNew(wanted[i])) {
-            const Entry &entry = wanted[i++];
-            const auto it = entry.stroke ? m_nodes.find(entry.stroke) : m_nodes.end();
-            at = it != m_nodes.end() ? it->second->row + 1 : std::min(at + 1, int(node.children.size()));
+        if (const Node *there = nodeOf(wanted[i])) {
+            at = there->row + 1;
+            ++i;
             continue;
         }
         std::size_t end = i;
-        while (end < wanted.size() && isNew(wanted[end]))
+        while (end < wanted.size() && !nodeOf(wanted[end]))
             ++end;
         listener.rowsCome(node, at, at + int(end - i) - 1);
         std::vector<std::unique_ptr<Node>> added;
-        for (; i < end; ++i) {
-            auto child = std::make_unique<Node>();
-            child->stroke = wanted[i].stroke;
-            child->parent = &node;
-            child->segments = int(m_values.at(child->stroke)->segments.size());
-            m_nodes[child->stroke] = child.get();
-            added.push_back(std::move(child));
-        }
+        for (; i < end; ++i)
+            added.push_back(made(wanted[i], node, layout));
         node.children.insert(node.children.begin() + at, std::make_move_iterator(added.begin()),
                              std::make_move_iterator(added.end()));
-        renumber(node);
+        renumber(node, std::size_t(at));
         listener.rowsCame();
         at += int(added.size());
     }
@@ -285,22 +328,41 @@ void StrokesTree::insertNew(Node &node, const Entries &wanted, Listener &listene
 
 void StrokesTree::sortLike(Node &node, const Entries &wanted, Listener &listener)
 {
-    const bool matches =
-        std::equal(wanted.begin(), wanted.end(), node.children.begin(), node.children.end(),
-                   [](const Entry &e, const auto &c) { return e.stroke == c->stroke && e.group == c->group; });
-    if (matches)
+    auto &children = node.children;
+    const auto is = [](const Entry &entry, const auto &child) { return entry.is(*child); };
+    const auto first = std::mismatch(wanted.begin(), wanted.end(), children.begin(), is);
+    if (first.first == wanted.end())
         return;
-    std::unordered_map<StrokeId, int> strokeRows;
-    std::unordered_map<GroupId, int> groupRows;
+    const auto last = std::mismatch(wanted.rbegin(), wanted.rend(), children.rbegin(), is);
+    // The rows between the first and the last that differ; most often some of them together go past the others.
+    const auto begin = first.second, end = last.second.base();
+    const auto middle = std::find_if(begin, end, [&](const auto &child) { return first.first->is(*child); });
+    const bool isMove =
+        std::equal(middle, end, first.first, [&](const auto &child, const Entry &e) { return e.is(*child); }) &&
+        std::equal(begin, middle, first.first + (end - middle),
+                   [&](const auto &child, const Entry &e) { return e.is(*child); });
+    const auto rowOf = [&](const auto &it) { return int(it - children.begin()); };
+    if (isMove) {
+        const bool isUp = end - middle <= middle - begin; // The fewer rows are those that move.
+        listener.rowsMove(node, isUp ? rowOf(middle) : rowOf(begin), (isUp ? rowOf(end) : rowOf(middle)) - 1,
+                          isUp ? rowOf(begin) : rowOf(end));
+        const std::size_t from = std::size_t(rowOf(begin));
+        std::rotate(begin, middle, end);
+        renumber(node, from);
+        listener.rowsMoved();
+        return;
+    }
+    std::unordered_map<StrokeId, std::size_t> strokes;
+    std::unordered_map<GroupId, std::size_t> groups;
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        (wanted[i].stroke ? strokeRows[wanted[i].stroke] : groupRows[wanted[i].group]) = int(i);
-    const auto rowOf = [&](const Node &n) { return n.stroke ? strokeRows[n.stroke] : groupRows[n.group]; };
-
-    listener.rowsMove(node);
-    std::sort(node.children.begin(), node.children.end(),
-              [&](const auto &a, const auto &b) { return rowOf(*a) < rowOf(*b); });
-    renumber(node);
-    listener.rowsMoved(node);
+        (wanted[i].stroke ? strokes[(*wanted[i].stroke)->id] : groups[wanted[i].group]) = i;
+    std::vector<std::unique_ptr<Node>> sorted(children.size());
+    listener.rowsSort(node);
+    for (auto &child : children)
+        sorted[child->stroke ? strokes.at(child->stroke) : groups.at(child->group)] = std::move(child);
+    children = std::move(sorted);
+    renumber(node, 0);
+    listener.rowsSorted(node);
 }
 
 } // namespace suffuse

@@ -4,7 +4,6 @@
 #include "model/document/document.h"
 
 #include <memory>
-#include <optional>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -19,6 +18,7 @@ public:
     struct Node {
         StrokeId stroke = 0;
         GroupId group = 0;
+        StrokePtr value; ///< the stroke in the state that the row shows
         Node *parent = nullptr;
         int row = 0;
         int segments = 0; ///< the number of rows below a stroke
@@ -32,8 +32,12 @@ public:
         virtual void rowsCame() = 0;
         virtual void rowsGo(const Node &parent, int first, int last) = 0;
         virtual void rowsWent() = 0;
-        virtual void rowsMove(const Node &parent) = 0;
-        virtual void rowsMoved(const Node &parent) = 0;
+        /// Of the rows that go to the place that row `to` has before.
+        virtual void rowsMove(const Node &parent, int first, int last, int to) = 0;
+        virtual void rowsMoved() = 0;
+        /// Of rows that come into any other order.
+        virtual void rowsSort(const Node &parent) = 0;
+        virtual void rowsSorted(const Node &parent) = 0;
 
     protected:
         ~Listener() = default;
@@ -44,6 +48,7 @@ public:
         std::vector<const Node *> strokes;
         std::vector<const Node *> withSegments; ///< those of them whose segments have changed
         bool groups = false;                    ///< a group has another name, or is switched
+        bool names = false;                     ///< a stroke or a group has another name
         bool switches =
             false; ///< a stroke is shown, hidden, locked or unlocked, or strokes were added, removed or moved
     };
@@ -52,15 +57,17 @@ public:
 
     /// Takes another painting, without comparing it with the one before.
     void build(const PaintingPtr &painting);
-    /// Takes the same painting after a change. If its strokes are grouped in another way, nothing is done and nothing
-    /// is returned: then the tree must be built anew.
-    std::optional<Changed> follow(const PaintingPtr &painting, const Change &change, Listener &listener);
+    /// Takes the same painting after a change. What goes into another group is a row that goes and one that comes, with
+    /// all that is below it.
+    Changed follow(const PaintingPtr &painting, const Change &change, Listener &listener);
 
     /// The painting; null before the first one is built.
     const PaintingPtr &painting() const { return m_painting; }
     const Node &root() const { return *m_root; }
     /// The node of a stroke; null where there is no such stroke.
     const Node *nodeOf(StrokeId id) const;
+    /// The node of a group; null where there is no such group.
+    const Node *nodeOfGroup(GroupId id) const;
     /// The stroke; null where there is none.
     StrokePtr strokeOf(StrokeId id) const;
     /// The group; null where there is none.
@@ -73,29 +80,36 @@ public:
     static StrokeId lowestStrokeOf(const Node &node);
 
 private:
-    /// What stands below each parent from top to bottom. An entry has the id of a stroke or that of a group.
+    /// What stands below each parent from top to bottom. An entry is a stroke of the painting or a group.
     struct Entry {
-        StrokeId stroke = 0;
+        const StrokePtr *stroke = nullptr;
         GroupId group = 0;
+
+        bool is(const Node &node) const { return stroke ? (*stroke)->id == node.stroke : group == node.group; }
     };
     using Entries = std::vector<Entry>;
     using Layout = std::unordered_map<GroupId, Entries>;
-    using Values = std::unordered_map<StrokeId, StrokePtr>;
 
     static Layout layoutOf(const Painting &painting);
-    static void renumber(Node &node);
+    static void renumber(Node &node, std::size_t from);
+    static bool matches(const Node &node, const Entries &wanted);
+    void takeGroups(const Painting &painting);
+    std::unique_ptr<Node> made(const Entry &entry, Node &parent, const Layout &layout);
     void buildBelow(Node &node, const Layout &layout);
+    void forget(const Node &node);
+    const Node *nodeOf(const Entry &entry) const;
     void followOrder(const Painting &painting, Listener &listener);
     void removeMissing(Node &node, const Entries &wanted, Listener &listener);
-    void insertNew(Node &node, const Entries &wanted, Listener &listener);
+    void insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener);
     static void sortLike(Node &node, const Entries &wanted, Listener &listener);
     static void followSegments(Node &node, const Stroke &stroke, Listener &listener);
-    Changed takeValues(const std::set<StrokeId> &ids, const Values &changed);
+    Changed followValues(const Painting &painting, const std::vector<StrokeId> &ids, Listener &listener);
 
     PaintingPtr m_painting;
     std::vector<Group> m_groups;
-    Values m_values;
+    std::unordered_map<GroupId, std::size_t> m_places; ///< of the groups in that list
     std::unordered_map<StrokeId, Node *> m_nodes;
+    std::unordered_map<GroupId, Node *> m_groupNodes;
     std::unique_ptr<Node> m_root;
 };
 
