@@ -52,6 +52,56 @@ void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
     Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
 }
 
+/// Strokes in an order, that are taken by their ids. In a new order most of them follow each other as they did before,
+/// and are found without being looked up.
+class StrokesById {
+public:
+    explicit StrokesById(std::vector<StrokePtr> strokes) : m_strokes(std::move(strokes))
+    {
+        m_ids.reserve(m_strokes.size());
+        for (const StrokePtr &stroke : m_strokes)
+            m_ids.push_back(stroke->id);
+    }
+
+    /// Puts another state in; where there is none, the stroke comes behind all others.
+    void swap(StrokeId id, StrokePtr &state)
+    {
+        if (!find(id)) {
+            m_next = m_ids.size();
+            m_places[id] = m_next;
+            m_ids.push_back(id);
+            m_strokes.emplace_back();
+        }
+        std::swap(m_strokes[m_next], state);
+    }
+    /// Null where it is not there, or was taken.
+    StrokePtr take(StrokeId id) { return find(id) ? std::exchange(m_strokes[m_next++], nullptr) : nullptr; }
+    bool isEmpty() const
+    {
+        return std::ranges::none_of(m_strokes, [](const StrokePtr &stroke) { return bool(stroke); });
+    }
+
+private:
+    bool find(StrokeId id)
+    {
+        if (m_next < m_ids.size() && m_ids[m_next] == id)
+            return true;
+        if (m_places.empty())
+            for (std::size_t i = 0; i < m_ids.size(); ++i)
+                m_places.emplace(m_ids[i], i);
+        const auto it = m_places.find(id);
+        if (it == m_places.end())
+            return false;
+        m_next = it->second;
+        return true;
+    }
+
+    std::vector<StrokePtr> m_strokes;
+    std::vector<StrokeId> m_ids;
+    std::unordered_map<StrokeId, std::size_t> m_places; ///< made when a stroke is looked up first
+    std::size_t m_next = 0;                             ///< behind the one that was found last
+};
+
 /// Swaps strokes and their order. Below the first place that differs, blocks stay shared. Only the strokes from there
 /// to the last place that differs are looked up; what lies above them, as the rest of a text above a letter that comes,
 /// moves as it is.
@@ -68,24 +118,20 @@ void swapStrokesAndOrder(Painting &painting, Edit &edit)
     const auto first = std::size_t(b - before.begin()), last = std::size_t(bEnd - before.begin());
     const std::vector<StrokePtr> above(strokes.cbegin() + std::ptrdiff_t(last), strokes.cend());
 
-    std::unordered_map<StrokeId, StrokePtr> there;
-    there.reserve(last - first + edit.strokes.size());
-    for (std::size_t i = first; i < last; ++i)
-        there.emplace(before[i], std::as_const(strokes)[i]);
+    StrokesById there(
+        std::vector<StrokePtr>(strokes.cbegin() + std::ptrdiff_t(first), strokes.cbegin() + std::ptrdiff_t(last)));
     for (auto &[id, state] : edit.strokes)
-        std::swap(there[id], state);
+        there.swap(id, state);
     strokes.resize(first);
     for (std::size_t i = first; i < after.size() - above.size(); ++i) {
-        const auto it = there.find(after[i]);
-        const bool known = it != there.end() && it->second;
-        Q_ASSERT_X(known, "Document::exchange", "the order names a stroke that is not there, or names it twice");
-        if (known)
-            strokes.push_back(std::move(it->second));
+        StrokePtr stroke = there.take(after[i]);
+        Q_ASSERT_X(stroke, "Document::exchange", "the order names a stroke that is not there, or names it twice");
+        if (stroke)
+            strokes.push_back(std::move(stroke));
     }
     for (const StrokePtr &stroke : above)
         strokes.push_back(stroke);
-    Q_ASSERT_X(std::none_of(there.begin(), there.end(), [](const auto &entry) { return bool(entry.second); }),
-               "Document::exchange", "the order leaves out a stroke");
+    Q_ASSERT_X(there.isEmpty(), "Document::exchange", "the order leaves out a stroke");
     edit.order.reset();
     edit.places = orderDifference(after, before);
 }

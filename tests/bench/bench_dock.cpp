@@ -107,14 +107,23 @@ struct Stage {
             QCoreApplication::sendEvent(view().viewport(), &event);
         }
     }
-    /// Rows dragged to the top of what is in `parent`, or of all.
-    void drop(const QModelIndexList &rows, GroupId into)
+    /// Rows that are taken to be dragged.
+    void take(const QModelIndexList &rows)
     {
         QModelIndexList source;
         for (const QModelIndex &row : rows)
             source << sourceOf(row);
-        const std::unique_ptr<QMimeData> data(panel->model()->mimeData(source));
-        panel->model()->dropMimeData(data.get(), Qt::MoveAction, 0, 0, into ? sourceOf(layer(into)) : QModelIndex());
+        dragged.reset(panel->model()->mimeData(source));
+    }
+    /// Drops them on top of what is in a group, or of all.
+    void drop(GroupId into)
+    {
+        panel->model()->dropMimeData(dragged.get(), Qt::MoveAction, 0, 0, into ? sourceOf(layer(into)) : QModelIndex());
+    }
+    void drag(const QModelIndexList &rows, GroupId into)
+    {
+        take(rows);
+        drop(into);
     }
     QModelIndex sourceOf(const QModelIndex &row)
     {
@@ -125,6 +134,7 @@ struct Stage {
     std::unique_ptr<StrokesPanel> own;
     std::unique_ptr<MainWindow> window;
     StrokesPanel *panel = nullptr;
+    std::unique_ptr<QMimeData> dragged;
     std::map<GroupId, StrokeId> middles; ///< a stroke that stays in its layer
 };
 
@@ -178,32 +188,40 @@ void measureRows(Stage &s, Measuring &measure, int layers)
     measure("toggle the eye of a layer", [&](int i) { s.click(s.layer(some(i), StrokesModel::EyeColumn)); });
     measure(
         "undo of it", [&](int) { editor.undo(); }, [&](int i) { s.click(s.layer(some(i), StrokesModel::EyeColumn)); });
-    measure("drag a layer to the top", [&](int i) { s.drop({s.layer(moved(i))}, 0); });
+    const auto lowest = [&](int i) {
+        const QModelIndex layer = s.layer(some(i + 1));
+        return s.view().model()->index(s.view().model()->rowCount(layer) - 1, 0, layer);
+    };
+    measure("take a layer to drag it", [&](int i) { s.take({s.layer(moved(i))}); });
     measure(
-        "undo of it", [&](int) { editor.undo(); }, [&](int i) { s.drop({s.layer(moved(i))}, 0); });
+        "drop a layer on top", [&](int) { s.drop(0); }, [&](int i) { s.take({s.layer(moved(i))}); });
+    measure(
+        "undo of it", [&](int) { editor.undo(); }, [&](int i) { s.drag({s.layer(moved(i))}, 0); });
     measure(
         "redo of it", [&](int) { editor.redo(); },
         [&](int i) {
-            s.drop({s.layer(moved(i))}, 0);
+            s.drag({s.layer(moved(i))}, 0);
             s.follow();
             editor.undo();
         });
-    measure("drag a stroke into another layer", [&](int i) {
-        const GroupId to = some(i), from = some(i + 1);
-        s.drop({s.layer(from).model()->index(s.view().model()->rowCount(s.layer(from)) - 1, 0, s.layer(from))}, to);
-    });
     measure(
-        "undo of it", [&](int) { editor.undo(); },
-        [&](int i) {
-            const GroupId to = some(i), from = some(i + 1);
-            s.drop({s.layer(from).model()->index(s.view().model()->rowCount(s.layer(from)) - 1, 0, s.layer(from))}, to);
-        });
-    measure("drag 100 layers to the top", [&](int i) {
+        "drop a stroke into another layer", [&](int i) { s.drop(some(i)); }, [&](int i) { s.take({lowest(i)}); });
+    measure(
+        "undo of it", [&](int) { editor.undo(); }, [&](int i) { s.drag({lowest(i)}, some(i)); });
+    measure(
+        "drop a layer into another one", [&](int i) { s.drop(moved(i + 1)); },
+        [&](int i) { s.take({s.layer(moved(i))}); });
+    measure(
+        "undo of it", [&](int) { editor.undo(); }, [&](int i) { s.drag({s.layer(moved(i))}, moved(i + 1)); });
+    const auto hundred = [&](int i) {
         QModelIndexList rows;
         for (int k = 0; k < std::min(100, layers / 2); ++k)
             rows << s.layer(moved(i + k));
-        s.drop(rows, 0);
-    });
+        return rows;
+    };
+    measure("take 100 layers to drag them", [&](int i) { s.take(hundred(i)); });
+    measure(
+        "drop 100 layers on top", [&](int) { s.drop(0); }, [&](int i) { s.take(hundred(i)); });
     measure("select a layer", [&](int i) { s.click(s.layer(some(i))); });
     measure("scroll a page", [&](int) {
         QScrollBar &bar = *s.view().verticalScrollBar();

@@ -16,17 +16,14 @@ quint64 numberOf(const void *source)
 std::vector<StrokeId> orderWith(const Painting &painting, const std::set<StrokeId> &strokes, StrokeId before)
 {
     std::vector<StrokeId> order, moved;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (strokes.contains(stroke->id))
-            moved.push_back(stroke->id);
+    order.reserve(painting.strokes.size());
+    std::optional<std::size_t> place;
     for (const StrokePtr &stroke : painting.strokes) {
         if (stroke->id == before)
-            order.insert(order.end(), moved.begin(), moved.end());
-        if (!strokes.contains(stroke->id))
-            order.push_back(stroke->id);
+            place = order.size();
+        (strokes.contains(stroke->id) ? moved : order).push_back(stroke->id);
     }
-    if (!before)
-        order.insert(order.end(), moved.begin(), moved.end());
+    order.insert(order.begin() + std::ptrdiff_t(place.value_or(order.size())), moved.begin(), moved.end());
     return order;
 }
 

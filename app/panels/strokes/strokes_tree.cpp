@@ -201,13 +201,12 @@ StrokesTree::Changed StrokesTree::follow(const PaintingPtr &painting, const Chan
         });
     if (groupsChanged)
         takeGroups(*painting);
-    if (ordered)
-        followOrder(*painting, listener);
+    const bool cameOrWent = ordered && followOrder(*painting, listener);
     m_painting = painting;
     Changed result = followValues(*painting, change.strokes, listener);
     result.groups = groupsChanged;
     result.names |= groupsRenamed;
-    result.switches |= ordered;
+    result.switches |= cameOrWent;
     return result;
 }
 
@@ -248,32 +247,37 @@ void StrokesTree::followSegments(Node &node, const Stroke &stroke, Listener &lis
     }
 }
 
-void StrokesTree::followOrder(const Painting &painting, Listener &listener)
+bool StrokesTree::followOrder(const Painting &painting, Listener &listener)
 {
     const Layout layout = layoutOf(painting);
     const Entries none;
-    const auto visit = [&](const auto &change) {
-        std::vector<Node *> open{m_root.get()};
-        while (!open.empty()) {
-            Node *node = open.back();
-            open.pop_back();
-            const auto it = layout.find(node->group);
-            if (const Entries &wanted = it == layout.end() ? none : it->second; !matches(*node, wanted))
-                change(*node, wanted);
-            for (const auto &child : node->children)
-                if (child->group)
-                    open.push_back(child.get());
-        }
+    const auto wantedBelow = [&](const Node &node) -> const Entries & {
+        const auto it = layout.find(node.group);
+        return it == layout.end() ? none : it->second;
     };
     // What comes into another group has gone everywhere before it comes.
-    visit([&](Node &node, const Entries &wanted) { removeMissing(node, wanted, listener); });
-    visit([&](Node &node, const Entries &wanted) {
-        insertNew(node, wanted, layout, listener);
-        sortLike(node, wanted, listener);
-    });
+    std::vector<Node *> open{m_root.get()}, differing;
+    bool any = false;
+    while (!open.empty()) {
+        Node *node = open.back();
+        open.pop_back();
+        if (const Entries &wanted = wantedBelow(*node); !matches(*node, wanted)) {
+            differing.push_back(node);
+            any |= removeMissing(*node, wanted, listener);
+        }
+        for (const auto &child : node->children)
+            if (child->group)
+                open.push_back(child.get());
+    }
+    for (Node *node : differing) {
+        const Entries &wanted = wantedBelow(*node);
+        any |= insertNew(*node, wanted, layout, listener);
+        sortLike(*node, wanted, listener);
+    }
+    return any;
 }
 
-void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &listener)
+bool StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &listener)
 {
     std::unordered_set<const Node *> stay;
     stay.reserve(wanted.size());
@@ -281,7 +285,7 @@ void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &lis
         if (const Node *there = nodeOf(entry); there && there->parent == &node)
             stay.insert(there);
     if (stay.size() == node.children.size())
-        return;
+        return false;
     const auto gone = [&](int row) { return !stay.contains(node.children[std::size_t(row)].get()); };
     for (int last = int(node.children.size()) - 1; last >= 0; --last) {
         if (!gone(last))
@@ -297,12 +301,13 @@ void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &lis
         listener.rowsWent();
         last = first;
     }
+    return true;
 }
 
-void StrokesTree::insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener)
+bool StrokesTree::insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener)
 {
     if (wanted.size() == node.children.size())
-        return; // What has gone has gone by now, so none is new.
+        return false; // What has gone has gone by now, so none is new.
     // A new row goes behind the one that it follows in the new order. Sorting moves what is left.
     int at = 0;
     for (std::size_t i = 0; i < wanted.size();) {
@@ -324,6 +329,7 @@ void StrokesTree::insertNew(Node &node, const Entries &wanted, const Layout &lay
         listener.rowsCame();
         at += int(added.size());
     }
+    return true;
 }
 
 void StrokesTree::sortLike(Node &node, const Entries &wanted, Listener &listener)

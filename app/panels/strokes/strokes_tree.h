@@ -85,7 +85,11 @@ private:
         const StrokePtr *stroke = nullptr;
         GroupId group = 0;
 
-        bool is(const Node &node) const { return stroke ? (*stroke)->id == node.stroke : group == node.group; }
+        /// Most strokes are those that the rows have, which need not be looked at.
+        bool is(const Node &node) const
+        {
+            return stroke ? *stroke == node.value || (*stroke)->id == node.stroke : group == node.group;
+        }
     };
     using Entries = std::vector<Entry>;
     using Layout = std::unordered_map<GroupId, Entries>;
@@ -98,9 +102,10 @@ private:
     void buildBelow(Node &node, const Layout &layout);
     void forget(const Node &node);
     const Node *nodeOf(const Entry &entry) const;
-    void followOrder(const Painting &painting, Listener &listener);
-    void removeMissing(Node &node, const Entries &wanted, Listener &listener);
-    void insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener);
+    /// Returns, as the two below it, whether anything has come or gone.
+    bool followOrder(const Painting &painting, Listener &listener);
+    bool removeMissing(Node &node, const Entries &wanted, Listener &listener);
+    bool insertNew(Node &node, const Entries &wanted, const Layout &layout, Listener &listener);
     static void sortLike(Node &node, const Entries &wanted, Listener &listener);
     static void followSegments(Node &node, const Stroke &stroke, Listener &listener);
     Changed followValues(const Painting &painting, const std::vector<StrokeId> &ids, Listener &listener);
