@@ -5226,6 +5226,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>La&amp;yer</source>
         <translation>&amp;Ebene</translation>
     </message>
+    <message>
+        <source>&amp;This Layer Only</source>
+        <translation>Nur diese &amp;Ebene</translation>
+    </message>
+    <message>
+        <source>Tools reach only what is on the layer, where there is one</source>
+        <translation>Werkzeuge erreichen nur, was auf der Ebene liegt, falls es eine gibt</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5290,6 +5298,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 copy %2</source>
         <translation>%1 (Kopie %2)</translation>
+    </message>
+    <message>
+        <source>Only what is on %1 is reached. Layer ▸ This Layer Only reaches all again.</source>
+        <translation>Nur was auf %1 liegt, wird erreicht. Ebene ▸ Nur diese Ebene erreicht wieder alles.</translation>
     </message>
 </context>
 <context>
@@ -5501,6 +5513,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
         <translation>Eine Füllung wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
+        <translation>Nichts wird radiert: Was unter dem Kreis liegt, ist nicht auf der Ebene, und nur diese wird erreicht.</translation>
     </message>
 </context>
 <context>

@@ -5206,6 +5206,14 @@ Arrow keys work too.</source>
         <source>La&amp;yer</source>
         <translation>图层(&amp;Y)</translation>
     </message>
+    <message>
+        <source>&amp;This Layer Only</source>
+        <translation>仅此图层(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tools reach only what is on the layer, where there is one</source>
+        <translation>工具只触及图层上的内容（如果有图层）</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5270,6 +5278,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 copy %2</source>
         <translation>%1 副本 %2</translation>
+    </message>
+    <message>
+        <source>Only what is on %1 is reached. Layer ▸ This Layer Only reaches all again.</source>
+        <translation>只能触及“%1”上的内容。“图层 ▸ 仅此图层”可恢复触及全部。</translation>
     </message>
 </context>
 <context>
@@ -5481,6 +5493,10 @@ Arrow keys work too.</source>
     <message>
         <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
         <translation>填充已被切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
+        <translation>未擦除任何内容：圆圈下的内容不在此图层上，而只能触及此图层。</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/canvas/canvas_widget.h"
 
+#include "app/canvas/input/layer_note.h"
 #include "app/session/colour_convert.h"
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
@@ -60,6 +61,10 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
 void CanvasWidget::connectInput()
 {
     connect(&m_input.hand(), &Hand::moved, this, &CanvasWidget::pointerMoved);
+    auto *note = new LayerNote(m_editor, m_input.hand(), this);
+    const auto slack = [this, note] { note->setTolerance(3 * devicePixelRatioF() / view().scale); };
+    connect(this, &CanvasWidget::viewChanged, note, slack);
+    slack();
     connect(&m_input.hand(), &Hand::asked, this, &CanvasWidget::asked);
     connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasWidget::pointerLeft);
     connect(&m_input, &CanvasInput::penTurned, this, &CanvasWidget::penTurned);

@@ -1,7 +1,9 @@
 #include "app/session/current_layer.h"
 
 #include "app/session/painting_clock.h"
+#include "app/session/settings/settings.h"
 #include "undo/emptied_groups.h"
+#include "undo/group_alone.h"
 #include "undo/history/order_tree.h"
 #include "undo/time_edits.h"
 
@@ -10,6 +12,12 @@
 #include <algorithm>
 
 namespace suffuse {
+
+namespace {
+
+const QString onlyKey = QStringLiteral("layers/only");
+
+} // namespace
 
 QString titleOf(const Group &group)
 {
@@ -29,7 +37,8 @@ QString nameOfCopy(const std::vector<Group> &groups, const QString &name)
             return numbered;
 }
 
-CurrentLayer::CurrentLayer(Document &document, const PaintingClock &clock) : m_document(document), m_clock(clock)
+CurrentLayer::CurrentLayer(Document &document, const PaintingClock &clock)
+    : m_document(document), m_clock(clock), m_isOnly(settings::store().value(onlyKey).toBool())
 {
     connect(&document, &Document::changed, this, &CurrentLayer::follow);
 }
@@ -45,6 +54,34 @@ QString CurrentLayer::title() const
         return {};
     const Group *group = m_document.painting()->findGroup(m_layer.group);
     return titleOf(group ? *group : *m_layer.coming);
+}
+
+void CurrentLayer::setOnly(bool only)
+{
+    if (std::exchange(m_isOnly, only) == only)
+        return;
+    settings::store().setValue(onlyKey, only);
+    emit changed();
+}
+
+PaintingPtr CurrentLayer::reached() const
+{
+    const PaintingPtr &painting = m_document.painting();
+    const GroupId group = reachedGroup();
+    if (group == 0)
+        return painting;
+    if (m_whole != painting || m_reachedGroup != group) {
+        m_whole = painting, m_reachedGroup = group;
+        const bool isFree =
+            !isComing() && groupTakingPaint(*painting, group) == group && !isHiddenBySolo(painting->groups, group);
+        m_reached = std::make_shared<const Painting>(groupAlone(*painting, isFree ? group : 0));
+    }
+    return m_reached;
+}
+
+void CurrentLayer::noteOnly()
+{
+    emit noted(tr("Only what is on %1 is reached. Layer ▸ This Layer Only reaches all again.").arg(title()));
 }
 
 void CurrentLayer::set(PaintedLayer layer)

@@ -41,6 +41,17 @@ public:
     /// stroke that is painted on it.
     void beginNew();
 
+    /// Whether tools reach only what is in the layer, where there is one. It is remembered in the settings.
+    bool isOnly() const { return m_isOnly; }
+    void setOnly(bool only);
+    /// The layer, if tools reach only what is in it; 0: they reach everything.
+    GroupId reachedGroup() const { return m_isOnly ? m_layer.group : 0; }
+    /// The painting as tools find strokes in it: all, or what is in the layer. Of a hidden or locked one they find
+    /// none.
+    PaintingPtr reached() const;
+    /// Says that tools reach the layer only.
+    void noteOnly();
+
     /// Lets the edit take away the groups that lose their last stroke by it. If the layer is one of them, it will come
     /// again.
     void takeEmptied(Edit &edit);
@@ -63,7 +74,8 @@ public:
     PaintingPtr withDraft() const;
 
 signals:
-    /// Emitted when another group is the layer, or it has come into being or has another name.
+    /// Emitted when another group is the layer, it has come into being or has another name, or whether tools reach it
+    /// only.
     void changed();
     /// What people should read where they paint.
     void noted(const QString &text);
@@ -104,6 +116,9 @@ private:
     QString m_title;               ///< as it was told last
     bool m_wasComing = false;      ///< when that was told
     mutable DraftPlace m_place;
+    bool m_isOnly = false;
+    mutable PaintingPtr m_whole, m_reached; ///< what it was asked for last, and the answer
+    mutable GroupId m_reachedGroup = 0;
 };
 
 } // namespace suffuse

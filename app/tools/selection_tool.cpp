@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/selection_commands.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 
@@ -202,7 +203,7 @@ double SelectionTool::tolerance() const
 
 std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
 {
-    return pickTopmost(*m_editor.document().painting(), m_editor.clock().time(), event.point, tolerance());
+    return pickTopmost(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
 }
 
 const Selection &SelectionTool::selection() const
@@ -235,7 +236,7 @@ bool SelectionTool::selectRun(const PointerEvent &event)
     if (!selection().segments.contains(m_anchor))
         return false;
     const std::optional<SegmentRef> to =
-        pickOn(*m_editor.document().painting(), m_anchor.stroke, m_editor.clock().time(), event.point, tolerance());
+        pickOn(*m_editor.layer().reached(), m_anchor.stroke, m_editor.clock().time(), event.point, tolerance());
     if (!to)
         return false;
     Selection chosen = selection();

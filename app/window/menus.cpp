@@ -124,7 +124,7 @@ void addLayerMenu(QMenuBar &bar, const Commands &table)
             {{NewLayer, DuplicateLayer, MergeLayerDown},
              {RaiseLayer, LowerLayer},
              {LayerAbove, LayerBelow, NoLayer},
-             {HideOtherLayers}});
+             {HideOtherLayers, ThisLayerOnly}});
 }
 
 void addTimeMenu(QMenuBar &bar, const Commands &table)

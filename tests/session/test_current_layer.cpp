@@ -5,6 +5,7 @@
 #include "app/session/files/import_strokes.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
+#include "undo/group_alone.h"
 #include "undo/group_edits.h"
 
 #include <QSignalSpy>
@@ -560,6 +561,57 @@ private slots:
             QVERIFY(s.editor.shown()->isVisible(*s.editor.shown()->find(draft->id)));
             s.editor.document().setDraft(nullptr);
         }
+    }
+
+    /// Tools find what is in the layer, and nothing of one that is hidden, locked or still to come.
+    void toolsReachTheLayerOnly()
+    {
+        Stage s;
+        const auto reached = [&s] { return orderOf(*s.layer.reached()); };
+        s.editor.clock().setTime(s.painting().end());
+        s.layer.choose(2);
+        QCOMPARE(reached(), (Order{1, 2, 3, 4, 5}));
+        s.table[Command::ThisLayerOnly].trigger();
+        QVERIFY(s.table[Command::ThisLayerOnly].isChecked());
+        QCOMPARE(reached(), (Order{3, 4}));
+        commands::selectAll(s.editor);
+        QCOMPARE(s.editor.selection().strokes, (std::set<StrokeId>{3, 4}));
+        commands::invertSelection(s.editor);
+        QVERIFY(s.editor.selection().isEmpty());
+        s.paint();
+        QCOMPARE(s.layer.reached()->strokes.size(), std::size_t(3)); // It follows the painting.
+        for (const bool hides : {true, false}) {
+            Edit edit;
+            edit.groups = s.painting().groups;
+            (hides ? edit.groups->at(1).visible : edit.groups->at(1).locked) = !hides;
+            s.editor.push(std::move(edit), "switch");
+            QVERIFY(s.layer.reached()->strokes.empty());
+            s.editor.undo();
+        }
+        s.layer.beginNew();
+        QVERIFY(s.layer.reached()->strokes.empty());
+        s.layer.choose(0); // Where there is no layer, there is none to keep to.
+        QCOMPARE(s.layer.reached()->strokes.size(), std::size_t(6));
+        QVERIFY(Stage().layer.isOnly()); // It is remembered.
+        s.table[Command::ThisLayerOnly].trigger();
+        QVERIFY(!Stage().layer.isOnly());
+    }
+
+    /// A group's own picture leaves out how it is put on what lies below, and keeps what is in it.
+    void aGroupAloneIsItsOwnPicture()
+    {
+        Stage s;
+        Painting painting = s.painting();
+        painting.groups[1].visible = false, painting.groups[1].opacity = 0.5f, painting.groups[1].mask = true;
+        painting.groups[2].opacity = 0.25f, painting.groups[2].visible = false;
+        const Painting alone = groupAlone(painting, 2);
+        QCOMPARE(orderOf(alone), (Order{3, 4}));
+        QCOMPARE(problemOf(alone), QString());
+        QVERIFY(alone.isVisible(*alone.find(3)) && !alone.isVisible(*alone.find(4)));
+        QVERIFY(!alone.findGroup(2)->isIsolated());
+        QCOMPARE(alone.findGroup(3)->opacity, 0.25f);
+        QVERIFY(groupAlone(painting, 9).strokes.empty());
+        QCOMPARE(orderOf(groupAlone(painting, 3)), Order{4});
     }
 };
 

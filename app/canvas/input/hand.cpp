@@ -34,20 +34,23 @@ void Hand::press(const PointerEvent &event, Navigation navigation)
         emit asked(event);
     } else if (m_tool && event.button == Qt::LeftButton) {
         m_pressed = true;
+        emit toolPressed(event);
         m_tool->press(event);
     }
 }
 
 void Hand::move(const PointerEvent &event)
 {
-    if (m_navigation == Navigation::Pan)
+    if (m_navigation == Navigation::Pan) {
         m_view.panBy(event.pixel - m_lastPixel);
-    else if (m_navigation == Navigation::Rotate)
+    } else if (m_navigation == Navigation::Rotate) {
         m_view.turnBy(m_lastPixel, event.pixel);
-    else if (m_tool && m_pressed)
+    } else if (m_tool && m_pressed) {
+        emit toolMoved(event);
         m_tool->move(event);
-    else if (m_tool)
+    } else if (m_tool) {
         m_tool->hover(event);
+    }
     m_lastPixel = event.pixel;
     emit moved(event.point.x, event.point.y);
 }
@@ -64,6 +67,7 @@ void Hand::release(const PointerEvent &event)
         m_pressed = false;
         if (m_tool)
             m_tool->release(event);
+        emit toolReleased();
     } else if (event.button == Qt::RightButton) { // a pen's: it is up again before something opens
         emit asked(event);
     }

@@ -42,6 +42,10 @@ public:
 
 signals:
     void moved(double x, double y); ///< canvas units
+    /// What the tool in use has been given: a press, its moves and its release.
+    void toolPressed(const suffuse::PointerEvent &event);
+    void toolMoved(const suffuse::PointerEvent &event);
+    void toolReleased();
     void navigationChanged();
     /// The right button, or the pen's button, has asked what is there.
     void asked(const suffuse::PointerEvent &event);

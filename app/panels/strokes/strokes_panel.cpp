@@ -15,9 +15,11 @@
 #include "model/painting/editable.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace suffuse {
@@ -35,7 +37,10 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_search->setAccessibleName(tr("Search strokes"));
     m_search->setToolTip(tr("Shows only strokes and groups whose name holds this text. Return selects them."));
-    column->addWidget(m_search);
+    m_header = new QHBoxLayout;
+    m_header->setSpacing(4);
+    m_header->addWidget(m_search);
+    column->addLayout(m_header);
     m_notFound = quietLabel({}, this);
     m_notFound->hide();
     column->addWidget(m_notFound);
@@ -76,6 +81,15 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &StrokesPanel::showMenu);
+}
+
+void StrokesPanel::addSwitch(QAction &action)
+{
+    auto *button = new QToolButton(this);
+    button->setDefaultAction(&action);
+    button->setAutoRaise(true);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_header->addWidget(button);
 }
 
 bool StrokesPanel::isSearching() const

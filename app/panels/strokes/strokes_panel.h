@@ -8,6 +8,7 @@
 
 #include <optional>
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QMenu;
@@ -32,6 +33,9 @@ class StrokesPanel : public QWidget {
 public:
     /// `more` stand in the menu of a row as well: commands that do something to what is selected.
     explicit StrokesPanel(Editor &editor, const QList<QAction *> &more = {}, QWidget *parent = nullptr);
+
+    /// Puts a button for a switch beside the search.
+    void addSwitch(QAction &action);
 
     QTreeView *view() const;
     StrokesModel *model() const { return m_model; }
@@ -90,6 +94,7 @@ private:
     GroupHand *m_hand = nullptr;
     KeptRows *m_kept = nullptr;
     RowSelection *m_selection = nullptr;
+    QHBoxLayout *m_header = nullptr;
     QLineEdit *m_search = nullptr;
     QLabel *m_notFound = nullptr; ///< shown only while nothing is found
     QLabel *m_layer = nullptr;    ///< shown only while there is a layer

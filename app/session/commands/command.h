@@ -143,6 +143,7 @@ enum class Command {
     LayerBelow,
     NoLayer,
     HideOtherLayers,
+    ThisLayerOnly,
     SnapToNodes,
     SnapToGrid,
     ShowGrid,

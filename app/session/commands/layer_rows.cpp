@@ -157,6 +157,12 @@ void addLayerRows(Commands &table, OpenPainting &open)
                         shows ? Commands::tr("Show other layers") : Commands::tr("Hide other layers"));
             commands::deselectHidden(editor);
         });
+    table
+        .add(ThisLayerOnly, "thisLayerOnly", Commands::tr("&This Layer Only"), "layer-only", {},
+             Commands::tr("Tools reach only what is on the layer, where there is one"))
+        .checkable()
+        .checkedWhen([&editor] { return editor.layer().isOnly(); })
+        .toggles([&editor](bool on) { editor.layer().setOnly(on); });
     QObject::connect(&editor.layer(), &CurrentLayer::changed, &table, [&table] { table.update(); });
 }
 

@@ -85,7 +85,7 @@ QString arrangeSelected(Editor &editor, Arrange how)
 void selectAll(Editor &editor)
 {
     Selection selection;
-    selection.strokes = selectableStrokes(*editor.document().painting(), editor.clock().time());
+    selection.strokes = selectableStrokes(*editor.layer().reached(), editor.clock().time());
     editor.document().setSelection(std::move(selection));
 }
 
@@ -112,7 +112,7 @@ void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, Va
 void invertSelection(Editor &editor)
 {
     Selection selection;
-    for (const StrokeId id : selectableStrokes(*editor.document().painting(), editor.clock().time()))
+    for (const StrokeId id : selectableStrokes(*editor.layer().reached(), editor.clock().time()))
         if (!editor.document().selection().strokes.contains(id))
             selection.strokes.insert(id);
     editor.document().setSelection(std::move(selection));
@@ -120,7 +120,13 @@ void invertSelection(Editor &editor)
 
 void selectSameAs(Editor &editor, Same what)
 {
-    editor.document().setSelection(selectSame(editor.document(), what));
+    Selection same = selectSame(editor.document(), what);
+    if (editor.layer().reachedGroup() != 0) {
+        const std::set<StrokeId> reached = selectableStrokes(*editor.layer().reached(), editor.clock().time());
+        const std::set<StrokeId> &before = editor.document().selection().strokes;
+        std::erase_if(same.strokes, [&](StrokeId id) { return !reached.contains(id) && !before.contains(id); });
+    }
+    editor.document().setSelection(std::move(same));
 }
 
 void flipSelected(Editor &editor, Axis axis, SpreadRule rule)

@@ -3,6 +3,7 @@
 #include "app/session/selecting/pick.h"
 #include "undo/history/order_tree.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace suffuse {
@@ -49,7 +50,7 @@ std::size_t nextBelow(const std::vector<SegmentRef> &hits, const Selection &sele
 }
 
 std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, const std::set<StrokeId> &found,
-                                   const std::set<StrokeId> &selected, GroupShare share)
+                                   const std::set<StrokeId> &selected, GroupShare share, GroupId outer)
 {
     std::unordered_map<GroupId, std::vector<GroupId>> around; // remembered, since there are many strokes and few groups
     std::unordered_map<GroupId, GroupCounts> counts;
@@ -58,8 +59,10 @@ std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, con
         if (stroke->group == 0 || !isMember(*stroke))
             continue;
         const auto [at, isNew] = around.try_emplace(stroke->group);
-        if (isNew)
+        if (isNew) {
             at->second = groupsAround(painting, stroke->group);
+            at->second.erase(std::ranges::find(at->second, outer), at->second.end());
+        }
         for (const GroupId group : at->second) {
             GroupCounts &count = counts[group];
             ++count.members;

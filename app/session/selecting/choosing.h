@@ -20,9 +20,10 @@ enum class GroupShare { All, Any };
 
 /// What a band means that has found strokes at T: a stroke in no group, and the outermost group as a whole, as a click
 /// does (`withGroup`), where all of its strokes that can be selected at T were found, or any of them. Of a group of
-/// which only a part is selected, what stands in it is meant one by one.
+/// which only a part is selected, what stands in it is meant one by one, as is what stands in `outer`, where only what
+/// is in that is reached.
 std::set<StrokeId> withWholeGroups(const Painting &painting, Microseconds T, const std::set<StrokeId> &found,
-                                   const std::set<StrokeId> &selected, GroupShare share);
+                                   const std::set<StrokeId> &selected, GroupShare share, GroupId outer = 0);
 /// The stroke that can be selected at T and follows those that are selected, upwards by 1 or downwards by -1, and round
 /// the end. 0: there is none.
 StrokeId nextStroke(const Painting &painting, Microseconds T, const Selection &selection, int step);

@@ -7,11 +7,14 @@
 
 namespace suffuse {
 
-EraserReach::EraserReach(const Document &document, Microseconds T, EraserScope scope, Point point, double tolerance)
-    : m_scope(scope), m_isLocked(document.painting()->groups)
+EraserReach::EraserReach(const Document &document, const Painting &reached, GroupId only, Microseconds T,
+                         EraserScope scope, Point point, double tolerance)
+    : m_scope(scope), m_isLocked(document.painting()->groups), m_isOnly(only != 0)
 {
     const Painting &painting = *document.painting();
     const std::set<StrokeId> &selected = document.selection().strokes;
+    if (m_isOnly)
+        m_layer = withGroupsWithin(painting.groups, {only});
     if (scope == EraserScope::Selected && selected.empty())
         m_scope = EraserScope::All;
     if (m_scope == EraserScope::Selected)
@@ -23,7 +26,7 @@ EraserReach::EraserReach(const Document &document, Microseconds T, EraserScope s
         if (selected.contains(stroke->id))
             groups.insert(stroke->group);
     if (groups.empty()) {
-        const std::optional<SegmentRef> under = pickTopmost(painting, T, point, tolerance);
+        const std::optional<SegmentRef> under = pickTopmost(reached, T, point, tolerance);
         const StrokePtr stroke = under ? painting.find(under->stroke) : nullptr;
         groups.insert(stroke ? stroke->group : 0);
     }
@@ -32,6 +35,8 @@ EraserReach::EraserReach(const Document &document, Microseconds T, EraserScope s
 
 Spared EraserReach::spares(const Stroke &stroke) const
 {
+    if (m_isOnly && !m_layer.contains(stroke.group))
+        return Spared::OtherLayer;
     if (m_isLocked(stroke))
         return Spared::Locked;
     if (m_scope == EraserScope::Selected && !m_selected.contains(stroke.id))

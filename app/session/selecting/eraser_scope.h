@@ -11,14 +11,16 @@ namespace suffuse {
 enum class EraserScope { Selected, Group, All };
 
 /// What keeps the eraser off a stroke.
-enum class Spared { Nothing, Locked, NotSelected, OtherGroup };
+enum class Spared { Nothing, OtherLayer, Locked, NotSelected, OtherGroup };
 
 /// Tells for a press at a point which strokes the eraser may touch.
 class EraserReach {
 public:
     EraserReach() = default;
-    /// `tolerance`: canvas units around the point in which hairlines are found.
-    EraserReach(const Document &document, Microseconds T, EraserScope scope, Point point, double tolerance);
+    /// `reached` is the painting with what tools reach, `only` the group that they reach only; 0: all. `tolerance`:
+    /// canvas units around the point in which hairlines are found.
+    EraserReach(const Document &document, const Painting &reached, GroupId only, Microseconds T, EraserScope scope,
+                Point point, double tolerance);
 
     /// Of a visible stroke that is begun.
     Spared spares(const Stroke &stroke) const;
@@ -27,7 +29,9 @@ public:
 
 private:
     EraserScope m_scope = EraserScope::All;
-    Locks m_isLocked;                     ///< No group changes while it is erased.
+    Locks m_isLocked; ///< No group changes while it is erased.
+    bool m_isOnly = false;
+    std::unordered_set<GroupId> m_layer;  ///< all that is reached, where that is a layer only
     std::set<StrokeId> m_selected;        ///< of Selected
     std::unordered_set<GroupId> m_groups; ///< of Group, with those within them; 0: what stands in none
 };

@@ -165,22 +165,29 @@ std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point 
     return hits;
 }
 
-std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
+std::set<StrokeId> withGroup(const Painting &painting, StrokeId id, GroupId outer)
 {
+    const auto outermostWithin = [&](GroupId group) {
+        if (outer == 0)
+            return outermostGroup(painting, group);
+        const std::vector<GroupId> around = groupsAround(painting, group);
+        const auto at = std::ranges::find(around, outer);
+        return at == around.begin() || at == around.end() ? 0 : *std::prev(at);
+    };
     const StrokePtr stroke = painting.find(id);
-    if (!stroke || stroke->group == 0)
+    const GroupId group = stroke && stroke->group != 0 ? outermostWithin(stroke->group) : 0;
+    if (group == 0)
         return {id};
-    const GroupId group = outermostGroup(painting, stroke->group);
-    std::unordered_map<GroupId, GroupId> outer; // remembered, since there are many strokes and few groups
+    std::unordered_map<GroupId, GroupId> known; // remembered, since there are many strokes and few groups
     std::set<StrokeId> members;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &s : painting.strokes) {
         // A group stays whole even where some of its strokes are not begun.
         if (s->group == 0 || !isEditable(*s))
             continue;
-        const auto [it, isNew] = outer.try_emplace(s->group, 0);
+        const auto [it, isNew] = known.try_emplace(s->group, 0);
         if (isNew)
-            it->second = outermostGroup(painting, s->group);
+            it->second = outermostWithin(s->group);
         if (it->second == group)
             members.insert(s->id);
     }

@@ -36,8 +36,8 @@ std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId stroke, Micr
 std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point point, double tolerance);
 
 /// The strokes that a click on one stroke selects: those of its outermost group that can be selected, or the stroke
-/// alone.
-std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke);
+/// alone. Where only what is in a group is reached, `outer`, the outermost one within that counts.
+std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke, GroupId outer = 0);
 
 /// The visible, unlocked strokes, begun by T, whose curves lie wholly within a rectangle of the view's pixels.
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);

@@ -17,10 +17,10 @@ struct CanvasAids {
     bool snapToNodes = false;
     bool snapToGrid = false;
     bool showGrid = false;
-    double gridStep = 20;     ///< canvas units
-    bool showOutlines = true; ///< outlines of the selected strokes
+    double gridStep = 20;      ///< canvas units
+    bool showOutlines = true;  ///< outlines of the selected strokes
     bool showErasures = false; ///< lines along what takes paint away, of the selected strokes
-    bool showBeyond = false;  ///< paint beyond the canvas, under a veil
+    bool showBeyond = false;   ///< paint beyond the canvas, under a veil
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 

@@ -1,6 +1,7 @@
 #include "app/tools/brush/attribute_brush_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/tools/brush/wish_fields.h"
 #include "app/tools/tool_fields.h"
@@ -78,7 +79,8 @@ void AttributeBrushTool::gatherTargets()
     m_targets.clear();
     m_fills.clear();
     const Document &document = m_editor.document();
-    const Painting &painting = *document.painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const Selection &selection = document.selection();
     std::set<StrokeId> inPart; // the strokes of which only segments are selected
     for (const SegmentRef &ref : selection.segments)

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/colour_convert.h"
 #include "app/session/commands/commands.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/tools/tool_fields.h"
@@ -59,7 +60,8 @@ ColourPicker::ColourPicker(CanvasWidget &canvas) : m_canvas(canvas), m_editor(ca
 
 void ColourPicker::begin(const PointerEvent &event)
 {
-    m_picture = m_editor.document().snapshot();
+    m_isOnly = m_editor.layer().reachedGroup() != 0;
+    m_picture = m_isOnly ? m_editor.layer().reached() : m_editor.document().snapshot();
     m_before = m_picked = m_editor.colourTarget().colour();
     m_entry.beginDrag();
     move(event);
@@ -75,9 +77,11 @@ void ColourPicker::move(const PointerEvent &event)
     const Microseconds time = m_editor.clock().time();
     const bool ofStroke = event.modifiers & Qt::ShiftModifier;
     const double tolerance = hairlineSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-    const std::optional<Colour> colour = m_isBeyond ? std::nullopt
-                                         : ofStroke ? strokeColourAt(*m_picture, time, event.point, tolerance)
-                                                    : pictureColourAt(*m_picture, time, event.point);
+    // Where a layer only is asked, its bare ground is no colour.
+    const bool isBare = m_isOnly && !pickTopmost(*m_picture, time, event.point, tolerance);
+    const std::optional<Colour> colour = m_isBeyond || isBare ? std::nullopt
+                                         : ofStroke           ? strokeColourAt(*m_picture, time, event.point, tolerance)
+                                                              : pictureColourAt(*m_picture, time, event.point);
     if (colour) {
         m_picked = *colour;
         target.setPaint(*colour, &m_entry);

@@ -49,6 +49,7 @@ private:
     Colour m_picked;
     ValueEntry m_entry;
     Point m_pixel;
+    bool m_isOnly = false; ///< the picture is that of a layer
     bool m_isBeyond = false;
 };
 

@@ -1,6 +1,7 @@
 #include "app/tools/brush/match_picker.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "undo/restyle_edits.h"
@@ -29,7 +30,8 @@ void MatchPicker::move(const PointerEvent &event)
     if (!m_before || m_selection.isEmpty())
         return;
     const double tolerance = matchSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-    const std::optional<SegmentRef> hit = pickTopmost(*m_before, m_editor.clock().time(), event.point, tolerance);
+    const std::optional<SegmentRef> hit =
+        pickTopmost(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance);
     const StrokePtr like = hit ? m_before->find(hit->stroke) : nullptr;
     if (!like)
         return;

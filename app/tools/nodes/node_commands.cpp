@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 #include "app/tools/nodes/node_tool.h"
@@ -327,7 +328,8 @@ void NodeCommands::bridge()
 bool NodeCommands::selectAll()
 {
     std::set<NodeRef> nodes;
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
         if (m_canvas.selection().strokes.contains(stroke->id) && isEditable(*stroke))
@@ -341,7 +343,8 @@ bool NodeCommands::selectAll()
 
 void NodeCommands::selectNext(int step)
 {
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     std::vector<const Stroke *> strokes;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)

@@ -1,6 +1,7 @@
 #include "app/tools/nodes/node_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/session/selecting/seen_selection.h"
@@ -41,6 +42,10 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_drag(canvas, m_reach),
       m_width(canvas), m_gradient(canvas)
 {
+    connect(&m_editor.layer(), &CurrentLayer::changed, this, [this] { // what is reached may be other strokes
+        m_marks.reset();
+        m_canvas.updateSelection();
+    });
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
         Change change;
@@ -142,7 +147,7 @@ void NodeTool::followDocument(const Change &change)
                       [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
     }
     if (m_marks && m_nodes.size() == nodes && isOfDrag(change)) {
-        m_marks->follow(*m_editor.document().painting(), change.strokes, m_nodes);
+        m_marks->follow(*m_editor.layer().reached(), change.strokes, m_nodes);
     } else {
         for (const StrokeId stroke : change.strokes)
             if (!m_drag.holds(stroke))
@@ -201,7 +206,7 @@ void NodeTool::selectNodes(std::set<NodeRef> nodes)
 const NodeMarks &NodeTool::marks() const
 {
     if (!m_marks || m_marks->view() != m_canvas.view())
-        m_marks.emplace(*m_editor.document().painting(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
+        m_marks.emplace(*m_editor.layer().reached(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
                         m_canvas.devicePixelRatioF(), m_shown);
     return *m_marks;
 }
@@ -225,7 +230,8 @@ NodeHit NodeTool::hitAt(const PointerEvent &event) const
     hit.mark = markAt(event.pixel);
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     if (hit.mark.node && meansErasure(*hit.mark.node)) {
         hit.within = std::exchange(hit.mark.node, std::nullopt);
         hit.curve = hit.within->stroke;
@@ -443,7 +449,8 @@ void NodeTool::addStroke(const SegmentRef &hit)
 void NodeTool::banded(const Rect &band, const PointerEvent &event)
 {
     const bool add = event.modifiers & Qt::ShiftModifier;
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     std::set<NodeRef> nodes;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/settings.h"
@@ -69,19 +70,24 @@ void SelectTool::pressed(const PointerEvent &event)
     m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
     if (m_selectedByPress) {
         const bool within = event.modifiers & Qt::ControlModifier; // The click means a stroke within its group.
-        select(Selection{within ? std::set<StrokeId>{m_hit->stroke}
-                                : withGroup(*m_editor.document().painting(), m_hit->stroke),
-                         {}});
+        select(Selection{within ? std::set<StrokeId>{m_hit->stroke} : groupedWith(m_hit->stroke), {}});
     }
     if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
         m_canvas.lifted().lift(m_canvas.selection().strokes);
+}
+
+/// What a click on a stroke means.
+std::set<StrokeId> SelectTool::groupedWith(StrokeId stroke) const
+{
+    return withGroup(*m_editor.layer().reached(), stroke, m_editor.layer().reachedGroup());
 }
 
 /// The paint under the pointer or, where none lies above it, a small text in whose line the pointer is.
 std::optional<SegmentRef> SelectTool::pickPaintOrText(const PointerEvent &event)
 {
     const std::optional<SegmentRef> paint = pick(event);
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const std::optional<SegmentRef> text =
         pickSmallText(painting, m_editor.clock().time(), m_canvas.view(), smallEm * m_canvas.devicePixelRatioF(),
                       event.point, tolerance(), m_layout);
@@ -137,9 +143,8 @@ void SelectTool::clickedStroke(const PointerEvent &event)
 {
     const bool turned = std::exchange(m_turnedByClick, false);
     if (event.modifiers & Qt::ShiftModifier) {
-        const std::set<StrokeId> meant = event.modifiers & Qt::ControlModifier
-                                             ? std::set<StrokeId>{m_hit->stroke}
-                                             : withGroup(*m_editor.document().painting(), m_hit->stroke);
+        const std::set<StrokeId> meant =
+            event.modifiers & Qt::ControlModifier ? std::set<StrokeId>{m_hit->stroke} : groupedWith(m_hit->stroke);
         select(toggled(selection(), m_hit->stroke, meant));
     } else if (start().doubleClick) {
         if (turned)
@@ -165,8 +170,8 @@ void SelectTool::clickedStroke(const PointerEvent &event)
 
 void SelectTool::clickedBelow(const PointerEvent &event)
 {
-    const Painting &painting = *m_editor.document().painting();
-    const std::vector<SegmentRef> hits = pickAll(painting, m_editor.clock().time(), event.point, tolerance());
+    const std::vector<SegmentRef> hits =
+        pickAll(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
     if (hits.empty())
         return;
     const std::size_t next = nextBelow(hits, selection());
@@ -176,7 +181,7 @@ void SelectTool::clickedBelow(const PointerEvent &event)
     if (event.modifiers & Qt::ControlModifier)
         chosen.strokes.insert(hits[next].stroke);
     else
-        chosen.strokes.merge(withGroup(painting, hits[next].stroke));
+        chosen.strokes.merge(groupedWith(hits[next].stroke));
     select(std::move(chosen));
     say(tr("Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.")
             .arg(next + 1)
@@ -192,8 +197,8 @@ BandShape SelectTool::bandShape(const PointerEvent &event) const
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
 {
-    combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), m_canvas.view(), band),
-            GroupShare::All, event);
+    combine(strokesWithin(*m_editor.layer().reached(), m_editor.clock().time(), m_canvas.view(), band), GroupShare::All,
+            event);
 }
 
 void SelectTool::tracing(Point point, BandShape shape)
@@ -203,7 +208,7 @@ void SelectTool::tracing(Point point, BandShape shape)
     if (m_touch)
         m_touch->goOn(point);
     else
-        m_touch.emplace(m_editor.document().painting(), m_editor.clock().time(), tolerance(), point);
+        m_touch.emplace(m_editor.layer().reached(), m_editor.clock().time(), tolerance(), point);
 }
 
 void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
@@ -212,15 +217,15 @@ void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const P
     if (shape == BandShape::Touch && touch)
         combine(touch->touched(), GroupShare::Any, event);
     else
-        combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), path), GroupShare::All, event);
+        combine(strokesWithin(*m_editor.layer().reached(), m_editor.clock().time(), path), GroupShare::All, event);
 }
 
 void SelectTool::combine(std::set<StrokeId> found, GroupShare share, const PointerEvent &event)
 {
     const bool away = takesAway(event) || takesAway(start());
     if (away || !((event.modifiers | start().modifiers) & Qt::ControlModifier)) // which means strokes within groups
-        found = withWholeGroups(*m_editor.document().painting(), m_editor.clock().time(), found, selection().strokes,
-                                share);
+        found = withWholeGroups(*m_editor.layer().reached(), m_editor.clock().time(), found, selection().strokes, share,
+                                m_editor.layer().reachedGroup());
     if (away)
         return select(without(selection(), found));
     Selection chosen;
@@ -358,8 +363,7 @@ bool SelectTool::keyPress(QKeyEvent *event)
 
 void SelectTool::selectNext(int step)
 {
-    const Painting &painting = *m_editor.document().painting();
-    if (const StrokeId next = nextStroke(painting, m_editor.clock().time(), selection(), step))
+    if (const StrokeId next = nextStroke(*m_editor.layer().reached(), m_editor.clock().time(), selection(), step))
         select(Selection{{next}, {}});
     const Document &document = m_editor.document();
     const Rect box = seenSelection(*document.painting(), document.selection());

@@ -54,6 +54,7 @@ protected:
 private:
     void followDocument(const Change &change);
     std::optional<SegmentRef> pickPaintOrText(const PointerEvent &event);
+    std::set<StrokeId> groupedWith(StrokeId stroke) const;
     void clickedBelow(const PointerEvent &event);
     void clickedStroke(const PointerEvent &event);
     /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.

@@ -7,7 +7,7 @@ namespace suffuse {
 
 StrokePtr bucketFill(const BucketOrder &order, const std::atomic<bool> &cancel)
 {
-    Area area{paintRegion(order.painting, order.time, order.at, order.wish, order.scale, &cancel)};
+    Area area{paintRegion(order.bounds, order.time, order.at, order.wish, order.scale, &cancel)};
     if (area.loops.empty())
         return nullptr;
     const StrokePtr first = paintedAlong(area.loops.front(), order.brush, order.id, order.time, ShapePaint::Fill);

@@ -14,6 +14,7 @@ namespace suffuse {
 /// What is to be filled, and with what.
 struct BucketOrder {
     PaintingPtr painting;
+    PaintingPtr bounds;    ///< what of it bounds the region
     Microseconds time = 0; ///< whose picture is looked at, and when the fill is born
     Point at;              ///< canvas units
     RegionWish wish;

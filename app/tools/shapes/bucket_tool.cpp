@@ -101,7 +101,7 @@ void BucketTool::release(const PointerEvent &event)
     if (!std::exchange(m_isPressed, false))
         return;
     m_waiting.push_back(
-        {nullptr, event.time, event.point, m_wish, m_canvas.view().scale, m_isUnder, m_editor.brush(), 0});
+        {nullptr, nullptr, event.time, event.point, m_wish, m_canvas.view().scale, m_isUnder, m_editor.brush(), 0});
     if (!m_job.isRunning())
         startNext();
 }
@@ -112,6 +112,7 @@ void BucketTool::startNext()
         BucketOrder order = std::move(m_waiting.front());
         m_waiting.pop_front();
         order.painting = m_editor.document().painting();
+        order.bounds = m_editor.layer().reached();
         order.id = m_editor.document().takeStrokeId();
         m_job.start(order);
     }

@@ -1,6 +1,7 @@
 #include "app/tools/shaping/eraser_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "model/paint/fill_density.h"
@@ -174,8 +175,9 @@ void EraserTool::press(const PointerEvent &event)
     m_gesture = m_editor.begin(tr("Erase"));
     const Document &document = m_editor.document();
     m_began = m_editor.clock().time();
-    m_reach = EraserReach(document, m_began, m_choice.scope, event.point,
-                          pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
+    m_reach =
+        EraserReach(document, *m_editor.layer().reached(), m_editor.layer().reachedGroup(), m_began, m_choice.scope,
+                    event.point, pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
     m_samples.clear();
     m_took = false;
     m_before = document.painting();
@@ -296,6 +298,8 @@ QString EraserTool::whyNothing() const
         return tr("Nothing is erased: no paint is seen under the circle.");
     if (reasons.contains(Spared::Nothing))
         return tr("Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.");
+    if (reasons.contains(Spared::OtherLayer))
+        return tr("Nothing is erased: what lies under the circle is not on the layer, and only that is reached.");
     if (reasons.contains(Spared::NotSelected))
         return tr("Nothing is erased: what lies under the circle is not selected.");
     if (reasons.contains(Spared::OtherGroup))

@@ -1,6 +1,7 @@
 #include "app/tools/shaping/knife_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "model/painting/editable.h"
 #include "model/shaping/erasing/erase.h"
@@ -113,7 +114,8 @@ PlacesOfStrokes KnifeTool::cuts(bool *endsWithin) const
     Rect line;
     line.include(m_from);
     line.include(m_to);
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
         const bool isMeant = m_selected.empty() || m_selected.contains(stroke->id);

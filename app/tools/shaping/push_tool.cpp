@@ -1,6 +1,7 @@
 #include "app/tools/shaping/push_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/quantity.h"
@@ -143,7 +144,8 @@ void PushTool::show(const std::vector<Tweak> &touches)
 
 std::vector<StrokePtr> PushTool::targets(const std::vector<Tweak> &touches)
 {
-    const StrokeList &strokes = m_editor.document().painting()->strokes;
+    const PaintingPtr reached = m_editor.layer().reached();
+    const StrokeList &strokes = reached->strokes;
     const std::set<StrokeId> &selected = m_editor.document().selection().strokes;
     m_boxes.follow(strokes);
     Rect way;

@@ -1,6 +1,7 @@
 #include "app/tools/shaping/redraw_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "model/painting/editable.h"
@@ -94,7 +95,8 @@ void RedrawTool::move(const PointerEvent &event)
 
 StrokeId RedrawTool::strokeUnder(const std::vector<Point> &line) const
 {
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const Selection &selection = m_editor.document().selection();
     StrokeId best = 0;
     double nearest = std::numeric_limits<double>::infinity();

@@ -176,7 +176,8 @@ bool TextTool::isOver(Point point) const
 
 GroupId TextTool::textAt(const PointerEvent &event) const
 {
-    const Painting &painting = *m_editor.document().painting();
+    const PaintingPtr reached = m_editor.layer().reached();
+    const Painting &painting = *reached;
     const double slack = pickSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     if (const auto hit = pickTopmost(painting, m_editor.clock().time(), event.point, slack)) {
         const StrokePtr stroke = painting.find(hit->stroke);

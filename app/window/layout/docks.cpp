@@ -131,6 +131,7 @@ void Docks::makeDocks()
          menuOf(tr("&Arrange"), {Top, Raise, Lower, Bottom}),
          menuOf(Commands::tr("La&yer"), {DuplicateLayer, MergeLayerDown, RaiseLayer, LowerLayer, HideOtherLayers}),
          menuOf(Commands::tr("Group as a Whole"), {ClipGroups, MaskGroups, WashGroups})});
+    m_strokes->addSwitch(commands[ThisLayerOnly]);
     connect(brushPanel, &BrushPanel::chosen, this, [this] { takeToPaint(m_place.commands, m_place.open.editor); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });

@@ -1,5 +1,6 @@
 // Selecting strokes on the canvas, by the events that a hand makes.
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/session/current_layer.h"
 #include "app/session/selecting/pick.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
@@ -13,7 +14,11 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
+#include <QScopeGuard>
 #include <QSettings>
+#include <QSignalSpy>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeView>
@@ -612,6 +617,59 @@ private slots:
 
 private:
     QTemporaryDir m_folder;
+
+    /// With "This Layer Only" tools leave what is elsewhere alone, say so, and take what is in the layer one by one.
+    void onlyTheLayerIsReached()
+    {
+        StrokeList strokes;
+        for (int i = 1; i <= 4; ++i) {
+            Stroke stroke = *line(StrokeId(i), {100, 100.0 * i}, {300, 100.0 * i});
+            stroke.group = i == 2 || i == 3 ? 1 : 0;
+            strokes.push_back(std::make_shared<const Stroke>(std::move(stroke)));
+        }
+        Selecting s(std::move(strokes));
+        auto painting = std::make_shared<Painting>(s.painting());
+        Group group;
+        group.id = 1;
+        painting->groups = {group};
+        s.editor().document().reset(painting);
+        s.editor().clock().setTime(painting->end());
+        CurrentLayer &layer = s.editor().layer();
+        QSignalSpy noted(&layer, &CurrentLayer::noted);
+        layer.choose(1);
+        s.use(Command::ThisLayerOnly);
+        noted.clear();
+        const auto turnBack = qScopeGuard([&s] { s.use(Command::ThisLayerOnly); });
+
+        s.click({200, 100});
+        QVERIFY(s.selected().empty());
+        QCOMPARE(int(noted.count()), 1);
+        s.click({200, 250});
+        QCOMPARE(int(noted.count()), 1); // There is nothing at all.
+        s.click({200, 200});
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.drag({{50, 50}, {350, 450}});
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+        s.select({});
+        QCOMPARE(int(noted.count()), 1);
+
+        s.use(Command::Knife);
+        s.drag({{200, 50}, {200, 450}});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(6));
+        QVERIFY(s.painting().find(1)->segments == painting->find(1)->segments);
+        s.use(Command::Undo);
+        const int steps = s.steps();
+        s.drag({{200, 50}, {200, 150}});
+        QCOMPARE(int(noted.count()), 2);
+        for (const Command tool : {Command::Eraser, Command::Push, Command::Redraw}) {
+            s.use(tool);
+            s.drag({{150, 100}, {200, 102}, {250, 100}});
+            QVERIFY2(*s.editor().document().painting() == *painting, qPrintable(QString::number(int(tool))));
+        }
+        QCOMPARE(int(noted.count()), 5);
+        QCOMPARE(s.steps(), steps);
+        s.use(Command::Select);
+    }
 };
 
 QTEST_MAIN(TestSelecting)

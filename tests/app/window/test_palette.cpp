@@ -148,7 +148,7 @@ private slots:
                 "alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
                 "distributeCentresAcross distributeCentresDown newLayer duplicateLayer mergeLayerDown raiseLayer "
-                "lowerLayer layerAbove layerBelow noLayer hideOtherLayers snapToNodes snapToGrid showGrid gridStep "
+                "lowerLayer layerAbove layerBelow noLayer hideOtherLayers thisLayerOnly snapToNodes snapToGrid showGrid gridStep "
                 "showUnderlay "
                 "showOutlines showErasures showBeyond play toStart previousStroke nextStroke toEnd loopPlaying "
                 "skipPauses letDry "
