@@ -25,6 +25,7 @@ constexpr int cellGap = 8;   ///< logical pixels between cells, and before the r
 constexpr int markSize = 14; ///< of an icon
 constexpr int markStep = 16;
 constexpr int roundedOff = 2; ///< of the width of a text, which must not be cut short by it
+constexpr int leastName = 40; ///< of picture and name that are cut short
 constexpr int leastMode = 28; ///< of a mode that is cut short; below this width it says nothing
 
 QFont smallerFont(const QFont &font)
@@ -75,7 +76,11 @@ GroupCells groupCells(const Group &group, const QRect &row, int name, const QFon
 {
     const QFontMetrics metrics(smallerFont(font));
     int right = row.right() + 1 - cellGap / 2;
-    const int left = row.left() + name + 2 * cellGap;
+    const int percent = roundedOff + std::max(metrics.horizontalAdvance(shareDisplay().text(1)),
+                                              metrics.horizontalAdvance(opacityText(group)));
+    const int marks = int(marksOf(group).size()) * markStep;
+    const int besidesName = percent + (marks > 0 ? marks + cellGap : 0) + 3 * cellGap;
+    const int left = row.left() + std::min(name, std::max(leastName, row.width() - besidesName)) + 2 * cellGap;
     // A cell that is wider than what is left, and need not be whole, takes the rest.
     const auto take = [&](int width, int least) {
         const int taken = std::min(width, right - left);
@@ -86,10 +91,8 @@ GroupCells groupCells(const Group &group, const QRect &row, int name, const QFon
         return cell;
     };
     GroupCells cells;
-    const int percent = roundedOff + std::max(metrics.horizontalAdvance(shareDisplay().text(1)),
-                                              metrics.horizontalAdvance(opacityText(group)));
-    cells.opacity = take(percent, percent);
-    const int marks = int(marksOf(group).size()) * markStep;
+    if (marks == 0 || right - left >= percent + cellGap + marks) // else there is room for the marks alone
+        cells.opacity = take(percent, percent);
     // The mode stands between both, but gives way to the marks.
     const int mode = metrics.horizontalAdvance(nameOf(group.blend)) + roundedOff;
     const int besides = marks > 0 ? marks + cellGap : 0,
@@ -98,6 +101,14 @@ GroupCells groupCells(const Group &group, const QRect &row, int name, const QFon
         cells.mode = take(std::min(mode, right - left - besides), leastOfMode);
     cells.marks = take(marks, marks);
     return cells;
+}
+
+int leftOf(const GroupCells &cells, const QRect &row)
+{
+    int left = row.right() + 1;
+    for (const QRect &cell : {cells.marks, cells.mode, cells.opacity})
+        left = cell.isEmpty() ? left : std::min(left, cell.left() - cellGap);
+    return left;
 }
 
 void paintGroupCells(QPainter &painter, const QStyleOptionViewItem &option, const Group &group, const GroupCells &cells)

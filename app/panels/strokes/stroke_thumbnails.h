@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/painting/painting.h"
+#include "app/panels/strokes/thumbnail_renderer.h"
 
 #include <QCache>
 #include <QImage>
@@ -12,16 +12,12 @@
 
 namespace suffuse {
 
-class Renderer;
-
 /// Small pictures of dry strokes, drawn by the real renderer. A picture is made when a row that shows it is first
 /// painted, on a thread of its own, and the newest wish comes first.
 class StrokeThumbnails : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr QSize size{32, 20}; ///< logical pixels
-
     explicit StrokeThumbnails(QObject *parent = nullptr);
     ~StrokeThumbnails() override;
 
@@ -41,7 +37,6 @@ private:
         StrokePtr stroke; ///< the state that the picture shows
         QImage image;
     };
-    class Maker;
 
     void startNext();
     void take(const StrokePtr &stroke, const QImage &image);
@@ -49,7 +44,7 @@ private:
     QCache<StrokeId, Entry> m_known{4096};
     std::vector<std::pair<StrokePtr, double>> m_wanted; ///< the newest wish last
     StrokePtr m_running;
-    std::shared_ptr<Maker> m_maker;
+    std::shared_ptr<ThumbnailRenderer> m_renderer;
     QThreadPool m_thread;
 };
 

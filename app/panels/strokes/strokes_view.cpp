@@ -1,283 +1,34 @@
 #include "app/panels/strokes/strokes_view.h"
 
+#include "app/panels/strokes/row_delegate.h"
 #include "app/panels/strokes/row_look.h"
-#include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
-#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/held_button.h"
 #include "app/widgets/habits/keyboard_focus.h"
-#include "app/widgets/look/theme.h"
 
 #include <QApplication>
-#include <QCache>
 #include <QHeaderView>
 #include <QInputEvent>
-#include <QPainter>
-#include <QPainterPath>
-#include <QPixmapCache>
-#include <QStyledItemDelegate>
 
 #include <algorithm>
-#include <utility>
 
 namespace suffuse {
-
-namespace {
-
-/// What the picture and the name of a row need, logical pixels.
-int nameWidth(const QFont &font, const QModelIndex &index)
-{
-    QFont shown = font;
-    shown.setBold(index.data(StrokesModel::CurrentLayerRole).toBool());
-    return StrokeThumbnails::size.width() + QFontMetrics(shown).horizontalAdvance(index.data().toString());
-}
-
-/// Paints a small picture of a stroke before its name, a chip of its colour before a segment's name, and eyes and locks
-/// in the middle of their columns.
-class StrokeRowDelegate : public QStyledItemDelegate {
-public:
-    StrokeRowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails,
-                      Editor &editor, QObject *parent)
-        : QStyledItemDelegate(parent), m_filter(filter), m_model(model), m_thumbnails(thumbnails), m_editor(editor)
-    {}
-
-    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
-    {
-        QStyledItemDelegate::initStyleOption(option, index);
-        addPicture(option, index);
-        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::CurrentLayerRole).toBool())
-            option->font.setBold(true);
-        // A name that nobody gave is paler, not in italics, which Chinese does not have. This comes last, since
-        // pictures are remembered by the palette.
-        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::UnnamedRole).toBool())
-            option->palette.setBrush(QPalette::Text, option->palette.brush(QPalette::PlaceholderText));
-    }
-
-    void addPicture(QStyleOptionViewItem *option, const QModelIndex &index) const
-    {
-        if (index.column() != StrokesModel::NameColumn || !index.data(StrokesModel::ColourRole).isValid())
-            return;
-        option->features |= QStyleOptionViewItem::HasDecoration;
-        const QColor colour = index.data(StrokesModel::ColourRole).value<QColor>();
-        if (index.data(StrokesModel::SegmentRole).toInt() >= 0) {
-            option->decorationSize = QSize(16, 16);
-            option->icon = chipOf(colour, *option);
-        } else {
-            option->decorationSize = StrokeThumbnails::size;
-            const double ratio = option->widget ? option->widget->devicePixelRatioF() : 1;
-            const StrokePtr stroke = m_model.strokeValueAt(m_filter.mapToSource(index));
-            // While a value is dragged, the canvas needs the processor.
-            const QImage image = stroke ? m_thumbnails.of(stroke, ratio, m_editor.isDragging()) : QImage();
-            option->icon = image.isNull() ? chipOf(colour, *option)
-                                          : remembered({option->palette.cacheKey(), image.cacheKey()},
-                                                       [&] { return picture(image, ratio); });
-        }
-    }
-
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
-    {
-        if (index.column() == StrokesModel::NameColumn) {
-            QStyledItemDelegate::paint(painter, option, index);
-            if (const Group *group = m_model.groupAt(m_filter.mapToSource(index)))
-                paintGroupCells(*painter, option, *group,
-                                groupCells(*group, option.rect, nameWidth(option.font, index), option.font));
-            else
-                paintMakeUp(*painter, option, index);
-            return;
-        }
-        QStyleOptionViewItem empty = option;
-        initStyleOption(&empty, index);
-        const QIcon icon = std::exchange(empty.icon, QIcon());
-        empty.features &= ~QStyleOptionViewItem::HasDecoration;
-        const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
-        style->drawControl(QStyle::CE_ItemViewItem, &empty, painter, option.widget);
-        const bool selected = isStronglySelected(option);
-        const QRect area = QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, QSize(16, 16), option.rect);
-        constexpr double dimmed = 0.35;
-        const double before = painter->opacity();
-        if (index.column() == StrokesModel::EyeColumn && isHidden(index))
-            painter->setOpacity(dimmed * before);
-        painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
-        painter->setOpacity(before);
-    }
-
-    bool isHidden(const QModelIndex &index) const
-    {
-        const QModelIndex source = m_filter.mapToSource(index);
-        const StrokePtr stroke = m_model.strokeValueAt(source);
-        const Group *group = stroke ? nullptr : m_model.groupAt(source);
-        return (stroke || group) && isHiddenByOthers(*m_editor.unsettled().painting(), stroke.get(), group);
-    }
-
-    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const override
-    {
-        auto *field = new EntryField(parent);
-        field->setFrame(false);
-        field->setPlaceholderText(index.data().toString());
-        connect(field, &EntryField::typed, this, [this, field] {
-            auto *delegate = const_cast<StrokeRowDelegate *>(this);
-            emit delegate->commitData(field);
-            emit delegate->closeEditor(field);
-        });
-        return field;
-    }
-
-    /// Return takes the text at once. Qt would take it a second time later, from a field that is closed by then. After
-    /// Esc there is nothing to be taken when the keyboard leaves the field.
-    bool eventFilter(QObject *object, QEvent *event) override
-    {
-        const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent *>(event)->key() : 0;
-        auto *field = qobject_cast<EntryField *>(object);
-        if (field && key == Qt::Key_Escape)
-            field->setModified(false);
-        if (!field || (key != Qt::Key_Return && key != Qt::Key_Enter))
-            return QStyledItemDelegate::eventFilter(object, event);
-        emit commitData(field);
-        emit closeEditor(field);
-        event->ignore(); // as a field does, so that the key can mean something to the panel
-        return true;
-    }
-
-    /// What was taken is not typed any more: else the field would say so when the keyboard leaves it, which belongs to
-    /// no view by then.
-    void setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override
-    {
-        QStyledItemDelegate::setModelData(editor, model, index);
-        if (auto *field = qobject_cast<EntryField *>(editor))
-            field->setModified(false);
-    }
-
-    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
-    {
-        QSize size = QStyledItemDelegate::sizeHint(option, index);
-        size.setHeight(std::max(size.height(), StrokeThumbnails::size.height() + 4));
-        return size;
-    }
-
-private:
-    /// Writes of how many pieces and erasures a stroke is, small and pale at the end of the row, as far as the name
-    /// leaves room for that; the tool tip says all of it.
-    static void paintMakeUp(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index)
-    {
-        const QString text = index.data(StrokesModel::MakeUpRole).toString();
-        if (text.isEmpty())
-            return;
-        constexpr int gap = 8, leastRoom = 40;
-        constexpr double smaller = 0.85;
-        QFont font = option.font;
-        font.setPointSizeF(smaller * font.pointSizeF());
-        const QFontMetrics metrics(font);
-        const int name = nameWidth(option.font, index);
-        const int room = option.rect.width() - name - 2 * gap;
-        if (room < leastRoom)
-            return;
-        const bool selected = isStronglySelected(option);
-        painter.save();
-        painter.setFont(font);
-        painter.setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::PlaceholderText));
-        painter.drawText(option.rect.adjusted(0, 0, -gap / 2, 0), Qt::AlignRight | Qt::AlignVCenter,
-                         metrics.elidedText(text, Qt::ElideRight, room));
-        painter.restore();
-    }
-
-    /// Draws an icon once. Icons are outlines, which would otherwise be drawn anew in each row.
-    static QPixmap drawn(const QIcon &icon, const QModelIndex &index, bool selected, const QPainter &painter,
-                         const QStyleOptionViewItem &option)
-    {
-        const double ratio = painter.device()->devicePixelRatioF();
-        const QString key = QStringLiteral("strokes %1 %2 %3 %4 %5 %6")
-                                .arg(index.column())
-                                .arg(index.data(StrokesModel::SwitchRole).toBool())
-                                .arg(index.data(StrokesModel::PartRole).toBool())
-                                .arg(selected)
-                                .arg(option.palette.cacheKey())
-                                .arg(ratio);
-        QPixmap pixmap;
-        if (!icon.isNull() && !QPixmapCache::find(key, &pixmap)) {
-            pixmap = icon.pixmap(QSize(16, 16), ratio, selected ? QIcon::Selected : QIcon::Normal);
-            QPixmapCache::insert(key, pixmap);
-        }
-        return pixmap;
-    }
-
-    /// Keeps icons. A new icon for each painting would fill Qt's cache of pixmaps with equal ones.
-    template <typename Make>
-    QIcon remembered(std::pair<qint64, qint64> key, Make make) const
-    {
-        if (const QIcon *icon = m_icons.object(key))
-            return *icon;
-        auto *icon = new QIcon(make());
-        const QIcon result = *icon;
-        m_icons.insert(key, icon);
-        return result;
-    }
-
-    QIcon chipOf(const QColor &colour, const QStyleOptionViewItem &option) const
-    {
-        return remembered({~option.palette.cacheKey(), qint64(colour.rgba())},
-                          [&] { return chip(colour, QSize(16, 16)); });
-    }
-
-    static QIcon picture(const QImage &image, double ratio)
-    {
-        QPixmap pixmap(image.size());
-        pixmap.setDevicePixelRatio(ratio);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        QPainterPath paper;
-        paper.addRoundedRect(QRectF(QPointF(), pixmap.deviceIndependentSize()), 3, 3);
-        painter.fillPath(paper, paperFor(image));
-        painter.setClipPath(paper);
-        painter.drawImage(QPointF(), image);
-        painter.setClipping(false);
-        painter.setPen(QPen(hairline(), 1));
-        painter.drawRoundedRect(paper.boundingRect().adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
-        QIcon icon(pixmap);
-        icon.addPixmap(pixmap, QIcon::Selected); // Paint keeps its colours in a selected row.
-        return icon;
-    }
-
-    static QIcon chip(const QColor &colour, QSize size)
-    {
-        const double ratio = 2;
-        QPixmap pixmap(size * ratio);
-        pixmap.setDevicePixelRatio(ratio);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(edgeOfColours(), 1));
-        painter.setBrush(colour);
-        painter.drawRoundedRect(QRectF(2.5, 2.5, size.width() - 5, size.height() - 5), 3, 3);
-        QIcon icon(pixmap);
-        icon.addPixmap(pixmap, QIcon::Selected);
-        return icon;
-    }
-
-    const StrokesFilter &m_filter;
-    const StrokesModel &m_model;
-    StrokeThumbnails &m_thumbnails;
-    Editor &m_editor;
-    mutable QCache<std::pair<qint64, qint64>, QIcon> m_icons{256};
-};
-
-} // namespace
 
 StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilter &filter, QWidget *parent)
     : QTreeView(parent), m_model(model), m_filter(filter)
 {
-    auto *thumbnails = new StrokeThumbnails(this);
-    connect(thumbnails, &StrokeThumbnails::ready, this, [this, &model, &filter](StrokeId id) {
-        if (const QModelIndex index = filter.mapFromSource(model.indexOf(id)); index.isValid())
+    auto *delegate = new RowDelegate(editor, model, filter, this);
+    connect(delegate, &RowDelegate::pictureReady, this, [this, &filter](const QModelIndex &row) {
+        if (const QModelIndex index = filter.mapFromSource(row); index.isValid())
             update(index);
     });
     connect(&editor, &Editor::dragEnded, viewport(), qOverload<>(&QWidget::update));
     KeyboardFocus::passLetters(*this);
     setModel(&filter);
-    setItemDelegate(new StrokeRowDelegate(filter, model, *thumbnails, editor, this));
-    setIconSize(StrokeThumbnails::size);
+    setItemDelegate(delegate);
+    setIconSize(ThumbnailRenderer::size);
     setHeaderHidden(true);
     setUniformRowHeights(true);
     setIndentation(14);
@@ -313,7 +64,7 @@ GroupCells StrokesView::cellsOf(const QModelIndex &index) const
 {
     const QModelIndex name = index.siblingAtColumn(StrokesModel::NameColumn);
     const Group *group = index.isValid() ? m_model.groupAt(m_filter.mapToSource(name)) : nullptr;
-    return group ? groupCells(*group, visualRect(name), nameWidth(font(), name), font()) : GroupCells();
+    return group ? RowDelegate::cellsOf(*group, name, visualRect(name), font()) : GroupCells();
 }
 
 /// The row that F2 renames: the current one, if it is seen and selected, or the first that is. Rows that were moved or

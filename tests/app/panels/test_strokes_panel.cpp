@@ -1,7 +1,9 @@
 // The list of strokes: it follows the document by difference and changes it in single steps.
+#include "app/panels/strokes/group_thumbnails.h"
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/panels/strokes/strokes_view.h"
 #include "app/widgets/habits/entry_field.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
@@ -579,7 +581,7 @@ private slots:
         QVERIFY(thumbnails.of(red, 2, false).isNull());
         QTRY_COMPARE(ready.count(), 1);
         const QImage image = thumbnails.of(red, 2, false);
-        QCOMPARE(image.size(), StrokeThumbnails::size * 2);
+        QCOMPARE(image.size(), ThumbnailRenderer::size * 2);
         QCOMPARE(image.pixelColor(32, 20).name(), QString("#ff0000"));
         QCOMPARE(image.pixelColor(0, 0).alpha(), 0);
         // Another state of it: the old picture until the new one is there.
@@ -589,6 +591,66 @@ private slots:
         QCOMPARE(thumbnails.of(blue, 2, false), image);
         QTRY_COMPARE(ready.count(), 2);
         QCOMPARE(thumbnails.of(blue, 2, false).pixelColor(32, 20).name(), QString("#0000ff"));
+    }
+
+    /// A group's picture is what is in it, and is drawn anew where that changes, but not where the group is only put on
+    /// what lies below in another way, and never during a gesture.
+    void groupsHavePictures()
+    {
+        Bench bench;
+        bench.select({1, 2});
+        bench.editor.push(groupSelection(bench.editor.document(), "pair"), "group");
+        const GroupId id = bench.editor.document().painting()->groups.at(0).id;
+        StrokesTree tree;
+        tree.build(bench.editor.document().painting());
+        GroupThumbnails thumbnails(tree);
+        QSignalSpy ready(&thumbnails, &GroupThumbnails::ready);
+        const auto picture = [&](bool quiet = false) { return thumbnails.of(*tree.nodeOfGroup(id), 1, quiet); };
+        QVERIFY(picture(true).isNull() && thumbnails.isIdle());
+        QVERIFY(picture().isNull() && !thumbnails.isIdle());
+        QVERIFY(ready.wait());
+        const QImage first = picture();
+        QCOMPARE(first.size(), ThumbnailRenderer::size);
+        QVERIFY(thumbnails.isIdle());
+        const auto change = [&](Edit edit) {
+            bench.editor.push(std::move(edit), "change");
+            tree.build(bench.editor.document().painting());
+        };
+        change(setGroupOpacity(bench.editor.document(), {id}, 0.5f));
+        QVERIFY(picture() == first && thumbnails.isIdle());
+        change(changeStrokes(bench.editor.document(), {2}, [](Stroke &s) {
+            for (Segment &segment : s.segments)
+                segment.colour = {1, 0, 0, 1};
+        }));
+        QVERIFY(picture() == first && !thumbnails.isIdle()); // The old one until there is the new one.
+        QVERIFY(ready.wait());
+        QVERIFY(picture() != first && thumbnails.isIdle());
+        change(setVisible(bench.editor.document(), {1, 2}, false));
+        picture();
+        QVERIFY(ready.wait());
+        QVERIFY(picture().isNull() && thumbnails.isIdle()); // There is nothing to be seen.
+    }
+
+    /// Marks and opacity stay where a name is long; it is cut short.
+    void longNamesGiveWayToMarks()
+    {
+        Bench bench;
+        bench.select({1, 2});
+        bench.editor.push(groupSelection(bench.editor.document(), QString(200, 'x')), "group");
+        Edit edit;
+        edit.groups = bench.editor.document().painting()->groups;
+        edit.groups->at(0).clips = edit.groups->at(0).solo = true;
+        bench.editor.push(std::move(edit), "marks");
+        StrokesPanel panel(bench.editor);
+        for (const int width : {200, 280, 500}) {
+            showAt(panel, {width, 400});
+            const QModelIndex row = panel.viewIndexOf(1).parent();
+            const GroupCells cells = static_cast<StrokesView *>(panel.view())->cellsOf(row);
+            QVERIFY2(!cells.marks.isEmpty() && cells.opacity.isEmpty() == (width < 240),
+                     qPrintable(QString::number(width)));
+            QVERIFY(panel.view()->visualRect(row).contains(cells.marks));
+            QVERIFY(cells.opacity.isEmpty() || cells.marks.right() < cells.opacity.left());
+        }
     }
 
     void manyRowsWithoutResets()

@@ -7,10 +7,30 @@
 #include "undo/edits.h"
 #include "undo/group_edits.h"
 
+#include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTreeView>
 
+#include <algorithm>
+#include <map>
+#include <random>
+
 using namespace suffuse;
+
+namespace {
+
+/// All rows, a line for each.
+QString textOf(const QAbstractItemModel &model, const QModelIndex &parent = {}, int depth = 0)
+{
+    QString text;
+    for (int row = 0; row < model.rowCount(parent) && depth < 9; ++row) {
+        const QModelIndex index = model.index(row, 0, parent);
+        text += QString(depth, ' ') + index.data().toString() + '\n' + textOf(model, index, depth + 1);
+    }
+    return text;
+}
+
+} // namespace
 
 class TestStrokesView : public QObject {
     Q_OBJECT
@@ -95,6 +115,64 @@ private slots:
         const QRect row = panel.view()->visualRect(panel.viewIndexOf(3));
         QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, Qt::ControlModifier, row.center());
         QCOMPARE(bench.editor.document().selection().strokes, (std::set<StrokeId>{1, 2}));
+    }
+
+    /// Whatever is moved into whatever group, the rows are those of rows that are made anew, also during a search.
+    void rowsFollowAnyGrouping()
+    {
+        Bench bench(40);
+        std::mt19937 random(7);
+        const auto below = [&](std::size_t n) { return std::size_t(random() % n); };
+        Edit grouped;
+        grouped.groups.emplace();
+        for (GroupId id = 1; id <= 8; ++id) {
+            Group group;
+            group.id = id;
+            group.name = QStringLiteral("group %1").arg(id);
+            group.parent = id > 4 ? id - 4 : 0;
+            grouped.groups->push_back(group);
+        }
+        bench.editor.push(std::move(grouped), "groups");
+        StrokesPanel panel(bench.editor);
+        showAt(panel);
+        const QAbstractItemModelTester rows(panel.model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const QAbstractItemModelTester shown(panel.view()->model(),
+                                             QAbstractItemModelTester::FailureReportingMode::QtTest);
+        for (int step = 0; step < 120; ++step) {
+            const Painting &painting = *bench.editor.document().painting();
+            Edit edit;
+            std::vector<StrokeId> order = orderOf(bench.editor);
+            std::map<StrokeId, GroupId> groupOf;
+            for (const StrokePtr &stroke : painting.strokes)
+                groupOf[stroke->id] = stroke->group;
+            for (std::size_t k = below(6); k-- > 0;)
+                groupOf[order[below(order.size())]] = GroupId(below(9));
+            if (below(3) == 0) {
+                edit.groups = painting.groups;
+                edit.groups->at(4 + below(4)).parent = GroupId(below(5));
+            }
+            if (below(4) == 0)
+                std::ranges::shuffle(order, random);
+            else if (below(2) == 0)
+                std::rotate(order.begin(), order.begin() + std::ptrdiff_t(below(order.size())), order.end());
+            for (const StrokePtr &stroke : painting.strokes)
+                if (groupOf[stroke->id] != stroke->group) {
+                    Stroke moved = *stroke;
+                    moved.group = groupOf[stroke->id];
+                    edit.strokes.emplace(moved.id, std::make_shared<const Stroke>(std::move(moved)));
+                }
+            edit.order = std::move(order);
+            if (step % 30 == 20)
+                panel.search()->setText(step % 60 == 20 ? "3" : "group 2");
+            if (step % 30 == 0)
+                panel.search()->clear();
+            bench.editor.push(std::move(edit), "move");
+            if (below(5) == 0)
+                bench.editor.undo();
+            StrokesPanel fresh(bench.editor);
+            fresh.search()->setText(panel.search()->text());
+            QCOMPARE(textOf(*panel.view()->model()), textOf(*fresh.view()->model()));
+        }
     }
 };
 
