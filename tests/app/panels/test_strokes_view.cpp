@@ -131,6 +131,10 @@ private slots:
             group.name = QStringLiteral("group %1").arg(id);
             group.parent = id > 4 ? id - 4 : 0;
             grouped.groups->push_back(group);
+            // It keeps a stroke, since it would go with its last one.
+            Stroke kept = *bench.editor.document().painting()->find(StrokeId(id));
+            kept.group = id;
+            grouped.strokes.emplace(kept.id, std::make_shared<const Stroke>(std::move(kept)));
         }
         bench.editor.push(std::move(grouped), "groups");
         StrokesPanel panel(bench.editor);
@@ -146,7 +150,8 @@ private slots:
             for (const StrokePtr &stroke : painting.strokes)
                 groupOf[stroke->id] = stroke->group;
             for (std::size_t k = below(6); k-- > 0;)
-                groupOf[order[below(order.size())]] = GroupId(below(9));
+                if (const StrokeId any = order[below(order.size())]; any > 8)
+                    groupOf[any] = GroupId(below(9));
             if (below(3) == 0) {
                 edit.groups = painting.groups;
                 edit.groups->at(4 + below(4)).parent = GroupId(below(5));
