@@ -1034,6 +1034,18 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1 shown alone</source>
         <translation>%1 allein gezeigt</translation>
     </message>
+    <message>
+        <source>%1 a draft</source>
+        <translation>%1 Entwurf</translation>
+    </message>
+    <message>
+        <source>  pictures  %1</source>
+        <translation>  Bilder    %1</translation>
+    </message>
+    <message>
+        <source>Draws groups that are drafts, too.</source>
+        <translation>Zeichnet auch Gruppen, die Entwürfe sind.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1052,10 +1064,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>There are no paths in the SVG of the clipboard.</source>
         <translation>Das SVG der Zwischenablage enthält keine Pfade.</translation>
-    </message>
-    <message>
-        <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
-        <translation>Die Zwischenablage enthält keine Striche, keine SVG-Pfade und keine Farbe.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
@@ -1099,6 +1107,17 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>
             <numerusform>SVG kennt keine Lavierungen: Die Striche von %n Gruppe liegen dort übereinander.</numerusform>
             <numerusform>SVG kennt keine Lavierungen: Die Striche von %n Gruppen liegen dort übereinander.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes, no SVG paths, no picture and no colour.</source>
+        <translation>Die Zwischenablage enthält keine Striche, keine SVG-Pfade, kein Bild und keine Farbe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, pictures are left out: %n of them.</source>
+        <translation>
+            <numerusform>Als SVG, für andere Programme, fehlt ein Bild.</numerusform>
+            <numerusform>Als SVG, für andere Programme, fehlen %n Bilder.</numerusform>
         </translation>
     </message>
 </context>
@@ -1317,6 +1336,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Delete layer</source>
         <translation>Ebene löschen</translation>
+    </message>
+    <message>
+        <source>Make group a draft</source>
+        <translation>Gruppe zum Entwurf machen</translation>
+    </message>
+    <message>
+        <source>Export draft again</source>
+        <translation>Entwurf wieder exportieren</translation>
     </message>
 </context>
 <context>
@@ -3628,10 +3655,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ein&amp;fügen</translation>
     </message>
     <message>
-        <source>Paste strokes or SVG paths at the pointer; a colour becomes the current one</source>
-        <translation>Striche oder SVG-Pfade am Zeiger einfügen; eine Farbe wird zur aktuellen</translation>
-    </message>
-    <message>
         <source>Paste &amp;in Place</source>
         <translation>An &amp;Originalposition einfügen</translation>
     </message>
@@ -5233,6 +5256,34 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Tools reach only what is on the layer, where there is one</source>
         <translation>Werkzeuge erreichen nur, was auf der Ebene liegt, falls es eine gibt</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>The selected groups are seen here, and left out of what is exported</source>
+        <translation>Die ausgewählten Gruppen sind hier zu sehen, aber nicht in dem, was exportiert wird</translation>
+    </message>
+    <message>
+        <source>Underlay to Layer</source>
+        <translation>Vorlage zur Ebene machen</translation>
+    </message>
+    <message>
+        <source>Make an image layer below all of the underlay, where it lies; it is exported then</source>
+        <translation>Aus der Vorlage, wo sie liegt, eine Bildebene unter allem machen; sie wird dann mit exportiert</translation>
+    </message>
+    <message>
+        <source>Import &amp;Picture as Layer…</source>
+        <translation>&amp;Bild als Ebene importieren …</translation>
+    </message>
+    <message>
+        <source>A picture as a layer among the others: with opacity and mode, and in what is exported</source>
+        <translation>Ein Bild als Ebene unter den anderen: mit Deckkraft und Modus, und in dem, was exportiert wird</translation>
+    </message>
+    <message>
+        <source>Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one</source>
+        <translation>Striche, SVG-Pfade oder ein Bild am Zeiger einfügen; eine Farbe wird zur aktuellen</translation>
     </message>
 </context>
 <context>
@@ -6840,6 +6891,25 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>
         <translation>Ein anderes Programm hat dieses Bild geändert. Geöffnet wurde das Gemälde, wie Suffuse es exportiert hat.</translation>
     </message>
+    <message>
+        <source>The linked picture %1 is missing, and is not seen: put its file back, or link another one in the Inspector.</source>
+        <translation>Das verknüpfte Bild %1 fehlt und ist nicht zu sehen: Bitte die Datei an ihren Platz legen oder im Inspektor eine andere verknüpfen.</translation>
+    </message>
+    <message>
+        <source>The linked picture %1 has more than 64 MB, and is not seen.</source>
+        <translation>Das verknüpfte Bild %1 hat mehr als 64 MB und ist nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>The linked picture %1 has changed since it was linked, and is not seen: link it anew in the Inspector.</source>
+        <translation>Das verknüpfte Bild %1 wurde seit dem Verknüpfen geändert und ist nicht zu sehen: Bitte im Inspektor neu verknüpfen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>So it is with %n other picture(s).</source>
+        <translation>
+            <numerusform>So ist es auch mit einem weiteren Bild.</numerusform>
+            <numerusform>So ist es auch mit %n weiteren Bildern.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -6858,6 +6928,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Shown alone</source>
         <translation>Wird allein gezeigt</translation>
+    </message>
+    <message>
+        <source>A draft: left out of what is exported</source>
+        <translation>Ein Entwurf: wird nicht exportiert</translation>
     </message>
 </context>
 <context>
@@ -6922,6 +6996,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>“%1” is damaged. What is whole of it was imported.</source>
         <translation>„%1“ ist beschädigt. Was davon heil ist, wurde importiert.</translation>
+    </message>
+    <message>
+        <source>Import picture as layer</source>
+        <translation>Bild als Ebene importieren</translation>
+    </message>
+    <message>
+        <source>Add as &amp;Layer</source>
+        <translation>Als &amp;Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Use as &amp;Underlay</source>
+        <translation>Als &amp;Vorlage verwenden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -10471,6 +10561,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>The group mixes by itself in any case: by its opacity or its mode, or since it is clipped or a mask.</source>
         <translation>Die Gruppe mischt sich in jedem Fall für sich: durch ihre Deckkraft oder ihren Modus, oder weil sie begrenzt oder eine Maske ist.</translation>
     </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>The group is seen here, and left out of pictures and films that are exported: for sketches and pictures to paint over.</source>
+        <translation>Die Gruppe ist hier zu sehen, aber nicht in Bildern und Filmen, die exportiert werden: für Skizzen und Bilder zum Abmalen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupTag</name>
@@ -10556,6 +10654,103 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>The file could not be packed.</source>
         <translation>Die Datei konnte nicht gepackt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageLayer</name>
+    <message>
+        <source>%1: the pictures of a painting may have %2 million pixels together, and this one would be too many. Scale it down, or remove another one.</source>
+        <translation>%1: Die Bilder eines Gemäldes dürfen zusammen %2 Millionen Pixel haben, mit diesem wären es zu viele. Bitte verkleinern oder ein anderes entfernen.</translation>
+    </message>
+    <message>
+        <source>Import picture</source>
+        <translation>Bild importieren</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The picture of the clipboard cannot be read.</source>
+        <translation>Das Bild der Zwischenablage kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Paste picture</source>
+        <translation>Bild einfügen</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Underlay to layer</source>
+        <translation>Vorlage zur Ebene machen</translation>
+    </message>
+    <message>
+        <source>Link picture</source>
+        <translation>Bild verknüpfen</translation>
+    </message>
+    <message>
+        <source>Embed picture</source>
+        <translation>Bild einbetten</translation>
+    </message>
+    <message>
+        <source>Reset proportions</source>
+        <translation>Proportionen zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PictureSection</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Linked to a file</source>
+        <translation>Mit einer Datei verknüpft</translation>
+    </message>
+    <message>
+        <source>The painting names the picture&apos;s file, and does not hold the picture itself. Otherwise the picture is in the painting, whatever becomes of the file.</source>
+        <translation>Das Gemälde nennt die Datei des Bildes und enthält es nicht selbst. Sonst ist das Bild im Gemälde, was auch immer aus der Datei wird.</translation>
+    </message>
+    <message>
+        <source>Relink…</source>
+        <translation>Neu verknüpfen …</translation>
+    </message>
+    <message>
+        <source>Another file, or the same one where it lies now, in the picture&apos;s place</source>
+        <translation>Eine andere Datei, oder dieselbe an ihrem jetzigen Ort, an Stelle des Bildes</translation>
+    </message>
+    <message>
+        <source>Reset Proportions</source>
+        <translation>Proportionen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>As high and wide as its pixels ask for: its top left corner, its direction and its width stay.</source>
+        <translation>So hoch und breit, wie seine Pixel es verlangen: Die linke obere Ecke, die Richtung und die Breite bleiben.</translation>
+    </message>
+    <message>
+        <source>Link picture</source>
+        <translation>Bild verknüpfen</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s)</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is missing or has changed, and is not seen.</source>
+        <translation>%1 fehlt oder wurde geändert und ist nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>A picture is missing, and is not seen.</source>
+        <translation>Ein Bild fehlt und ist nicht zu sehen.</translation>
     </message>
 </context>
 </TS>

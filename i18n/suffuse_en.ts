@@ -96,6 +96,13 @@
             <numerusform>SVG has no washes: the strokes of %n groups lie over each other there.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, pictures are left out: %n of them.</source>
+        <translation>
+            <numerusform>As SVG, for other programs, a picture is left out.</numerusform>
+            <numerusform>As SVG, for other programs, %n pictures are left out.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Renderer</name>
@@ -301,6 +308,13 @@
             <numerusform>the images of %n image layers are missing</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>So it is with %n other picture(s).</source>
+        <translation>
+            <numerusform>So it is with another picture.</numerusform>
+            <numerusform>So it is with %n other pictures.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>
@@ -440,6 +454,16 @@
         <translation>
             <numerusform>%Ln stroke</numerusform>
             <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PictureSection</name>
+    <message numerus="yes">
+        <source>%n picture(s)</source>
+        <translation>
+            <numerusform>%n picture</numerusform>
+            <numerusform>%n pictures</numerusform>
         </translation>
     </message>
 </context>

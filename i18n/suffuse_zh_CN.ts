@@ -1027,6 +1027,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>%1 shown alone</source>
         <translation>%1 个单独显示</translation>
     </message>
+    <message>
+        <source>%1 a draft</source>
+        <translation>%1 个草稿</translation>
+    </message>
+    <message>
+        <source>  pictures  %1</source>
+        <translation>  图片      %1</translation>
+    </message>
+    <message>
+        <source>Draws groups that are drafts, too.</source>
+        <translation>也绘制属于草稿的组。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1045,10 +1057,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>There are no paths in the SVG of the clipboard.</source>
         <translation>剪贴板的 SVG 中没有路径。</translation>
-    </message>
-    <message>
-        <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
-        <translation>剪贴板中没有笔画、SVG 路径或颜色。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
@@ -1088,6 +1096,16 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>SVG has no washes: the strokes of %n group(s) lie over each other there.</source>
         <translation>
             <numerusform>SVG 没有淡彩：有 %n 个组的笔画在其中彼此叠放。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes, no SVG paths, no picture and no colour.</source>
+        <translation>剪贴板中没有笔画、SVG 路径、图片或颜色。</translation>
+    </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, pictures are left out: %n of them.</source>
+        <translation>
+            <numerusform>作为供其他程序使用的 SVG，图片被省略：%n 幅。</numerusform>
         </translation>
     </message>
 </context>
@@ -1304,6 +1322,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Delete layer</source>
         <translation>删除图层</translation>
+    </message>
+    <message>
+        <source>Make group a draft</source>
+        <translation>将组设为草稿</translation>
+    </message>
+    <message>
+        <source>Export draft again</source>
+        <translation>重新导出草稿</translation>
     </message>
 </context>
 <context>
@@ -3609,10 +3635,6 @@ Arrow keys work too.</source>
         <translation>粘贴(&amp;P)</translation>
     </message>
     <message>
-        <source>Paste strokes or SVG paths at the pointer; a colour becomes the current one</source>
-        <translation>在指针处粘贴笔画或 SVG 路径；颜色则成为当前颜色</translation>
-    </message>
-    <message>
         <source>Paste &amp;in Place</source>
         <translation>原位粘贴(&amp;I)</translation>
     </message>
@@ -5214,6 +5236,34 @@ Arrow keys work too.</source>
         <source>Tools reach only what is on the layer, where there is one</source>
         <translation>工具只触及图层上的内容（如果有图层）</translation>
     </message>
+    <message>
+        <source>Draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>The selected groups are seen here, and left out of what is exported</source>
+        <translation>所选的组在此可见，但不会被导出</translation>
+    </message>
+    <message>
+        <source>Underlay to Layer</source>
+        <translation>底图转为图层</translation>
+    </message>
+    <message>
+        <source>Make an image layer below all of the underlay, where it lies; it is exported then</source>
+        <translation>将底图原位转为最下方的图像图层；之后它会被导出</translation>
+    </message>
+    <message>
+        <source>Import &amp;Picture as Layer…</source>
+        <translation>将图片导入为图层(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>A picture as a layer among the others: with opacity and mode, and in what is exported</source>
+        <translation>图片作为与其他图层一样的图层：有不透明度和模式，并会被导出</translation>
+    </message>
+    <message>
+        <source>Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one</source>
+        <translation>在指针处粘贴笔画、SVG 路径或图片；颜色则成为当前颜色</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6800,6 +6850,24 @@ Arrow keys work too.</source>
         <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>
         <translation>其他程序修改过此图片。打开的是 Suffuse 导出时的画作。</translation>
     </message>
+    <message>
+        <source>The linked picture %1 is missing, and is not seen: put its file back, or link another one in the Inspector.</source>
+        <translation>链接的图片 %1 不存在，因此不可见：请放回其文件，或在检查器中链接其他文件。</translation>
+    </message>
+    <message>
+        <source>The linked picture %1 has more than 64 MB, and is not seen.</source>
+        <translation>链接的图片 %1 超过 64 MB，因此不可见。</translation>
+    </message>
+    <message>
+        <source>The linked picture %1 has changed since it was linked, and is not seen: link it anew in the Inspector.</source>
+        <translation>链接的图片 %1 在链接后已更改，因此不可见：请在检查器中重新链接。</translation>
+    </message>
+    <message numerus="yes">
+        <source>So it is with %n other picture(s).</source>
+        <translation>
+            <numerusform>另外 %n 幅图片也是如此。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -6818,6 +6886,10 @@ Arrow keys work too.</source>
     <message>
         <source>Shown alone</source>
         <translation>单独显示</translation>
+    </message>
+    <message>
+        <source>A draft: left out of what is exported</source>
+        <translation>草稿：不会被导出</translation>
     </message>
 </context>
 <context>
@@ -6882,6 +6954,22 @@ Arrow keys work too.</source>
     <message>
         <source>“%1” is damaged. What is whole of it was imported.</source>
         <translation>“%1”已损坏。其中完好的部分已导入。</translation>
+    </message>
+    <message>
+        <source>Import picture as layer</source>
+        <translation>将图片导入为图层</translation>
+    </message>
+    <message>
+        <source>Add as &amp;Layer</source>
+        <translation>添加为图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Use as &amp;Underlay</source>
+        <translation>用作底图(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -10414,6 +10502,14 @@ Arrow keys work too.</source>
         <source>The group mixes by itself in any case: by its opacity or its mode, or since it is clipped or a mask.</source>
         <translation>该组无论如何都自行混合：因其不透明度或模式，或因它被剪贴或是蒙版。</translation>
     </message>
+    <message>
+        <source>Draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>The group is seen here, and left out of pictures and films that are exported: for sketches and pictures to paint over.</source>
+        <translation>该组在此可见，但不出现在导出的图片和影片中：适用于草图和描摹用的图片。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupTag</name>
@@ -10499,6 +10595,102 @@ Arrow keys work too.</source>
     <message>
         <source>The file could not be packed.</source>
         <translation>无法打包该文件。</translation>
+    </message>
+</context>
+<context>
+    <name>ImageLayer</name>
+    <message>
+        <source>%1: the pictures of a painting may have %2 million pixels together, and this one would be too many. Scale it down, or remove another one.</source>
+        <translation>%1：一幅画中的图片总共最多 %2 百万像素，加上这一幅会超出。请缩小它，或删除另一幅。</translation>
+    </message>
+    <message>
+        <source>Import picture</source>
+        <translation>导入图片</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>The picture of the clipboard cannot be read.</source>
+        <translation>无法读取剪贴板中的图片。</translation>
+    </message>
+    <message>
+        <source>Paste picture</source>
+        <translation>粘贴图片</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>底图</translation>
+    </message>
+    <message>
+        <source>Underlay to layer</source>
+        <translation>底图转为图层</translation>
+    </message>
+    <message>
+        <source>Link picture</source>
+        <translation>链接图片</translation>
+    </message>
+    <message>
+        <source>Embed picture</source>
+        <translation>嵌入图片</translation>
+    </message>
+    <message>
+        <source>Reset proportions</source>
+        <translation>重置比例</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PictureSection</name>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>Linked to a file</source>
+        <translation>链接到文件</translation>
+    </message>
+    <message>
+        <source>The painting names the picture&apos;s file, and does not hold the picture itself. Otherwise the picture is in the painting, whatever becomes of the file.</source>
+        <translation>画中只记录图片的文件，而不包含图片本身。否则图片保存在画中，与文件的变化无关。</translation>
+    </message>
+    <message>
+        <source>Relink…</source>
+        <translation>重新链接…</translation>
+    </message>
+    <message>
+        <source>Another file, or the same one where it lies now, in the picture&apos;s place</source>
+        <translation>用另一个文件，或同一文件的新位置，代替该图片</translation>
+    </message>
+    <message>
+        <source>Reset Proportions</source>
+        <translation>重置比例</translation>
+    </message>
+    <message>
+        <source>As high and wide as its pixels ask for: its top left corner, its direction and its width stay.</source>
+        <translation>按其像素的宽高比：左上角、方向和宽度保持不变。</translation>
+    </message>
+    <message>
+        <source>Link picture</source>
+        <translation>链接图片</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s)</source>
+        <translation>
+            <numerusform>%n 幅图片</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is missing or has changed, and is not seen.</source>
+        <translation>%1 不存在或已更改，因此不可见。</translation>
+    </message>
+    <message>
+        <source>A picture is missing, and is not seen.</source>
+        <translation>缺少一幅图片，因此不可见。</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 #include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
+#include "model/formats/picture_links.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -50,6 +51,13 @@ bool isSameFile(const QString &in, const QString &out)
     return !file.isEmpty() && file == QFileInfo(out).canonicalFilePath();
 }
 
+/// The painting with links to pictures that hold from another file's folder.
+Painting movedTo(const QString &out, const QString &in, const Painting &painting)
+{
+    const QString from = QFileInfo(in).absolutePath(), to = QFileInfo(out).absolutePath();
+    return from == to ? painting : withRelativeLinks(withAbsoluteLinks(painting, from), to);
+}
+
 } // namespace
 
 int convertCommand(const QStringList &arguments)
@@ -90,8 +98,9 @@ int convertCommand(const QStringList &arguments)
     const Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
     if (!document)
         return fail(document.error());
-    if (!document->leftOut.isEmpty())
-        warn(QStringLiteral("%1: %2").arg(line.argument(0), document->leftOut));
+    for (const QString &said : {document->leftOut, document->missing})
+        if (!said.isEmpty())
+            warn(QStringLiteral("%1: %2").arg(line.argument(0), said));
     using enum FileFormat;
     if (const FileFormat in = document->format; brush && (in == Suffuse || in == Text || in == DiffusionCurves))
         warn(QCoreApplication::translate("Cli", "--brush is ignored: the strokes of %1 have their looks already")
@@ -108,7 +117,7 @@ int convertCommand(const QStringList &arguments)
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
     if (out == QLatin1String("-"))
         return printBytes(writeDocument(document->painting, extras, *format));
-    const Result<void> saved = saveDocument(document->painting, extras, out);
+    const Result<void> saved = saveDocument(movedTo(out, line.argument(0), document->painting), extras, out);
     return saved ? Done : fail(saved.error());
 }
 

@@ -23,6 +23,7 @@ struct Facts {
     Painting painting;
     std::vector<QString> losses; ///< of a damaged file
     QString leftOut;             ///< of a foreign file, a sentence, or empty
+    QString missing;             ///< linked pictures, sentences, or empty
     Rect bounds;
     Microseconds begin = 0;
     Microseconds end = 0;
@@ -121,6 +122,7 @@ Result<Facts> factsOf(const QString &path)
     } else {
         facts.leftOut = document->leftOut;
     }
+    facts.missing = document->missing;
     facts.format = detectFormat(bytes);
     facts.bytes = bytes.size();
     facts.end = facts.painting.end();
@@ -143,11 +145,16 @@ struct GroupCounts {
         : blending(std::ranges::count_if(groups, &Group::isIsolated)),
           clipped(std::ranges::count_if(groups, &Group::clips)), masks(std::ranges::count_if(groups, &Group::mask)),
           washes(std::ranges::count_if(groups, [](const Group &group) { return group.wash.has_value(); })),
-          solo(std::ranges::count_if(groups, &Group::solo))
+          solo(std::ranges::count_if(groups, &Group::solo)), drafts(std::ranges::count_if(groups, &Group::draft))
     {}
 
-    qint64 blending, clipped, masks, washes, solo;
+    qint64 blending, clipped, masks, washes, solo, drafts;
 };
+
+qint64 picturesIn(const Painting &painting)
+{
+    return std::ranges::count_if(painting.strokes, [](const StrokePtr &stroke) { return bool(stroke->picture); });
+}
 
 QJsonObject jsonOf(const Facts &f)
 {
@@ -173,6 +180,8 @@ QJsonObject jsonOf(const Facts &f)
         {"masks", counts.masks},
         {"washes", counts.washes},
         {"soloGroups", counts.solo},
+        {"drafts", counts.drafts},
+        {"pictures", picturesIn(f.painting)},
         {"begin", toSeconds(f.begin)},
         {"end", toSeconds(f.end)},
         {"duration", toSeconds(f.end - f.begin)},
@@ -184,6 +193,7 @@ QJsonObject jsonOf(const Facts &f)
         chunks.append(QJsonObject{{"name", c.name}, {"start", c.start}, {"bytes", c.bytes}, {"damage", c.damage}});
     object["chunks"] = chunks;
     object["leftOut"] = f.leftOut;
+    object["missing"] = f.missing;
     object["losses"] = QJsonArray::fromStringList(QStringList(f.losses.begin(), f.losses.end()));
     return object;
 }
@@ -228,6 +238,8 @@ QString groupsLine(const Painting &painting)
         said << QCoreApplication::translate("Cli", "%1 a wash").arg(counts.washes);
     if (counts.solo > 0)
         said << QCoreApplication::translate("Cli", "%1 shown alone").arg(counts.solo);
+    if (counts.drafts > 0)
+        said << QCoreApplication::translate("Cli", "%1 a draft").arg(counts.drafts);
     return said.join(QLatin1String(", "));
 }
 
@@ -249,6 +261,8 @@ QString textOf(const Facts &f)
                                  .arg(f.bounds.width(), 0, 'f', 1)
                                  .arg(f.bounds.height(), 0, 'f', 1),
         QCoreApplication::translate("Cli", "  duration  %1 s").arg(toSeconds(f.end - f.begin), 0, 'f', 3)};
+    if (const qint64 pictures = picturesIn(f.painting); pictures > 0)
+        lines.append(QCoreApplication::translate("Cli", "  pictures  %1").arg(pictures));
     for (const ChunkInfo &c : f.chunks)
         lines.append(lineOf(c));
     return lines.join('\n') + '\n';
@@ -290,8 +304,9 @@ int infoCommand(const QStringList &arguments)
     if (!facts)
         return fail(facts.error());
     const int printed = line.isSet("json") ? printJson(jsonOf(*facts)) : print(textOf(*facts));
-    if (!facts->leftOut.isEmpty())
-        warn(QStringLiteral("%1: %2").arg(line.argument(0), facts->leftOut));
+    for (const QString &said : {facts->leftOut, facts->missing})
+        if (!said.isEmpty())
+            warn(QStringLiteral("%1: %2").arg(line.argument(0), said));
     for (const QString &loss : facts->losses)
         warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
     return facts->losses.empty() ? printed : Failed;

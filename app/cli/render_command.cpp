@@ -33,6 +33,7 @@ void addOptions(CommandLine &line)
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: the end)."),
              "T");
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
+    line.add({"drafts"}, QCoreApplication::translate("Cli", "Draws groups that are drafts, too."));
     line.add({"depth"}, QCoreApplication::translate("Cli", "8, 16, half or float (default: the format's usual one)."),
              "DEPTH");
     line.add({"quality"},
@@ -190,6 +191,8 @@ int render(const CommandLine &line, ImageFormat format, ImageOptions image, cons
         return failUsage("render", QStringLiteral("%1: %2").arg(line.value("output"), problem));
     RenderRequest request;
     request.painting = std::make_shared<const Painting>(std::move(*painting));
+    if (!line.isSet("drafts"))
+        request.painting = withoutDrafts(request.painting);
     request.time = picture->time;
     request.view = View::ofArea(picture->area, picture->width, picture->height);
     request.transparent = image.alpha;

@@ -114,7 +114,7 @@ int timelapse(const CommandLine &line, Film film, RendererOptions options)
     const std::vector<Microseconds> moments = timelapseMoments(*painting, film.options);
     RenderRequest request;
     request.time = painting->end();
-    request.painting = std::make_shared<const Painting>(std::move(*painting));
+    request.painting = withoutDrafts(std::make_shared<const Painting>(std::move(*painting)));
     request.view = View::ofArea(picture->area, picture->width, picture->height);
     request.transparent = film.file.image.alpha;
     constexpr std::size_t framesOfPicture = 8; // Frames are drawn only where they differ from the one before.

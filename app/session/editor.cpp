@@ -2,10 +2,12 @@
 
 #include "app/session/colour/colour_target.h"
 #include "app/session/current_layer.h"
+#include "app/session/files/import_strokes.h"
 #include "app/session/files/opened_file.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
 #include "model/formats/messages.h"
+#include "model/formats/picture_links.h"
 #include "model/painting/paper_presets.h"
 #include "undo/history/kept_history.h"
 #include "undo/history/restore_edit.h"
@@ -330,19 +332,20 @@ Result<std::vector<QString>> Editor::open(const QString &path)
 std::vector<QString> Editor::open(OpenedFile file)
 {
     LoadedDocument &document = file.document;
+    const QString said = joinedSentences({document.leftOut, document.missing});
     m_extras = std::move(document.extras);
     const QByteArray history = std::exchange(m_extras.history, {});
     const bool damaged = !document.losses.empty();
     Origin origin;
     if (damaged)
-        origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, document.leftOut, true, true};
+        origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, said, true, true};
     else if (canBeSavedAs(document.format))
-        origin = {file.path, {}, file.path, file.hash, document.leftOut};
+        origin = {file.path, {}, file.path, file.hash, said};
     else { // A drawing or a recording: the painting of it has its name, and would lie beside it.
         const QFileInfo drawn(file.path);
         origin.name = drawn.completeBaseName();
         origin.suggestedPath = drawn.dir().filePath(origin.name + QStringLiteral(".suffuse"));
-        origin.leftOut = document.leftOut;
+        origin.leftOut = said;
     }
     show(std::make_shared<const Painting>(std::move(document.painting)), origin);
     takeUpHistory(history, damaged);
@@ -353,11 +356,14 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
 {
     if (bytes.isEmpty())
         return;
-    const Result<UndoHistory> history = readHistory(bytes, *m_document.painting());
+    Result<UndoHistory> history = readHistory(bytes, *m_document.painting());
     if (!history) {
-        m_leftOut = history.error();
+        m_leftOut = joinedSentences({history.error(), m_leftOut});
         return;
     }
+    for (HistoryStep &step : history->steps)
+        for (auto &[id, stroke] : step.edit.strokes)
+            readLink(stroke, QFileInfo(m_filePath).absolutePath());
     {
         const QScopedValueRollback takesUp(m_takesUpSteps, true);
         restoreHistory(m_undoStack, m_document, *history);
@@ -387,7 +393,10 @@ void Editor::openRecovered(Painting painting, const QString &name, const QString
     m_extras = {};
     const QString added = recoveredPattern().section(QStringLiteral("%1"), 1); // journals of earlier versions have it
     const QString own = name.endsWith(added) ? name.chopped(added.size()) : name;
-    show(std::make_shared<const Painting>(std::move(painting)), {{}, own, suggestedPath, {}, {}, true, true});
+    const QString folder = QFileInfo(suggestedPath).absolutePath();
+    painting = withAbsoluteLinks(std::move(painting), folder);
+    const QString missing = readLinks(painting, folder); // Journals do not have the images of linked pictures.
+    show(std::make_shared<const Painting>(std::move(painting)), {{}, own, suggestedPath, {}, missing, true, true});
 }
 
 SaveOrder Editor::orderFor(const QString &path)
@@ -446,8 +455,11 @@ void Editor::tellFileChanged()
     emit fileChanged();
 }
 
-void Editor::restore(const Painting &state, const QString &text)
+void Editor::restore(const Painting &loaded, const QString &text)
 {
+    const QString folder = QFileInfo(m_filePath).absolutePath(); // A backup lies elsewhere.
+    Painting state = withAbsoluteLinks(loaded, folder);
+    readLinks(state, folder);
     m_clock.lookAt(m_document.painting()->end()); // in the past an edit would be put to its place in time
     push(restorePainting(m_document, state), text);
     m_clock.reset(m_document.painting()->end());
@@ -467,7 +479,7 @@ Result<void> Editor::revert()
     m_extras = std::move(document.extras);
     m_historyBytes = std::exchange(m_extras.history, {}).size();
     m_keepsHistory = m_historyIsSaved = m_historyBytes > 0;
-    m_leftOut = document.leftOut;
+    m_leftOut = joinedSentences({document.leftOut, document.missing});
     m_fileHash = file->hash;
     m_savedStep.set(true);
     tellFileChanged();

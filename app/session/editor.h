@@ -146,7 +146,7 @@ public:
     void startSavingCopy(const QString &path);
     bool isSaving() const { return m_saver.isBusy(); }
     /// Puts another state of the painting in place of this one: a step, which Undo takes back. Its end is looked at.
-    void restore(const Painting &state, const QString &text);
+    void restore(const Painting &loaded, const QString &text);
     /// Restores what the file holds. Fails, and changes nothing, where it cannot be read or is damaged.
     Result<void> revert();
     /// What is beside the picture in the file.

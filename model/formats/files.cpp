@@ -4,6 +4,7 @@
 #include "model/formats/ink/recording.h"
 #include "model/formats/messages.h"
 #include "model/formats/ora/ora_parts.h"
+#include "model/formats/picture_links.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg/svg_painting.h"
 
@@ -280,12 +281,21 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     return fileError(fileName, unknownFormat(bytes));
 }
 
+/// Gives linked pictures their images, as they are seen from a file's folder. Returns what LoadedDocument::missing has.
+QString takeLinks(Painting &painting, const QString &fileName)
+{
+    return readLinks(painting, QFileInfo(fileName).absolutePath());
+}
+
 /// Reads any format, and refuses a damaged file.
 Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
 {
     const FileFormat format = detectFormat(bytes);
-    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
-                                         : readOther(bytes, fileName, format, brush, leftOut);
+    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
+                                                              : readOther(bytes, fileName, format, brush, leftOut);
+    if (painting)
+        leftOut = QStringList{leftOut, takeLinks(*painting, fileName)}.join(QLatin1Char(' ')).trimmed();
+    return painting;
 }
 
 Result<QByteArray> loadBytes(const QString &path)
@@ -320,14 +330,19 @@ Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, 
 Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush)
 {
     const FileFormat format = detectFormat(bytes);
-    if (format == FileFormat::Suffuse)
-        return readSuffuseDocument(bytes, fileName);
+    if (format == FileFormat::Suffuse) {
+        Result<LoadedDocument> read = readSuffuseDocument(bytes, fileName);
+        if (read)
+            read->missing = takeLinks(read->painting, fileName);
+        return read;
+    }
     LoadedDocument document;
     Result<Painting> painting = readOther(bytes, fileName, format, brush, document.leftOut);
     if (!painting)
         return Error{painting.error()};
     document.painting = std::move(*painting);
     document.format = format;
+    document.missing = takeLinks(document.painting, fileName);
     return document;
 }
 

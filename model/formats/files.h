@@ -34,11 +34,11 @@ FileFormat formatForSaving(const QString &path);
 QString nameOf(FileFormat format); ///< translated, for people
 
 /// Reads a painting from a file's bytes, whatever the format. `fileName` is used in messages ("a.json: strokes[3]…")
-/// and to find images beside the file. Recordings and drawings are painted with `brush` (by default with the first
-/// built-in one).
+/// and to find images beside the file, those of linked pictures among them; links stay as the file has them. Recordings
+/// and drawings are painted with `brush` (by default with the first built-in one).
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
 /// Reads a file, or the standard input for "-". Errors name the file, the place and the remedy. `leftOut` receives what
-/// LoadedDocument::leftOut tells of a foreign file.
+/// LoadedDocument::leftOut tells of a foreign file, and LoadedDocument::missing of any.
 Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr, QString *leftOut = nullptr);
 
 /// The bytes of a painting in a format that can be saved (Suffuse or Text).
@@ -84,6 +84,8 @@ struct LoadedDocument {
     /// What was left out although the picture is whole, as a sentence: what a foreign file has and a painting cannot
     /// have, or damaged parts besides the picture. It is empty if there is nothing.
     QString leftOut;
+    /// Which linked pictures are missing, as sentences that say what to do. It is empty if there are none.
+    QString missing;
 };
 
 /// Reads a document like readPainting and loadPainting. While these refuse a damaged file, this returns what is whole

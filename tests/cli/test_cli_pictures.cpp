@@ -1,6 +1,8 @@
 // From painting to image file through suffuse-cli, good and bad.
 #include "cli_pictures.h"
 
+#include <QCryptographicHash>
+#include <QDir>
 #include <QJsonArray>
 #include <QTest>
 
@@ -35,6 +37,8 @@ private slots:
     void recordings_data();
     void recordings();
     void awkwardStrokes();
+    void drafts();
+    void linkedPictures();
 };
 
 void TestCliPictures::png()
@@ -407,6 +411,64 @@ void TestCliPictures::awkwardStrokes()
             darkest = std::min(darkest, p.rgba[i]);
         QVERIFY2(darkest < 0.8f, qPrintable(it.key())); // a single point is a dot
     }
+}
+
+void TestCliPictures::drafts()
+{
+    QByteArray text = smallPainting();
+    text.replace("\"strokes\": [", "\"groups\": [{\"id\": 7, \"draft\": true}],\"strokes\": [");
+    text.replace("\"version\": 1", "\"version\": 3");
+    QJsonObject painting = QJsonDocument::fromJson(text).object();
+    QJsonArray strokes = painting["strokes"].toArray();
+    for (QJsonValueRef stroke : strokes) {
+        QJsonObject own = stroke.toObject();
+        own["group"] = 7;
+        stroke = own;
+    }
+    painting["strokes"] = strokes;
+    QVERIFY(writeFile(path("draft.json"), QJsonDocument(painting).toJson()));
+    const auto rendered = [&](const QStringList &options) {
+        const CliOutcome done = runCli(QStringList{"render", path("draft.json"), "-o", path("draft.png")} + options);
+        return done.code == 0 ? readFile(path("draft.png")) : done.err;
+    };
+    const CliOutcome plain = runCli({"render", path("a.json"), "-o", path("plain.png")});
+    QVERIFY2(plain.code == 0, qPrintable(plain.text()));
+    QCOMPARE(rendered({"--drafts"}), readFile(path("plain.png")));
+    const QByteArray without = rendered({});
+    QVERIFY(without.startsWith("\x89PNG") && without != readFile(path("plain.png")));
+    QCOMPARE(runCli({"info", "--json", path("draft.json")}).json()["drafts"].toInt(), 1);
+}
+
+/// What is missing is told, drawn without, and kept by `convert`.
+void TestCliPictures::linkedPictures()
+{
+    FloatPicture image;
+    image.resize(4, 4);
+    std::fill(image.rgba.begin(), image.rgba.end(), 1.0f);
+    const Result<QByteArray> png = encodeImage(ImageFormat::Png, image, {}, "l");
+    QVERIFY(png && QDir(path("")).mkpath("in/pictures"));
+    QVERIFY(writeFile(path("in/pictures/l.png"), *png));
+    const QByteArray picture = "\"picture\": {\"link\": \"pictures/l.png\", \"sha256\": \"" +
+                               QCryptographicHash::hash(*png, QCryptographicHash::Sha256).toHex() +
+                               "\", \"width\": 4, \"height\": 4, \"corner\": [0,0], \"right\": [40,0], "
+                               "\"down\": [0,30]}, \"segments\": [";
+    QByteArray text = smallPainting();
+    text.replace("\"version\": 1", "\"version\": 3").replace("\"segments\": [", picture);
+    QVERIFY(writeFile(path("in/linked.json"), text));
+    const CliOutcome whole = runCli({"render", path("in/linked.json"), "-o", path("whole.png")});
+    QVERIFY2(whole.code == 0 && whole.err.isEmpty(), qPrintable(whole.text()));
+    const CliOutcome moved = runCli({"convert", path("in/linked.json"), path("moved.suffuse")});
+    QVERIFY2(moved.code == 0 && moved.err.isEmpty(), qPrintable(moved.text()));
+    const CliOutcome again = runCli({"render", path("moved.suffuse"), "-o", path("again.png")});
+    QVERIFY2(again.code == 0 && again.err.isEmpty(), qPrintable(again.text()));
+    QCOMPARE(readFile(path("again.png")), readFile(path("whole.png")));
+    QVERIFY(QFile::remove(path("in/pictures/l.png")));
+    const CliOutcome lacking = runCli({"render", path("moved.suffuse"), "-o", path("lacking.png")});
+    QVERIFY(lacking.code == 0 && lacking.err.contains("l.png"));
+    const CliOutcome info = runCli({"info", "--json", path("moved.suffuse")});
+    QVERIFY(info.code == 0 && info.json()["missing"].toString().contains("l.png"));
+    const CliOutcome kept = runCli({"convert", path("moved.suffuse"), "-"});
+    QVERIFY(kept.code == 0 && kept.out.contains("\"link\": \"in/pictures/l.png\""));
 }
 
 QTEST_GUILESS_MAIN(TestCliPictures)

@@ -50,7 +50,8 @@ def main():
     for file in sys.argv[2:]:
         with tempfile.TemporaryDirectory() as folder, open(file, "rb") as data:
             text = os.path.join(folder, "a.json")
-            subprocess.run([sys.argv[1], "convert", file, text], check=True)
+            with open(text, "wb") as out: # A copy elsewhere would name linked pictures as they are seen from there.
+                subprocess.run([sys.argv[1], "convert", file, "-"], stdout=out, check=True)
             with open(text, encoding="utf-8") as theirs:
                 found = differs(read_suffuse.read(data.read()), json.load(theirs), os.path.basename(file))
         if found:

@@ -3,6 +3,7 @@
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "model/formats/messages.h"
+#include "model/formats/picture_links.h"
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/edits.h"
@@ -195,9 +196,10 @@ Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point ce
         return Error{file.error()};
     if (file->painting.strokes.empty() && file->losses.empty())
         return fileError(path, QCoreApplication::translate("Import", "there are no strokes in it"));
-    const QString refused = addStrokes(editor, inOneGroup(file->painting, QFileInfo(path).completeBaseName()), centre,
+    const Painting painting = withAbsoluteLinks(file->painting, QFileInfo(path).absolutePath());
+    const QString refused = addStrokes(editor, inOneGroup(painting, QFileInfo(path).completeBaseName()), centre,
                                        QCoreApplication::translate("Import", "Import strokes"));
-    return ImportReport{file->losses, joinedSentences({refused, file->leftOut})};
+    return ImportReport{file->losses, joinedSentences({refused, file->leftOut, file->missing})};
 }
 
 } // namespace suffuse

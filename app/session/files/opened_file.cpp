@@ -1,6 +1,7 @@
 #include "app/session/files/opened_file.h"
 
 #include "model/formats/messages.h"
+#include "model/formats/picture_links.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -18,6 +19,7 @@ Result<OpenedFile> readOpenedFile(const QString &path)
     Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
     if (!document)
         return Error{document.error()};
+    document->painting = withAbsoluteLinks(std::move(document->painting), QFileInfo(path).absolutePath());
     return OpenedFile{QFileInfo(path).absoluteFilePath(), std::move(*document),
                       QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }

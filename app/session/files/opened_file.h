@@ -11,7 +11,8 @@ struct OpenedFile {
     QByteArray hash; ///< SHA-256 of exactly the bytes that were read
 };
 
-/// As loadDocument; of a damaged file it returns all that is whole.
+/// As loadDocument; of a damaged file it returns all that is whole. Links to pictures are absolute, since the painting
+/// may be saved elsewhere.
 Result<OpenedFile> readOpenedFile(const QString &path);
 
 } // namespace suffuse

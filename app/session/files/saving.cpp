@@ -2,6 +2,7 @@
 
 #include "app/session/files/saving_preview.h"
 #include "model/formats/atomic_save.h"
+#include "model/formats/picture_links.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
@@ -60,8 +61,9 @@ SaveOutcome carryOut(const SaveOrder &order)
     DocumentExtras extras = order.extras;
     if (format == FileFormat::Suffuse && order.painting->segmentCount() <= mostPreviewed)
         extras.preview = previewPng(order.painting);
-    extras.history = order.history ? writeHistory(*order.history, *order.painting) : QByteArray();
-    const QByteArray bytes = writeDocument(*order.painting, extras, format);
+    const Painting painting = withRelativeLinks(*order.painting, QFileInfo(outcome.path).path());
+    extras.history = order.history ? writeHistory(*order.history, painting) : QByteArray();
+    const QByteArray bytes = writeDocument(painting, extras, format);
     if (isOther()) // looked at once more, since drawing and packing took their time
         return outcome;
     outcome.hash = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
