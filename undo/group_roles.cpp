@@ -15,6 +15,8 @@ bool hasRole(const Group &group, GroupRole role)
         return group.mask;
     case GroupRole::Wash:
         return group.wash.has_value();
+    case GroupRole::Draft:
+        return group.draft;
     }
     return false;
 }
@@ -91,6 +93,8 @@ bool GroupRoles::canHave(const Group &group, GroupRole role) const
         }
         return true;
     }
+    case GroupRole::Draft:
+        return true;
     }
     return false;
 }
@@ -133,6 +137,9 @@ Edit setGroupRole(const Document &document, const std::vector<GroupId> &groups, 
                 now.wash.reset();
             else if (!now.wash)
                 now.wash = roles.usualWash(now.id);
+            break;
+        case GroupRole::Draft:
+            now.draft = on;
         }
     });
 }

@@ -1,4 +1,4 @@
-// What groups can be to what is beside them and in them: clipped, a mask, a wash.
+// What groups can be to what is beside them and in them: clipped, a mask, a wash, or a draft.
 #pragma once
 
 #include "undo/edits.h"
@@ -8,8 +8,8 @@
 
 namespace suffuse {
 
-enum class GroupRole { Clipped, Mask, Wash };
-inline constexpr std::array groupRoles{GroupRole::Clipped, GroupRole::Mask, GroupRole::Wash};
+enum class GroupRole { Clipped, Mask, Wash, Draft };
+inline constexpr std::array groupRoles{GroupRole::Clipped, GroupRole::Mask, GroupRole::Wash, GroupRole::Draft};
 
 bool hasRole(const Group &group, GroupRole role);
 
@@ -27,7 +27,7 @@ public:
     State of(const std::vector<GroupId> &groups, GroupRole role) const;
     /// Whether a group that gets the role does something by it: for being clipped, something lies below it in the same
     /// group that is neither clipped nor a mask; for being a mask, anything is beside it there; and no wash is around a
-    /// wash.
+    /// wash. Any group can be a draft.
     bool canHave(const Group &group, GroupRole role) const;
     /// The wash that a group becomes: style and mixing of its lowest stroke that is not filled, or else of its lowest
     /// one.

@@ -94,7 +94,7 @@ void CanvasWidget::follow(const Change &change)
     if (change.canvas || change.reset)
         wantUnderlay();
     const bool altersFrame = change.texts && !m_editor.selection().isEmpty(); // around a text that is selected
-    if (change.canvas || change.reset || altersFrame || m_aids.showErasures)
+    if (change.canvas || change.reset || altersFrame || m_aids.showErasures || m_missing.any())
         updateOverlay();
     else if (change.selection || !m_editor.selection().isEmpty())
         m_repaint.follow(change);
@@ -348,6 +348,8 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
+    if (!isBare())
+        m_missing.paint(painter, view(), m_editor.unsettled().painting(), m_colours, dpr);
     if (showsOutlines())
         paintSelection(painter, dpr);
     paintErasures(painter, dpr);

@@ -6,6 +6,7 @@
 #include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay/canvas_note.h"
 #include "app/canvas/overlay/erasure_lines.h"
+#include "app/canvas/overlay/missing_pictures.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/canvas/overlay/overlay_repaint.h"
 #include "app/canvas/overlay/shown_selection.h"
@@ -216,6 +217,7 @@ private:
     OverlayColours m_colours;
     CanvasAids m_aids;
     ErasureLines m_erasures;
+    MissingPictures m_missing;
     ShownSelection m_selected;
     OverlayRepaint m_repaint;
     CanvasNote m_note;

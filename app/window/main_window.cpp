@@ -42,6 +42,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QStringList>
 #include <QToolBar>
 
 #include <map>
@@ -338,12 +339,15 @@ void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
     MainWindow *window = this;
+    QStringList pictures;
     for (const QString &file : localFiles(event->mimeData())) {
         if (underlay::isPicture(file))
-            window->m_importing->importUnderlay(file);
+            pictures << file;
         else if (MainWindow *opened = window->openFile(file))
             window = opened;
     }
+    if (!pictures.isEmpty())
+        window->m_importing->offer(pictures, mapToGlobal(event->position().toPoint()));
 }
 
 std::unique_ptr<OpenPainting> MainWindow::release()

@@ -58,7 +58,7 @@ QMenu *addFileMenu(QMenuBar &bar, const Commands &table)
     append(*file, table,
            {{Save, SaveAs, SaveCopy, KeepHistory},
             {Revert, RestoreBackup},
-            {ImportStrokes, ImportUnderlay, Export, ExportAgain, ExportTimelapse},
+            {ImportStrokes, ImportPicture, ImportUnderlay, Export, ExportAgain, ExportTimelapse},
             {Close, Quit}});
     return recent;
 }
@@ -78,11 +78,11 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
 
 QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
 {
-    QMenu *view =
-        addMenu(bar, Commands::tr("&View"), table,
-                {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
-                 {RotateLeft, RotateRight, ResetRotation, Mirror},
-                 {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond, ShowUnderlay}});
+    QMenu *view = addMenu(bar, Commands::tr("&View"), table,
+                          {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
+                           {RotateLeft, RotateRight, ResetRotation, Mirror},
+                           {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond,
+                            ShowUnderlay, UnderlayToLayer}});
     view->addSeparator();
     QMenu *docks = view->addMenu(Commands::tr("&Docks"));
     for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
@@ -98,7 +98,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
                              {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
-    addMenu(*object, Commands::tr("Group as a Whole"), table, {{ClipGroups, MaskGroups, WashGroups}});
+    addMenu(*object, Commands::tr("Group as a Whole"), table, {{ClipGroups, MaskGroups, WashGroups, DraftGroups}});
     addMenu(*object, Commands::tr("Areas"), table,
             {{UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},
              {InsetAreas, OutsetAreas},

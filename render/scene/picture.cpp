@@ -22,14 +22,14 @@ struct CachedLevels {
 /// Decoded images, the most recent one first. An image that is shown somewhere stays; of the others the oldest ones go.
 class LevelsCache {
 public:
-    Result<PictureLevelsPtr> of(const Picture &picture)
+    Result<PictureLevelsPtr> of(const Picture &picture, const QString &name)
     {
         const std::lock_guard lock(m_mutex);
         const auto known = std::ranges::find(m_known, picture.sha256, &CachedLevels::sha256);
         if (known != m_known.end())
             m_known.splice(m_known.begin(), m_known, known);
         else
-            m_known.push_front(decoded(picture));
+            m_known.push_front(decoded(picture, name));
         drop();
         const CachedLevels &found = m_known.front();
         if (!found.levels)
@@ -49,7 +49,7 @@ public:
 private:
     static constexpr std::size_t mostKnown = 4096; ///< images, be they decoded or not
 
-    static CachedLevels decoded(const Picture &picture)
+    static CachedLevels decoded(const Picture &picture, const QString &name)
     {
         std::shared_ptr<PictureLevels> levels;
         ImageRows rows;
@@ -57,7 +57,6 @@ private:
         rows.row = [&](const ImageRun &run) {
             run.forEach([&](int x, int y, const float *rgba) { levels->set(x, y, rgba); });
         };
-        const QString name = picture.isLinked() ? picture.link : QCoreApplication::translate("ScenePicture", "picture");
         if (const Result<void> read = readImageRows(*picture.image, name, rows); !read)
             return {picture.sha256, nullptr, read.error()};
         levels->reduce();
@@ -132,7 +131,7 @@ void PictureLevels::reduce()
     }
 }
 
-Result<PictureLevelsPtr> pictureLevels(const Picture &picture)
+Result<PictureLevelsPtr> pictureLevels(const Picture &picture, const QString &name)
 {
     if (!picture.image)
         return Error{picture.isLinked()
@@ -141,7 +140,8 @@ Result<PictureLevelsPtr> pictureLevels(const Picture &picture)
                                                                        "Inspector.")
                                .arg(picture.link)
                          : QCoreApplication::translate("ScenePicture", "the image of a picture is missing")};
-    return decodedImages().of(picture);
+    const QString usual = picture.isLinked() ? picture.link : QCoreApplication::translate("ScenePicture", "picture");
+    return decodedImages().of(picture, name.isEmpty() ? usual : name);
 }
 
 std::size_t pictureBytes()

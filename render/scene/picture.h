@@ -42,8 +42,8 @@ inline constexpr std::uint64_t mostPicturePixels = std::uint64_t(1) << 27;
 inline constexpr std::size_t mostIdlePictures = std::size_t(256) << 20;
 
 /// Decodes a picture by the image module. Pictures of one image share what is decoded, and it is kept for a while once
-/// none is left. An error names the remedy; it may be called on any thread.
-Result<PictureLevelsPtr> pictureLevels(const Picture &picture);
+/// none is left. An error names the remedy and begins with `name`, if there is one; it may be called on any thread.
+Result<PictureLevelsPtr> pictureLevels(const Picture &picture, const QString &name = {});
 /// The bytes of all decoded pictures, those that are shown and those that are kept.
 std::size_t pictureBytes();
 

@@ -83,7 +83,7 @@ Result<void> ExportJob::work(const ExportOrder &order)
     if (isOpenRaster(order.path))
         return workOnLayers(order, **renderer);
     RenderRequest request;
-    request.painting = order.painting;
+    request.painting = withoutDrafts(order.painting);
     request.time = order.time;
     request.view = View::ofArea(order.area, order.width, order.height);
     request.transparent = order.transparent;

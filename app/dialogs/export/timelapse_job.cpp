@@ -45,7 +45,7 @@ Result<void> TimelapseJob::film(TimelapseOrder order)
     if (!file)
         return Error{file.error()};
     RenderRequest request;
-    request.painting = order.painting;
+    request.painting = withoutDrafts(order.painting);
     request.view = View::ofArea(order.area, order.film.width, order.film.height);
     request.transparent = order.film.image.alpha;
     std::atomic<int> done = 0;

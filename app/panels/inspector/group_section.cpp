@@ -28,6 +28,8 @@ QString nameOf(GroupRole role)
         return GroupSection::tr("Mask");
     case GroupRole::Wash:
         return GroupSection::tr("Wash");
+    case GroupRole::Draft:
+        return GroupSection::tr("Draft");
     }
     return {};
 }
@@ -45,6 +47,9 @@ QString tipOf(GroupRole role)
         return GroupSection::tr("All strokes of the group are one, laid wet into wet: their densities add up, with "
                                 "one style and one mixing. Filled strokes, hidden ones and those of a mask within it "
                                 "stay by themselves.");
+    case GroupRole::Draft:
+        return GroupSection::tr("The group is seen here, and left out of pictures and films that are exported: for "
+                                "sketches and pictures to paint over.");
     }
     return {};
 }
@@ -59,6 +64,8 @@ QString refusalOf(GroupRole role)
         return GroupSection::tr("There is nothing beside it to mask.");
     case GroupRole::Wash:
         return GroupSection::tr("It is in a wash already.");
+    case GroupRole::Draft:
+        break;
     }
     return {};
 }
@@ -86,6 +93,7 @@ GroupSection::GroupSection(Editor &editor, QWidget *parent) : QWidget(parent), m
     addIsolated(*grid);
     addRole(*grid, GroupRole::Clipped);
     addRole(*grid, GroupRole::Mask);
+    addRole(*grid, GroupRole::Draft);
     addTag(*grid);
     addRole(*grid, GroupRole::Wash);
     m_wash = new WashRows(editor, *grid, this);

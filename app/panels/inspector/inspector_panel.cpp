@@ -4,6 +4,7 @@
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/group_section.h"
+#include "app/panels/inspector/picture_section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/selection_summary.h"
 #include "app/panels/inspector/stroke_section.h"
@@ -51,13 +52,14 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     selection->setSpacing(12);
     addHead(*selection);
     m_groups = new GroupSection(editor, m_selectionPage);
+    m_picture = new PictureSection(editor, m_selectionPage);
     m_segments = new SegmentSection(editor, m_selectionPage);
     m_style = new StyleSection(editor, m_selectionPage);
     m_fill = new FillSection(editor, m_selectionPage);
     m_figures = new FiguresSection(editor, m_selectionPage);
     m_strokes = new StrokeSection(editor, m_selectionPage);
     for (QWidget *widget :
-         std::initializer_list<QWidget *>{m_groups, m_segments, m_style, m_fill, m_figures, m_strokes})
+         std::initializer_list<QWidget *>{m_groups, m_picture, m_segments, m_style, m_fill, m_figures, m_strokes})
         selection->addWidget(widget);
 
     auto *canvas = new QVBoxLayout(m_canvasPage);
@@ -76,6 +78,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     content->setMinimumWidth(wider + pages->contentsMargins().left() + pages->contentsMargins().right());
 
     connect(m_groups, &GroupSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_picture, &PictureSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_fill, &FillSection::refused, m_hint, &HintLabel::showRefusal);
@@ -174,6 +177,7 @@ void InspectorPanel::refresh()
     m_summary->setText(selectionSummary(inspected, !document.selection().segments.empty()));
     putFirst(std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); }));
     m_groups->refresh();
+    m_picture->refresh(inspected);
     m_segments->refresh(inspected);
     // What takes paint away has no style of its own: it weakens what is there.
     m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->lift; }));

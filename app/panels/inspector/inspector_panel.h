@@ -20,6 +20,7 @@ class FiguresSection;
 class FillSection;
 class GroupSection;
 class HintLabel;
+class PictureSection;
 class SegmentSection;
 class StrokeSection;
 class StyleSection;
@@ -34,6 +35,7 @@ public:
     explicit InspectorPanel(Editor &editor, QWidget *parent = nullptr);
 
     GroupSection *groupSection() const { return m_groups; }
+    PictureSection *pictureSection() const { return m_picture; }
     SegmentSection *segmentSection() const { return m_segments; }
     StyleSection *styleSection() const { return m_style; }
     FillSection *fillSection() const { return m_fill; }
@@ -72,6 +74,7 @@ private:
     QToolButton *m_alongButton = nullptr;
     QPointer<AlongDialog> m_along;
     GroupSection *m_groups = nullptr;
+    PictureSection *m_picture = nullptr;
     SegmentSection *m_segments = nullptr;
     StyleSection *m_style = nullptr;
     FillSection *m_fill = nullptr;

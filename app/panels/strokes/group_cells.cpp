@@ -50,6 +50,7 @@ QStringList marksOf(const Group &group)
     for (const auto &[on, name] : {std::pair(group.clips, "group-clips"),
                                    {group.mask, "group-mask"},
                                    {group.wash.has_value(), "group-wash"},
+                                   {group.draft, "group-draft"},
                                    {group.solo, "group-solo"}})
         if (on)
             icons << QString::fromLatin1(name);
@@ -65,6 +66,8 @@ QStringList wordsOfMarks(const Group &group)
         words << MarkText::tr("A mask for the others in its group");
     if (group.wash)
         words << MarkText::tr("A wash: its strokes are one");
+    if (group.draft)
+        words << MarkText::tr("A draft: left out of what is exported");
     if (group.tag != GroupTag::None)
         words << nameOf(group.tag);
     if (group.solo)

@@ -19,7 +19,7 @@ struct GroupCells {
     QRect opacity;
 };
 
-/// The icons of the switches of a group that are on: clips, mask, wash, solo.
+/// The icons of the switches of a group that are on: clips, mask, wash, draft, solo.
 QStringList marksOf(const Group &group);
 /// What these say, for people, a line for each.
 QStringList wordsOfMarks(const Group &group);

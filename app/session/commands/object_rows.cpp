@@ -3,6 +3,7 @@
 
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/underlay_commands.h"
+#include "app/session/files/image_layer.h"
 #include "app/session/settings/settings.h"
 #include "undo/fill_edits.h"
 #include "undo/text_edits.h"
@@ -140,6 +141,9 @@ void addRoleRows(Commands &table, Editor &editor)
                                                 "paint; needs something beside")));
     add(GroupRole::Wash, table.add(WashGroups, "washGroups", Commands::tr("Wash"), "", {},
                                    Commands::tr("The strokes of the selected groups are one, laid wet into wet")));
+    add(GroupRole::Draft,
+        table.add(DraftGroups, "draftGroups", Commands::tr("Draft"), "", {},
+                  Commands::tr("The selected groups are seen here, and left out of what is exported")));
 }
 
 /// How many groups do something as a whole.
@@ -316,6 +320,11 @@ void addObjectRows(Commands &table, OpenPainting &open)
             return underlay && underlay->visible;
         })
         .runs([&table, &editor] { underlay::show(editor, table[ShowUnderlay].isChecked()); });
+    table
+        .add(UnderlayToLayer, "underlayToLayer", Commands::tr("Underlay to Layer"), "", {},
+             Commands::tr("Make an image layer below all of the underlay, where it lies; it is exported then"))
+        .when([&editor] { return bool(editor.document().painting()->underlay); })
+        .runs([&editor] { image_layer::takeUnderlay(editor); });
 }
 
 } // namespace suffuse

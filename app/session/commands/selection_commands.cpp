@@ -197,6 +197,9 @@ void toggleSelectedRole(Editor &editor, GroupRole role)
         case GroupRole::Wash:
             return on ? QCoreApplication::translate("Commands", "Make group a wash")
                       : QCoreApplication::translate("Commands", "Make wash a plain group");
+        case GroupRole::Draft:
+            return on ? QCoreApplication::translate("Commands", "Make group a draft")
+                      : QCoreApplication::translate("Commands", "Export draft again");
         }
         return QString();
     };

@@ -2,6 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/session/files/image_layer.h"
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/painting/editable.h"
@@ -239,7 +240,8 @@ QMimeData *mimeOf(Painting painting, Microseconds time)
 
 bool canPaste(const QMimeData *data)
 {
-    return data && (data->hasFormat(strokesMime) || data->hasFormat(svgMime) || data->hasColor() || data->hasText());
+    return data && (data->hasFormat(strokesMime) || data->hasFormat(svgMime) || data->hasColor() || data->hasText() ||
+                    data->hasImage());
 }
 
 namespace {
@@ -299,11 +301,14 @@ QString paste(Editor &editor, const QMimeData &data, const Landing &landing)
                 : addStrokes(editor, painting, landing, pasting);
         return joinedSentences({problem, leftOutOf(*drawing)});
     }
+    if (data.hasImage())
+        return image_layer::paste(editor, qvariant_cast<QImage>(data.imageData()), landing);
     if (const auto colour = colourFrom(data)) {
         editor.setColour(*colour);
         return {};
     }
-    return QCoreApplication::translate("Clipboard", "The clipboard holds no strokes, no SVG paths and no colour.");
+    return QCoreApplication::translate("Clipboard",
+                                       "The clipboard holds no strokes, no SVG paths, no picture and no colour.");
 }
 
 } // namespace suffuse::clipboard

@@ -34,7 +34,8 @@ bool canPaste(const QMimeData *data);
 QString copy(Editor &editor);
 QString copy(Editor &editor, const Selection &selection);
 QString cut(Editor &editor);
-/// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
+/// Strokes and SVG paths become new strokes on top, selected (`addStrokes`), and a picture an image layer. A colour
+/// becomes the current colour.
 /// Returns an empty string, or what could not be pasted and why, which includes the parts of an SVG drawing that
 /// strokes cannot show.
 QString paste(Editor &editor, const QMimeData &data, const Landing &landing);

@@ -323,7 +323,8 @@ SvgStrokes lossesOf(const Painting &painting)
     for (const StrokePtr &stroke : painting.strokes) {
         if (!isVisible(*stroke))
             continue;
-        svg.erasures += erasureCount(*stroke);
+        svg.pictures += bool(stroke->picture);
+        svg.erasures += stroke->picture ? 0 : erasureCount(*stroke);
         for (const Group *group = painting.findGroup(stroke->group); group && written.insert(group->id).second;)
             group = painting.findGroup(group->parent);
     }
@@ -344,6 +345,9 @@ QString leftOutOf(const SvgStrokes &svg)
                                             "As SVG, for other programs, what was erased softly is left "
                                             "out: %n erasure(s).",
                                             nullptr, svg.erasures);
+    if (svg.pictures > 0)
+        said << QCoreApplication::translate(
+            "Clipboard", "As SVG, for other programs, pictures are left out: %n of them.", nullptr, svg.pictures);
     if (svg.masks > 0)
         said << QCoreApplication::translate("Clipboard",
                                             "SVG has no groups that mask, erase or clip what lies below: %n group(s) "
@@ -379,14 +383,14 @@ SvgStrokes svgOf(const Painting &painting, const Rect &area)
     const Visibility isVisible(painting.groups);
     for (const StrokePtr &stroke : painting.strokes)
         for (std::size_t k = 0; k < stroke->segments.size(); ++k)
-            if (isVisible(*stroke) && isLine(*stroke, k))
+            if (isVisible(*stroke) && !stroke->picture && isLine(*stroke, k))
                 lines.push_back(lineOf(*stroke, stroke->segments[k]));
     const std::vector<double> halves = joinedHalfWidths(lines);
     auto half = halves.begin();
     int gradients = 0;
     WrittenGroups groups(xml, painting);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!isVisible(*stroke))
+        if (!isVisible(*stroke) || stroke->picture)
             continue;
         groups.goTo(stroke->group);
         writeStroke(xml, *stroke, half, gradients);

@@ -10,9 +10,9 @@ namespace suffuse {
 /// Strokes as an SVG document.
 struct SvgStrokes {
     QByteArray bytes;
-    /// What SVG has nothing for: erasures, which are left out; groups that are clipped, are masks, or act on what lies
+    /// What SVG has nothing for: erasures and pictures, which are left out; groups that are clipped, are masks, or act on what lies
     /// below by their coverage alone (the last three of BlendMode), and washes, which are all plain groups.
-    int erasures = 0, masks = 0, washes = 0;
+    int erasures = 0, pictures = 0, masks = 0, washes = 0;
 };
 /// What of a painting SVG has nothing for; without bytes.
 SvgStrokes lossesOf(const Painting &painting);

@@ -3,7 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/commands/underlay_commands.h"
-#include "app/session/files/import_strokes.h"
+#include "app/session/files/image_layer.h"
 #include "app/session/open_painting.h"
 #include "app/widgets/asking/choose_picture.h"
 #include "app/widgets/asking/messages.h"
@@ -13,6 +13,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <QMenu>
 #include <QStatusBar>
 
 namespace suffuse {
@@ -30,6 +31,13 @@ Importing::Importing(const Workplace &place, QObject *parent) : QObject(parent),
         .runs([this] {
             if (const QString path = choosePicture(&m_place.window, tr("Import underlay")); !path.isEmpty())
                 importUnderlay(path);
+        });
+    place.commands
+        .add(ImportPicture, "importPicture", Commands::tr("Import &Picture as Layer…"), "", {},
+             Commands::tr("A picture as a layer among the others: with opacity and mode, and in what is exported"))
+        .runs([this] {
+            if (const QString path = choosePicture(&m_place.window, tr("Import picture as layer")); !path.isEmpty())
+                importPicture(path);
         });
     connect(&place.canvas, &CanvasWidget::underlayFailed, this,
             [this](const QString &problem) { m_place.window.statusBar()->showMessage(problem, 15'000); });
@@ -67,6 +75,30 @@ void Importing::importUnderlay(const QString &path)
 {
     if (const QString problem = underlay::importFile(m_place.open.editor, path); !problem.isEmpty())
         showError(&m_place.window, problem);
+}
+
+void Importing::importPicture(const QString &path)
+{
+    if (const QString problem = image_layer::importFile(m_place.open.editor, path); !problem.isEmpty()) {
+        showError(&m_place.window, problem);
+        return;
+    }
+    m_place.commands[Command::Select].setChecked(true); // it is to be put where it belongs
+}
+
+void Importing::offer(const QStringList &pictures, const QPoint &place)
+{
+    auto *menu = new QMenu(&m_place.window);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    connect(menu->addAction(tr("Add as &Layer")), &QAction::triggered, this, [this, pictures] {
+        for (const QString &picture : pictures)
+            importPicture(picture);
+    });
+    connect(menu->addAction(tr("Use as &Underlay")), &QAction::triggered, this,
+            [this, pictures] { importUnderlay(pictures.back()); });
+    menu->addSeparator();
+    menu->addAction(tr("Cancel"));
+    menu->popup(place);
 }
 
 } // namespace suffuse

@@ -7,7 +7,7 @@
 
 namespace suffuse {
 
-/// Imports strokes and the picture to paint over.
+/// Imports strokes, pictures, and the picture to paint over.
 class Importing : public QObject {
     Q_OBJECT
 
@@ -18,6 +18,10 @@ public:
     void importStrokes(const QString &path);
     /// Errors are shown.
     void importUnderlay(const QString &path);
+    /// Adds a picture as a layer, and selects it. Errors are shown.
+    void importPicture(const QString &path);
+    /// Asks at a place on the screen what pictures that were dropped are to be: layers, or the last one the underlay.
+    void offer(const QStringList &pictures, const QPoint &place);
 
 private:
     void chooseStrokes();

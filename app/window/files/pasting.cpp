@@ -40,7 +40,7 @@ Pasting::Pasting(const Workplace &place, QObject *parent) : QObject(parent), m_p
 {
     place.commands
         .add(Command::Paste, "paste", Commands::tr("&Paste"), "paste", QKeySequence::keyBindings(QKeySequence::Paste),
-             Commands::tr("Paste strokes or SVG paths at the pointer; a colour becomes the current one"))
+             Commands::tr("Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one"))
         .when([this] { return m_canPaste; })
         .runs([this] { pasteAt(pointer()); });
     place.commands

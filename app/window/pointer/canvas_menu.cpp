@@ -160,7 +160,8 @@ void addForCanvas(QMenu &menu, const Commands &table)
     addUsable(menu, table, {Fit, Zoom100, Mirror});
     addUsable(menu, table, {ShowGrid, ShowOutlines, ShowErasures, ShowBeyond});
     menu.addSeparator();
-    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Under&lay"), table, {{ShowUnderlay, ImportUnderlay}});
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Under&lay"), table,
+              {{ShowUnderlay, UnderlayToLayer, ImportUnderlay}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "&Colours"), table, {{MapToSwatches, RecolourArtwork}});
 }
 

@@ -13,6 +13,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QImageWriter>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -369,9 +370,23 @@ void TestUnderlay::droppedPicture()
     QVERIFY(enter.isAccepted());
     QDropEvent drop({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&s.window, &drop);
+    QVERIFY(!s.painting().underlay); // It is asked first.
+    auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+    QVERIFY(menu);
+    menu->actions().at(1)->trigger();
+    menu->close();
     QVERIFY(s.painting().underlay);
     QCOMPARE(s.painting().underlay->area, Rect::of(0, 0, 1024, 768));
     QCOMPARE(s.editor().undoStack().count(), 1);
+    QDropEvent again({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&s.window, &again);
+    menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+    QVERIFY(menu);
+    menu->actions().front()->trigger();
+    menu->close();
+    QCOMPARE(s.painting().groups.size(), std::size_t(1));
+    QCOMPARE(s.painting().groups.front().name, QString("photo"));
+    QVERIFY(s.painting().strokes.front()->picture && s.painting().underlay);
 }
 
 /// A document's own picture that cannot be decoded: it is told, and all else works.

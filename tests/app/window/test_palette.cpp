@@ -127,7 +127,8 @@ private slots:
         Session s;
         const QStringList known =
             QStringLiteral(
-                "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
+                "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay "
+                "importPicture export "
                 "exportAgain close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
                 "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound "
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes "
@@ -137,7 +138,7 @@ private slots:
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
                 "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork "
                 "mapToSwatches lasso touchPath "
-                "group ungroup clipGroups maskGroups washGroups textToStrokes fill removeFill addGradient "
+                "group ungroup clipGroups maskGroups washGroups draftGroups textToStrokes fill removeFill addGradient "
                 "removeGradient union difference intersection "
                 "exclusion division inset "
                 "outset "
@@ -149,7 +150,7 @@ private slots:
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
                 "distributeCentresAcross distributeCentresDown newLayer duplicateLayer mergeLayerDown raiseLayer "
                 "lowerLayer layerAbove layerBelow noLayer hideOtherLayers thisLayerOnly snapToNodes snapToGrid showGrid gridStep "
-                "showUnderlay "
+                "showUnderlay underlayToLayer "
                 "showOutlines showErasures showBeyond play toStart previousStroke nextStroke toEnd loopPlaying "
                 "skipPauses letDry "
                 "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
