@@ -2,7 +2,6 @@
 
 #include "app/session/colour/colour_target.h"
 #include "app/session/current_layer.h"
-#include "app/session/files/import_strokes.h"
 #include "app/session/files/opened_file.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"

@@ -39,4 +39,11 @@ QString leftOutSentence(const std::vector<LeftOut> &kinds)
     return FileMessages::tr("%1 were left out.", nullptr, count).arg(named.join(FileMessages::tr(", ", "list")));
 }
 
+QString joinedSentences(const QStringList &sentences)
+{
+    QStringList said = sentences;
+    said.removeAll(QString());
+    return said.join(' ');
+}
+
 } // namespace suffuse

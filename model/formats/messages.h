@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <string_view>
 #include <vector>
@@ -34,6 +35,8 @@ struct LeftOut {
     QString what; ///< the words for it, with the number
 };
 QString leftOutSentence(const std::vector<LeftOut> &kinds);
+/// Joins the sentences that are not empty, one after the other.
+QString joinedSentences(const QStringList &sentences);
 
 /// The largest file that is read or written, bytes.
 inline constexpr qint64 largestFile = qint64(2) << 30;

@@ -5,6 +5,7 @@
 #include "app/session/files/image_layer.h"
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
+#include "model/formats/messages.h"
 #include "model/painting/editable.h"
 #include "model/painting/influence.h"
 #include "model/shaping/erasing/erase.h"

@@ -182,13 +182,6 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
              : QString()});
 }
 
-QString joinedSentences(const QStringList &sentences)
-{
-    QStringList said = sentences;
-    said.removeAll(QString());
-    return said.join(' ');
-}
-
 Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre)
 {
     const Result<LoadedDocument> file = loadDocument(path, &editor.brush());

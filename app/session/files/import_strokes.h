@@ -29,9 +29,6 @@ struct Landing {
 /// empty string, or which of them could not be added and why, and whether they were brought back.
 QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText);
 
-/// Joins the sentences that are not empty, one after the other.
-QString joinedSentences(const QStringList &sentences);
-
 struct ImportReport {
     std::vector<QString> losses; ///< what is missing of a damaged file
     QString leftOut;             ///< what of the file strokes cannot show; empty: nothing

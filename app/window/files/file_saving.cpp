@@ -2,7 +2,6 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
-#include "app/session/files/import_strokes.h"
 #include "app/session/files/saving_watch.h"
 #include "app/session/files/svg_strokes.h"
 #include "app/session/open_painting.h"
@@ -11,6 +10,7 @@
 #include "app/widgets/habits/at_next_change.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/formats/files.h"
+#include "model/formats/messages.h"
 
 #include <QApplication>
 #include <QDir>

@@ -371,8 +371,8 @@ void TestUnderlay::droppedPicture()
     QDropEvent drop({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&s.window, &drop);
     QVERIFY(!s.painting().underlay); // It is asked first.
-    auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
-    QVERIFY(menu);
+    QMenu *menu = nullptr;
+    QTRY_VERIFY((menu = qobject_cast<QMenu *>(QApplication::activePopupWidget())));
     menu->actions().at(1)->trigger();
     menu->close();
     QVERIFY(s.painting().underlay);
@@ -380,8 +380,7 @@ void TestUnderlay::droppedPicture()
     QCOMPARE(s.editor().undoStack().count(), 1);
     QDropEvent again({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&s.window, &again);
-    menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
-    QVERIFY(menu);
+    QTRY_VERIFY((menu = qobject_cast<QMenu *>(QApplication::activePopupWidget())));
     menu->actions().front()->trigger();
     menu->close();
     QCOMPARE(s.painting().groups.size(), std::size_t(1));
