@@ -195,8 +195,9 @@ def strokes(payload):
     attributes = [iter(c.column(4, m)) for _ in range(8)]
     rows = list(zip(*[c.column(width, m) for width in (8, 4, 1, 4, 4, 4)]))
     rewets = zip(*[c.column(8, sum(row[5] for row in rows)) for _ in range(2)])
-    marks = c.column(1, m) if c.at < len(payload) else [0] * m
-    begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if any(marks) else []) for _ in "xy"]
+    is_marked = c.at < len(payload)
+    marks = c.column(1, m) if is_marked else [0] * m
+    begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if is_marked else []) for _ in "xy"]
     filled = iter(list(fills(c, n)) if c.at < len(payload) else [None] * n)
     painted = iter(list(pictures(c, n, texts)) if c.at < len(payload) else [None] * n)
     assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
