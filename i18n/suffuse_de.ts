@@ -5275,7 +5275,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Import &amp;Picture as Layer…</source>
-        <translation>&amp;Bild als Ebene importieren …</translation>
+        <translation>Bild als Ebene i&amp;mportieren …</translation>
     </message>
     <message>
         <source>A picture as a layer among the others: with opacity and mode, and in what is exported</source>
