@@ -1,6 +1,7 @@
 // The contours of a stroke: where it covers so much, as closed paths of cubics, exactly.
 #pragma once
 
+#include "model/painting/painting.h"
 #include "render/contours/contour_cells.h"
 
 namespace suffuse::contours {
