@@ -185,8 +185,9 @@ private slots:
 
     void randomTreesAreTheirPicture()
     {
+        const int trees = trials(60, 1000);
         std::size_t layers = 0, groups = 0;
-        for (int i = 0; i < trials(60, 1000); ++i) {
+        for (int i = 0; i < trees; ++i) {
             std::mt19937_64 random(firstSeed() + unsigned(i) + 400);
             auto p = std::make_shared<Painting>(*grouped(painting(randomStrokes(random, 14, 96, 72), 96, 72), random));
             if (i % 2)
@@ -200,7 +201,9 @@ private slots:
             groups +=
                 std::size_t(std::ranges::count_if(flattener.modes, [](BlendMode m) { return m != BlendMode::Normal; }));
         }
-        QVERIFY2(layers > 100 && groups > 5, qPrintable(QStringLiteral("%1, %2").arg(layers).arg(groups)));
+        // Some layers of each tree are asked for, and a group now and then, where there are trees enough to tell.
+        QVERIFY2(layers >= 2 * std::size_t(trees), qPrintable(QString::number(layers)));
+        QVERIFY2(trees < 60 || groups >= std::size_t(trees) / 12, qPrintable(QString::number(groups)));
     }
 
     void layersHaveTheirNamesAndPlaces()
