@@ -5884,8 +5884,12 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::FileOpening</name>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>OpenRaster pictures with layers (*.ora)</source>
+        <translation>OpenRaster-Bilder mit Ebenen (*.ora)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6033,6 +6037,32 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::Files</name>
+    <message numerus="yes">
+        <source>%n layer(s) whose picture is missing, damaged or too large</source>
+        <translation>
+            <numerusform>%n Ebene, deren Bild fehlt, beschädigt oder zu groß ist</numerusform>
+            <numerusform>%n Ebenen, deren Bild fehlt, beschädigt oder zu groß ist</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mode(s) of %n layer(s)</source>
+        <translation>
+            <numerusform>der Modus von %n Ebene</numerusform>
+            <numerusform>die Modi von %n Ebenen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This OpenRaster file is damaged: %1.</source>
+        <translation>Diese OpenRaster-Datei ist beschädigt: %1.</translation>
+    </message>
+    <message>
+        <source>it has no list of its layers</source>
+        <translation>Ihr fehlt das Verzeichnis ihrer Ebenen</translation>
+    </message>
+    <message>
+        <source>its list of layers cannot be read</source>
+        <translation>Das Verzeichnis ihrer Ebenen ist nicht lesbar</translation>
+    </message>
     <message>
         <source>is a folder; give a file name inside it</source>
         <translation>ist ein Ordner; bitte einen Dateinamen darin angeben</translation>
@@ -6882,10 +6912,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>OpenRaster picture</source>
         <translation>OpenRaster-Bild</translation>
-    </message>
-    <message>
-        <source>This OpenRaster picture holds no painting of Suffuse. Export it as PNG, and import that as an underlay.</source>
-        <translation>Dieses OpenRaster-Bild enthält kein Gemälde von Suffuse. Exportieren Sie es als PNG, und importieren Sie das als Vorlage.</translation>
     </message>
     <message>
         <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>

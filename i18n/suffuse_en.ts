@@ -168,6 +168,20 @@
 <context>
     <name>suffuse::Files</name>
     <message numerus="yes">
+        <source>%n layer(s) whose picture is missing, damaged or too large</source>
+        <translation>
+            <numerusform>%n layer whose picture is missing, damaged or too large</numerusform>
+            <numerusform>%n layers whose picture is missing, damaged or too large</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mode(s) of %n layer(s)</source>
+        <translation>
+            <numerusform>the mode of %n layer</numerusform>
+            <numerusform>the modes of %n layers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n element(s) not drawn freehand</source>
         <translation>
             <numerusform>%n element not drawn freehand</numerusform>

@@ -5863,8 +5863,12 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::FileOpening</name>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>OpenRaster pictures with layers (*.ora)</source>
+        <translation>带图层的 OpenRaster 图片 (*.ora)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6012,6 +6016,30 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::Files</name>
+    <message numerus="yes">
+        <source>%n layer(s) whose picture is missing, damaged or too large</source>
+        <translation>
+            <numerusform>%n 个图层(其图片缺失、损坏或过大)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mode(s) of %n layer(s)</source>
+        <translation>
+            <numerusform>%n 个图层的混合模式</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This OpenRaster file is damaged: %1.</source>
+        <translation>此 OpenRaster 文件已损坏:%1。</translation>
+    </message>
+    <message>
+        <source>it has no list of its layers</source>
+        <translation>缺少图层目录</translation>
+    </message>
+    <message>
+        <source>its list of layers cannot be read</source>
+        <translation>无法读取图层目录</translation>
+    </message>
     <message>
         <source>is a folder; give a file name inside it</source>
         <translation>是文件夹；请给出其中的文件名</translation>
@@ -6841,10 +6869,6 @@ Arrow keys work too.</source>
     <message>
         <source>OpenRaster picture</source>
         <translation>OpenRaster 图片</translation>
-    </message>
-    <message>
-        <source>This OpenRaster picture holds no painting of Suffuse. Export it as PNG, and import that as an underlay.</source>
-        <translation>此 OpenRaster 图片不含 Suffuse 画作。请将其导出为 PNG，再作为底图导入。</translation>
     </message>
     <message>
         <source>Another program changed this picture. What was opened is the painting as Suffuse exported it.</source>

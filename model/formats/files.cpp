@@ -3,6 +3,7 @@
 #include "model/formats/ink/diffusion_curves.h"
 #include "model/formats/ink/recording.h"
 #include "model/formats/messages.h"
+#include "model/formats/ora/ora_layers.h"
 #include "model/formats/ora/ora_parts.h"
 #include "model/formats/picture_links.h"
 #include "model/formats/suffuse/suffuse_layout.h"
@@ -232,15 +233,16 @@ QString nameOf(FileFormat format)
 
 namespace {
 
-/// The painting that an OpenRaster file has beside its layers.
+/// The painting that an OpenRaster file has beside its layers, or the layers themselves.
 Result<Painting> readOpenRaster(const QByteArray &bytes, const QString &fileName, QString &leftOut)
 {
     const Result<ora::EmbeddedPainting> embedded = ora::readEmbedded(bytes);
     if (!embedded)
         return fileError(fileName, embedded.error());
-    if (embedded->document.isEmpty())
-        return fileError(fileName, FileMessages::tr("This OpenRaster picture holds no painting of Suffuse. Export it "
-                                                    "as PNG, and import that as an underlay."));
+    if (embedded->document.isEmpty()) {
+        Result<Painting> layers = ora::readLayers(bytes, leftOut);
+        return layers ? std::move(layers) : Result<Painting>(fileError(fileName, layers.error()));
+    }
     if (embedded->isChanged)
         leftOut = FileMessages::tr("Another program changed this picture. What was opened is the painting as Suffuse "
                                    "exported it.");

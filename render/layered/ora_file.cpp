@@ -1,6 +1,7 @@
 #include "render/layered/ora_file.h"
 
 #include "model/formats/files.h"
+#include "model/formats/ora/composite_op.h"
 #include "model/formats/ora/ora_parts.h"
 #include "render/image_io/image_io.h"
 #include "render/layered/zip_writer.h"
@@ -12,53 +13,6 @@
 namespace suffuse {
 
 namespace {
-
-/// The mode's name in OpenRaster's stack.
-QString compositeOp(BlendMode mode)
-{
-    switch (mode) {
-    case BlendMode::Multiply:
-        return QStringLiteral("svg:multiply");
-    case BlendMode::Screen:
-        return QStringLiteral("svg:screen");
-    case BlendMode::Overlay:
-        return QStringLiteral("svg:overlay");
-    case BlendMode::Darken:
-        return QStringLiteral("svg:darken");
-    case BlendMode::Lighten:
-        return QStringLiteral("svg:lighten");
-    case BlendMode::ColourDodge:
-        return QStringLiteral("svg:color-dodge");
-    case BlendMode::ColourBurn:
-        return QStringLiteral("svg:color-burn");
-    case BlendMode::HardLight:
-        return QStringLiteral("svg:hard-light");
-    case BlendMode::SoftLight:
-        return QStringLiteral("svg:soft-light");
-    case BlendMode::Difference:
-        return QStringLiteral("svg:difference");
-    case BlendMode::Hue:
-        return QStringLiteral("svg:hue");
-    case BlendMode::Saturation:
-        return QStringLiteral("svg:saturation");
-    case BlendMode::Colour:
-        return QStringLiteral("svg:color");
-    case BlendMode::Luminosity:
-        return QStringLiteral("svg:luminosity");
-    case BlendMode::Plus:
-        return QStringLiteral("svg:plus");
-    case BlendMode::DestinationIn:
-        return QStringLiteral("svg:dst-in");
-    case BlendMode::DestinationOut:
-        return QStringLiteral("svg:dst-out");
-    case BlendMode::SourceAtop:
-        return QStringLiteral("svg:src-atop");
-    case BlendMode::Exclusion: // It has none.
-    case BlendMode::Normal:
-        break;
-    }
-    return QStringLiteral("svg:src-over");
-}
 
 /// A picture no larger than 256 pixels a side: means of those of the whole picture.
 FloatPicture thumbnailOf(const LevelPixels &picture)
@@ -207,7 +161,7 @@ private:
             xml.writeAttribute(QStringLiteral("visibility"),
                                entry->visible ? QStringLiteral("visible") : QStringLiteral("hidden"));
             xml.writeAttribute(QStringLiteral("opacity"), QString::number(double(entry->opacity)));
-            xml.writeAttribute(QStringLiteral("composite-op"), compositeOp(entry->blend));
+            xml.writeAttribute(QStringLiteral("composite-op"), ora::compositeOp(entry->blend));
             if (isFolder) {
                 xml.writeAttribute(QStringLiteral("isolation"), QStringLiteral("auto"));
                 write(xml, entry->within);
