@@ -240,10 +240,6 @@
 <context>
     <name>Cli</name>
     <message>
-        <source>%1: unknown ending; use .suffuse or .json</source>
-        <translation>%1: unbekannte Endung; möglich sind .suffuse und .json</translation>
-    </message>
-    <message>
         <source>%1: cannot be read (%2). Check the name and its permissions.</source>
         <translation>%1: kann nicht gelesen werden (%2). Bitte Namen und Rechte prüfen.</translation>
     </message>
@@ -805,10 +801,6 @@
         <translation>%1: ein solches Journal gibt es nicht. Siehe suffuse-cli recover --list.</translation>
     </message>
     <message>
-        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings. What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>Wandelt zwischen Dokumenten (.suffuse) und der Textform (.json) um, und von Stiftaufnahmen und SVG-Zeichnungen. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
-    </message>
-    <message>
         <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
         <translation>Der Pinsel, mit dem Aufnahmen und Zeichnungen gemalt werden: ein Name oder eine Pinseldatei.</translation>
     </message>
@@ -855,14 +847,6 @@
     <message>
         <source>--format is for an OUT of -; the ending of %1 chooses the format</source>
         <translation>--format gilt, wenn OUT - ist; bei %1 bestimmt die Endung das Format</translation>
-    </message>
-    <message>
-        <source>--format %1: give suffuse or json</source>
-        <translation>--format %1: suffuse oder json angeben</translation>
-    </message>
-    <message>
-        <source>Where OUT is -: suffuse or json (default: json).</source>
-        <translation>Wenn OUT - ist: suffuse oder json (sonst: json).</translation>
     </message>
     <message>
         <source>--brush is ignored: the strokes of %1 have their looks already</source>
@@ -1045,6 +1029,54 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Draws groups that are drafts, too.</source>
         <translation>Zeichnet auch Gruppen, die Entwürfe sind.</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse, .json, .svg or .svgz</source>
+        <translation>%1: unbekannte Endung; möglich sind .suffuse, .json, .svg und .svgz</translation>
+    </message>
+    <message>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings, and to SVG drawings (.svg, .svgz). What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>Wandelt zwischen Dokumenten (.suffuse) und der Textform (.json) um, von Stiftaufnahmen und SVG-Zeichnungen, und in SVG-Zeichnungen (.svg, .svgz). Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
+    </message>
+    <message>
+        <source>--format %1: give suffuse, json or svg</source>
+        <translation>--format %1: suffuse, json oder svg angeben</translation>
+    </message>
+    <message>
+        <source>Where OUT is -: suffuse, json or svg (default: json).</source>
+        <translation>Wenn OUT - ist: suffuse, json oder svg (sonst: json).</translation>
+    </message>
+    <message>
+        <source>--%1 is for drawings; give OUT the ending .svg</source>
+        <translation>--%1 gilt für Zeichnungen; OUT die Endung .svg geben</translation>
+    </message>
+    <message>
+        <source>--as %1: give outlines, bands or hybrid</source>
+        <translation>--as %1: outlines, bands oder hybrid angeben</translation>
+    </message>
+    <message>
+        <source>--bands %1: give a whole number from 1 to %2</source>
+        <translation>--bands %1: eine ganze Zahl von 1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>--bands is for --as bands; leave one of them out</source>
+        <translation>--bands gilt für --as bands; eines davon weglassen</translation>
+    </message>
+    <message>
+        <source>Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
+        <translation>Wenn OUT eine Zeichnung ist (.svg, .svgz): outlines (ein Pfad je Strich), bands (Höhenlinien ineinander, so deckend wie die Farbe; sonst gewählt) oder hybrid (das genaue Bild unter Umrissen ohne Farbe).</translation>
+    </message>
+    <message>
+        <source>How many bands full opacity has, 1 to 256 (default: 16).</source>
+        <translation>Wie viele Bänder volle Deckkraft hat, 1 bis 256 (sonst 16).</translation>
+    </message>
+    <message>
+        <source>The moment that is drawn, in seconds (default: all dried).</source>
+        <translation>Der gezeichnete Zeitpunkt in Sekunden (sonst: alles getrocknet).</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
     </message>
 </context>
 <context>
@@ -6869,10 +6901,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Das ist UTF-16-Text. Bitte als UTF-8 speichern.</translation>
     </message>
     <message>
-        <source>This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. Other programs can export SVG.</source>
-        <translation>Diese Datei ist mit gzip gepackt. Ist sie ein gepacktes SVG, bitte erst entpacken. %1. Andere Programme können SVG exportieren.</translation>
-    </message>
-    <message>
         <source>This is a picture, not a painting. %1.</source>
         <translation>Das ist eine Bilddatei, kein gemaltes Bild. %1.</translation>
     </message>
@@ -6935,6 +6963,26 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>So ist es auch mit einem weiteren Bild.</numerusform>
             <numerusform>So ist es auch mit %n weiteren Bildern.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This file is compressed with gzip, and what is in it is no SVG. Unpack it first. %1.</source>
+        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist kein SVG. Bitte erst entpacken. %1.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
+        <translation>Ein anderes Programm hat die Zeichnung geändert, seit Suffuse sie geschrieben hat. Sie wird geöffnet, wie sie jetzt gezeichnet ist, nicht als das Bild, das in ihr steckt.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>is too large once it is unpacked</source>
+        <translation>ist entpackt zu groß</translation>
+    </message>
+    <message>
+        <source>is damaged: it cannot be unpacked</source>
+        <translation>ist beschädigt: lässt sich nicht entpacken</translation>
     </message>
 </context>
 <context>
@@ -10777,6 +10825,39 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>A picture is missing, and is not seen.</source>
         <translation>Ein Bild fehlt und ist nicht zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>unterbrochen; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the sheet is too large for a picture with a pixel a unit</source>
+        <translation>das Blatt ist zu groß für ein Bild mit einem Pixel je Einheit</translation>
+    </message>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppe wurde gewöhnlich.</numerusform>
+            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppen wurden gewöhnlich.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) are left out, since nothing of them is covered enough to have a path.</source>
+        <translation>
+            <numerusform>%n Strich fehlt, weil nichts von ihm genug deckt, um einen Pfad zu haben.</numerusform>
+            <numerusform>%n Striche fehlen, weil nichts von ihnen genug deckt, um einen Pfad zu haben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The drawing differs from the picture by at most %1 of 255, by %2 on average.</source>
+        <translation>Die Zeichnung weicht vom Bild um höchstens %1 von 255 ab, im Mittel um %2.</translation>
     </message>
 </context>
 </TS>

@@ -481,4 +481,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Drawing</name>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n group became plain.</numerusform>
+            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n groups became plain.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) are left out, since nothing of them is covered enough to have a path.</source>
+        <translation>
+            <numerusform>%n stroke is left out, since nothing of it is covered enough to have a path.</numerusform>
+            <numerusform>%n strokes are left out, since nothing of them is covered enough to have a path.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

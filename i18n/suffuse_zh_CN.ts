@@ -240,10 +240,6 @@
 <context>
     <name>Cli</name>
     <message>
-        <source>%1: unknown ending; use .suffuse or .json</source>
-        <translation>%1：未知的扩展名；请使用 .suffuse 或 .json</translation>
-    </message>
-    <message>
         <source>%1: cannot be read (%2). Check the name and its permissions.</source>
         <translation>%1：无法读取（%2）。请检查文件名及其权限。</translation>
     </message>
@@ -804,10 +800,6 @@
         <translation>%1：没有可恢复的此日志。请见 suffuse-cli recover --list。</translation>
     </message>
     <message>
-        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings. What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>在文档（.suffuse）和文本形式（.json）之间转换，也可从笔迹记录和 SVG 图形转换。IN 的类型由内容判断，OUT 的类型由扩展名判断。</translation>
-    </message>
-    <message>
         <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
         <translation>绘制记录和图形所用的画笔：名称或画笔文件。</translation>
     </message>
@@ -854,14 +846,6 @@
     <message>
         <source>--format is for an OUT of -; the ending of %1 chooses the format</source>
         <translation>--format 仅在 OUT 为 - 时使用；%1 的格式由扩展名决定</translation>
-    </message>
-    <message>
-        <source>--format %1: give suffuse or json</source>
-        <translation>--format %1：请给出 suffuse 或 json</translation>
-    </message>
-    <message>
-        <source>Where OUT is -: suffuse or json (default: json).</source>
-        <translation>OUT 为 - 时：suffuse 或 json（默认 json）。</translation>
     </message>
     <message>
         <source>--brush is ignored: the strokes of %1 have their looks already</source>
@@ -1038,6 +1022,54 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Draws groups that are drafts, too.</source>
         <translation>也绘制属于草稿的组。</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse, .json, .svg or .svgz</source>
+        <translation>%1：未知的扩展名；请使用 .suffuse、.json、.svg 或 .svgz</translation>
+    </message>
+    <message>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings, and to SVG drawings (.svg, .svgz). What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>在文档（.suffuse）和文本形式（.json）之间转换，也可从笔迹记录和 SVG 图形转换，并可转换为 SVG 图形（.svg、.svgz）。IN 的格式由内容判断，OUT 的格式由扩展名决定。</translation>
+    </message>
+    <message>
+        <source>--format %1: give suffuse, json or svg</source>
+        <translation>--format %1：请给出 suffuse、json 或 svg</translation>
+    </message>
+    <message>
+        <source>Where OUT is -: suffuse, json or svg (default: json).</source>
+        <translation>OUT 为 - 时：suffuse、json 或 svg（默认：json）。</translation>
+    </message>
+    <message>
+        <source>--%1 is for drawings; give OUT the ending .svg</source>
+        <translation>--%1 用于图形；请让 OUT 的扩展名为 .svg</translation>
+    </message>
+    <message>
+        <source>--as %1: give outlines, bands or hybrid</source>
+        <translation>--as %1：请给出 outlines、bands 或 hybrid</translation>
+    </message>
+    <message>
+        <source>--bands %1: give a whole number from 1 to %2</source>
+        <translation>--bands %1：请给出 1 到 %2 的整数</translation>
+    </message>
+    <message>
+        <source>--bands is for --as bands; leave one of them out</source>
+        <translation>--bands 用于 --as bands；请去掉其中之一</translation>
+    </message>
+    <message>
+        <source>Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
+        <translation>OUT 为图形（.svg、.svgz）时：outlines（每个笔画一条路径）、bands（层层嵌套的等值线，与颜料同样不透明；默认）或 hybrid（精确的图像，上面是不着色的轮廓）。</translation>
+    </message>
+    <message>
+        <source>How many bands full opacity has, 1 to 256 (default: 16).</source>
+        <translation>完全不透明分为多少条带，1 到 256（默认：16）。</translation>
+    </message>
+    <message>
+        <source>The moment that is drawn, in seconds (default: all dried).</source>
+        <translation>要绘制的时刻，以秒为单位（默认：全部干透）。</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>正在绘制</translation>
     </message>
 </context>
 <context>
@@ -6829,10 +6861,6 @@ Arrow keys work too.</source>
         <translation>这是 UTF-16 文本。请保存为 UTF-8。</translation>
     </message>
     <message>
-        <source>This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. Other programs can export SVG.</source>
-        <translation>此文件是 gzip 压缩文件。如果它是压缩的 SVG，请先解压。%1。其他程序可以导出 SVG。</translation>
-    </message>
-    <message>
         <source>This is a picture, not a painting. %1.</source>
         <translation>这是图片而不是画作。%1。</translation>
     </message>
@@ -6891,6 +6919,26 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>另外 %n 幅图片也是如此。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This file is compressed with gzip, and what is in it is no SVG. Unpack it first. %1.</source>
+        <translation>此文件用 gzip 压缩，其中的内容不是 SVG。请先解压。%1。</translation>
+    </message>
+    <message>
+        <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
+        <translation>Suffuse 写出此图形后，其他程序更改了它。现在按图形目前的样子打开，而不是打开其中包含的画作。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>is too large once it is unpacked</source>
+        <translation>解压后过大</translation>
+    </message>
+    <message>
+        <source>is damaged: it cannot be unpacked</source>
+        <translation>已损坏：无法解压</translation>
     </message>
 </context>
 <context>
@@ -10715,6 +10763,37 @@ Arrow keys work too.</source>
     <message>
         <source>A picture is missing, and is not seen.</source>
         <translation>缺少一幅图片，因此不可见。</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>已中断；没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>the sheet is too large for a picture with a pixel a unit</source>
+        <translation>画布太大，无法生成每单位一个像素的图像</translation>
+    </message>
+    <message numerus="yes">
+        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>SVG 没有遮盖、擦除或剪裁下方内容的组：%n 个组变成了普通组。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) are left out, since nothing of them is covered enough to have a path.</source>
+        <translation>
+            <numerusform>省略了 %n 个笔画，因为它们没有任何部分的覆盖足以形成路径。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The drawing differs from the picture by at most %1 of 255, by %2 on average.</source>
+        <translation>图形与图像的差异最大为 %1（满值 255），平均为 %2。</translation>
     </message>
 </context>
 </TS>

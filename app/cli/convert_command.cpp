@@ -1,7 +1,8 @@
-#include "app/cli/options.h"
+#include "app/cli/convert_drawing.h"
 #include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
 #include "model/formats/picture_links.h"
+#include "render/drawing/drawing_file.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -35,13 +36,16 @@ Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
         return Error{
             QCoreApplication::translate("Cli", "--format is for an OUT of -; the ending of %1 chooses the format")
                 .arg(out)};
+    if (isToStdout ? line.value("format") == QLatin1String("svg") : isDrawingPath(out))
+        return FileFormat::Svg;
     const FileFormat format =
         formatForSaving(isToStdout ? QLatin1Char('.') + (line.isSet("format") ? line.value("format") : "json") : out);
     if (format != FileFormat::Unknown)
         return format;
-    return Error{isToStdout
-                     ? QCoreApplication::translate("Cli", "--format %1: give suffuse or json").arg(line.value("format"))
-                     : QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out)};
+    return Error{
+        isToStdout
+            ? QCoreApplication::translate("Cli", "--format %1: give suffuse, json or svg").arg(line.value("format"))
+            : QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse, .json, .svg or .svgz").arg(out)};
 }
 
 /// Whether what is written to `out` takes the place of `in`, by whatever names and links.
@@ -65,25 +69,32 @@ int convertCommand(const QStringList &arguments)
     CommandLine line("convert",
                      QCoreApplication::translate("Cli",
                                                  "Converts between documents (.suffuse) and the text form (.json), and "
-                                                 "from pen recordings and SVG drawings. What IN is, is found from its "
-                                                 "content; what OUT is, from its ending."),
+                                                 "from pen recordings and SVG drawings, and to SVG drawings (.svg, "
+                                                 ".svgz). What IN is, is found from its content; what OUT is, from its "
+                                                 "ending."),
                      {"IN", "OUT"});
     line.add({"brush"},
              QCoreApplication::translate("Cli", "The brush that recordings and drawings are painted with: a name, or a "
                                                 "brush file."),
              "PRESET");
-    line.add({"format"}, QCoreApplication::translate("Cli", "Where OUT is -: suffuse or json (default: json)."),
+    line.add({"format"}, QCoreApplication::translate("Cli", "Where OUT is -: suffuse, json or svg (default: json)."),
              "FORMAT");
     line.add({"plain"}, QCoreApplication::translate(
                             "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
     line.add({"salvage"}, QCoreApplication::translate(
                               "Cli", "Of a damaged document takes what is whole, and says what is missing."));
+    addDrawingOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
     const Result<FileFormat> format = formatOf(line, out);
     if (!format)
         return failUsage("convert", format.error());
+    for (const char *option : {"as", "bands", "time"})
+        if (line.isSet(option) && *format != FileFormat::Svg)
+            return failUsage("convert",
+                             QCoreApplication::translate("Cli", "--%1 is for drawings; give OUT the ending .svg")
+                                 .arg(QLatin1String(option)));
     if (isSameFile(line.argument(0), out))
         return failUsage("convert", QCoreApplication::translate(
                                         "Cli", "%1: is IN itself, which would be lost; give OUT another name")
@@ -114,6 +125,8 @@ int convertCommand(const QStringList &arguments)
         return fail(QCoreApplication::translate("Cli", "%1: none of its %n stroke(s) is whole; open a backup of it",
                                                 nullptr, int(document->lostStrokes))
                         .arg(line.argument(0)));
+    if (*format == FileFormat::Svg)
+        return convertToDrawing(line, document->painting, out);
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
     if (out == QLatin1String("-"))
         return printBytes(writeDocument(document->painting, extras, *format));

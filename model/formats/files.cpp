@@ -1,5 +1,6 @@
 #include "model/formats/files.h"
 
+#include "model/formats/gzip.h"
 #include "model/formats/ink/diffusion_curves.h"
 #include "model/formats/ink/recording.h"
 #include "model/formats/messages.h"
@@ -7,6 +8,7 @@
 #include "model/formats/ora/ora_parts.h"
 #include "model/formats/picture_links.h"
 #include "model/formats/suffuse/suffuse_layout.h"
+#include "model/formats/svg/svg_embedding.h"
 #include "model/formats/svg/svg_painting.h"
 
 #include <QDir>
@@ -133,8 +135,7 @@ QString unknownFormat(const QByteArray &bytes)
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("This is UTF-16 text. Save it as UTF-8.");
     if (bytes.startsWith("\x1f\x8b"))
-        return FileMessages::tr("This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. "
-                                "Other programs can export SVG.")
+        return FileMessages::tr("This file is compressed with gzip, and what is in it is no SVG. Unpack it first. %1.")
             .arg(known);
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
         return FileMessages::tr("This is a picture, not a painting. %1.").arg(known);
@@ -183,6 +184,13 @@ FileFormat formatOfText(const QByteArray &bytes)
     return formatOfLines(text);
 }
 
+/// What is packed by gzip, by its beginning.
+FileFormat packedFormat(const QByteArray &bytes)
+{
+    const Result<QByteArray> beginning = unpackedGzip(bytes, 65536, true);
+    return beginning ? formatOfText(*beginning) : FileFormat::Unknown;
+}
+
 } // namespace
 
 FileFormat detectFormat(const QByteArray &bytes)
@@ -191,6 +199,8 @@ FileFormat detectFormat(const QByteArray &bytes)
         return FileFormat::Suffuse;
     if (ora::isOpenRaster(bytes))
         return FileFormat::OpenRaster;
+    if (isGzip(bytes)) // Of what is packed, only drawings are read.
+        return packedFormat(bytes) == FileFormat::Svg ? FileFormat::Svg : FileFormat::Unknown;
     const FileFormat format = formatOfText(bytes);
     // Whatever has happened to the start of a document, its whole parts are to be found.
     return format == FileFormat::Unknown && hasAnyChunk(bytes) ? FileFormat::Suffuse : format;
@@ -249,6 +259,29 @@ Result<Painting> readOpenRaster(const QByteArray &bytes, const QString &fileName
     return readSuffuseFile(embedded->document, fileName);
 }
 
+/// Reads a drawing: the painting that it was made of, if it is in it and no other program has changed the drawing since.
+Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
+{
+    constexpr qint64 largestDrawing = qint64(512) << 20;
+    QByteArray svg = bytes;
+    if (isGzip(bytes)) {
+        Result<QByteArray> unpacked = unpackedGzip(bytes, largestDrawing);
+        if (!unpacked)
+            return fileError(fileName, unpacked.error());
+        svg = std::move(*unpacked);
+    }
+    const std::optional<EmbeddedDocument> embedded = embeddedIn(svg);
+    if (embedded && embedded->matches) // If it is damaged, what is drawn is whole all the same.
+        if (Result<Painting> painting = readSuffuseFile(embedded->document, fileName))
+            return painting;
+    Result<Painting> painting = readSvg(svg, fileName, brush, &leftOut);
+    if (painting && embedded && !embedded->matches)
+        leftOut = (leftOut.isEmpty() ? QString() : leftOut + QLatin1Char(' ')) +
+                  FileMessages::tr("Another program has changed the drawing since Suffuse wrote it. It is opened as it is "
+                                   "drawn now, not as the painting that is in it.");
+    return painting;
+}
+
 /// Reads all formats except .suffuse, which the caller reads. `leftOut` is that of LoadedDocument.
 Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush,
                            QString &leftOut)
@@ -273,7 +306,7 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:
-        return readSvg(bytes, fileName, brush, &leftOut);
+        return readDrawing(bytes, fileName, brush, leftOut);
     case FileFormat::OpenRaster:
         return readOpenRaster(bytes, fileName, leftOut);
     case FileFormat::Suffuse:

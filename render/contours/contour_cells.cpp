@@ -9,6 +9,7 @@ namespace {
 constexpr int depths = 28;          // A root is 2^28 units of the grid wide.
 constexpr double widestCell = 0.75; // of the spread of what counts in it
 constexpr double narrowestCell = 1.0 / 64;
+constexpr int enoughPoints = 12; // of a chain
 
 struct Corner {
     std::int32_t x = 0, y = 0;
@@ -165,16 +166,28 @@ private:
         }
     }
 
+    /// Whether a side goes from the middle of a square to its border: squares' sides are level or upright.
+    static bool isSpoke(const Side &side)
+    {
+        const Corner a = cornerOf(side.a), b = cornerOf(side.b);
+        return a.x != b.x && a.y != b.y;
+    }
+
     std::vector<ContourChain> chainsOf(std::size_t k)
     {
         auto &next = m_next[k];
         std::vector<ContourChain> out;
         while (!next.empty() && !isCancelled()) {
+            std::vector<Side> sides;
+            for (auto at = next.begin(); at != next.end(); at = next.find(at->second), next.erase(sides.back()))
+                sides.push_back(at->first);
+            // Where chains cross the squares' sides is enough, unless they are short.
+            const auto isOfSquare = [this](const Side &side) { return !isSpoke(side); };
+            const bool some = std::ranges::count_if(sides, isOfSquare) >= enoughPoints;
             ContourChain chain;
-            for (auto at = next.begin(); at != next.end(); at = next.find(at->second), next.erase(m_last)) {
-                m_last = at->first;
-                chain.push_back(crossing(m_last, m_levels[k]));
-            }
+            for (const Side &side : sides)
+                if (!some || isOfSquare(side))
+                    chain.push_back(crossing(side, m_levels[k]));
             if (chain.size() > 2)
                 out.push_back(std::move(chain));
         }
@@ -229,7 +242,6 @@ private:
     std::vector<std::pair<Corner, int>> m_leaves;
     std::vector<Corner> m_ring;
     std::vector<std::unordered_map<Side, Side, SideHash>> m_next; ///< of each level, from side to side
-    Side m_last{};
 };
 
 } // namespace

@@ -6,9 +6,12 @@ namespace suffuse::contours {
 
 namespace {
 
-constexpr std::size_t mostPoints = 96; // that one cubic is tried on
-constexpr double pointShare = 0.6;     // of the tolerance, for how near the points lie,
-constexpr double triedShare = 0.75;    // and for where the field itself is asked
+constexpr std::size_t mostPoints = 96;                                // that one cubic is tried on
+constexpr double widestTurn = 1.9, sharpStep = 0.5, gentleStep = 0.2; // radians
+constexpr std::size_t manySteps = 6;
+constexpr double closest = 0.15;    // of the usual distance from point to point
+constexpr double pointShare = 0.6;  // of the tolerance, for how near the points lie,
+constexpr double triedShare = 0.75; // and for where the field itself is asked
 
 /// Along the contour: what is above the level lies left, as points are written with y up.
 Point directionOf(Point slope)
@@ -22,22 +25,26 @@ public:
     LoopFit(const ContourChain &chain, const Field &field, double level, double tolerance)
         : m_field(field), m_level(level), m_tolerance(tolerance), m_tried(triedShare * tolerance)
     {
-        // Neighbouring sides of triangles may be crossed in almost the same place.
+        // Neighbouring sides of squares may be crossed in almost the same place, and not in their order.
+        double way = 0;
+        for (std::size_t i = 0; i < chain.size(); ++i)
+            way += length(chain[i].at - chain[(i + 1) % chain.size()].at);
+        const double least = std::max(0.05 * tolerance, closest * way / double(chain.size()));
         for (const ContourPoint &p : chain)
-            if (m_points.empty() || length(p.at - m_points.back()) > 0.05 * tolerance) {
+            if (m_points.empty() || length(p.at - m_points.back()) > least) {
                 m_points.push_back(p.at);
                 m_directions.push_back(directionOf(p.slope));
             }
-        while (m_points.size() > 1 && length(m_points.back() - m_points.front()) <= 0.05 * tolerance) {
+        while (m_points.size() > 1 && length(m_points.back() - m_points.front()) <= least) {
             m_points.pop_back();
             m_directions.pop_back();
         }
         const std::size_t count = m_points.size();
         for (std::size_t i = 0; i < count && count > 2; ++i) {
-            const Point way = m_points[(i + 1) % count] - m_points[(i + count - 1) % count];
-            const double size = length(way);
-            if (size > 0 && !(dot(m_directions[i], way) > 0.5 * size)) // Where the field jumps slopes say little.
-                m_directions[i] = (1 / size) * way;
+            const Point around = m_points[(i + 1) % count] - m_points[(i + count - 1) % count];
+            const double size = length(around);
+            if (size > 0 && !(dot(m_directions[i], around) > 0.3 * size)) // Where the field jumps slopes say little.
+                m_directions[i] = (1 / size) * around;
         }
     }
 
@@ -83,10 +90,17 @@ private:
     std::optional<Cubic> fitted(std::size_t from, std::size_t to) const
     {
         // A cubic turns by less than half a circle.
-        double turn = 0;
-        for (std::size_t i = from; i < to; ++i)
-            turn += std::atan2(cross(directionAt(i), directionAt(i + 1)), dot(directionAt(i), directionAt(i + 1)));
-        if (std::abs(turn) > 1.9)
+        double turn = 0, sharpest = 0;
+        for (std::size_t i = from; i < to; ++i) {
+            const double step =
+                std::atan2(cross(directionAt(i), directionAt(i + 1)), dot(directionAt(i), directionAt(i + 1)));
+            // Where it turns much from point to point, nothing tells of what lies between but trying.
+            if (std::abs(step) > sharpStep && to > from + 2)
+                return {};
+            turn += step;
+            sharpest = std::max(sharpest, std::abs(step));
+        }
+        if (std::abs(turn) > widestTurn)
             return {};
         std::vector<Point> between;
         for (std::size_t i = from + 1; i < to; ++i)
@@ -97,16 +111,23 @@ private:
             fit.reparametrise(cubic);
             cubic = fit.fitted(directionAt(from), directionAt(to));
         }
-        if (fit.error(cubic) > pointShare * m_tolerance || !follows(cubic))
+        if (fit.error(cubic) > pointShare * m_tolerance || !follows(cubic, to - from > manySteps, sharpest))
             return {};
         return cubic;
     }
 
-    /// Whether the contour passes near enough to a cubic.
-    bool follows(const Cubic &cubic) const
+    /// Whether the contour passes near enough to a cubic. Where that was drawn through many points there is less to
+    /// try, and where it turns sharply from one to the next there is more.
+    bool follows(const Cubic &cubic, bool isThroughMany, double sharpest) const
     {
-        return isNear(cubic, 0.5) && isNear(cubic, 0.11) && isNear(cubic, 0.89) && isNear(cubic, 0.3) &&
-               isNear(cubic, 0.7);
+        const auto isNearAll = [&](std::initializer_list<double> places) {
+            return std::ranges::all_of(places, [&](double t) { return isNear(cubic, t); });
+        };
+        if (!isNearAll({0.5, 0.11, 0.89}))
+            return false;
+        if (sharpest >= gentleStep)
+            return isNearAll({0.3, 0.7, 0.04, 0.2, 0.4, 0.6, 0.8, 0.96});
+        return isThroughMany || isNearAll({0.3, 0.7});
     }
     bool isNear(const Cubic &cubic, double t) const
     {
@@ -128,17 +149,20 @@ private:
     {
         const double way = length(to - from);
         const Cubic cubic{{from, from + way / 3 * direction, to - way / 3 * arrival, to}};
-        if (depth == 5 || way < 0.25 * m_tolerance || follows(cubic)) {
+        if (depth == 6 || way < 0.25 * m_tolerance ||
+            follows(cubic, false, std::abs(std::atan2(cross(direction, arrival), dot(direction, arrival))))) {
             m_cubics.push_back(cubic);
             return;
         }
         const Point middle = 0.5 * (from + to);
-        const std::optional<ContourPoint> between = onContour(middle, (1 / way) * (to - from), way);
-        const Point along = between ? directionOf(between->slope) : Point{};
-        if (!between || !(dot(along, to - from) > 0.3 * way)) {
+        const std::optional<ContourPoint> between = onContour(middle, (1 / way) * (to - from), 2 * way);
+        if (!between) {
             m_cubics.push_back({{from, from + (1.0 / 3) * (to - from), to - (1.0 / 3) * (to - from), to}});
             return;
         }
+        Point along = directionOf(between->slope);
+        if (!(dot(along, to - from) > 0)) // Where the field jumps slopes say little.
+            along = (1 / way) * (to - from);
         appendStep(from, direction, between->at, along, depth + 1);
         appendStep(between->at, along, to, arrival, depth + 1);
     }

@@ -6,8 +6,8 @@
 namespace suffuse::contours {
 
 /// Cubics that follow each other and are closed, and whose directions agree where they meet. Each was tried against the
-/// field: at five places the contour passes within the tolerance. Where the field jumps or has a corner they become
-/// short lines.
+/// field: between the points that it was drawn through the contour passes within the tolerance. Where the field jumps
+/// or has a corner they become short lines.
 std::vector<Cubic> fittedLoop(const ContourChain &chain, const Field &field, double level, double tolerance);
 
 } // namespace suffuse::contours

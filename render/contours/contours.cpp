@@ -24,6 +24,20 @@ bool isEven(const Stroke &stroke)
     });
 }
 
+/// The greatest opacity of all that lays paint.
+double mostOpacity(const Stroke &stroke)
+{
+    double most = 0;
+    if (stroke.fill)
+        most = double(stroke.fill->colour.opacity);
+    if (stroke.fill && stroke.fill->gradient)
+        most = std::max(most, double(stroke.fill->gradient->colour.opacity));
+    for (const Segment &segment : stroke.segments)
+        if (!segment.lift && segment.density > 0)
+            most = std::max(most, double(segment.colour.opacity));
+    return most;
+}
+
 Stroke prepared(const Stroke &stroke, Microseconds T)
 {
     Stroke copy = stroke;
@@ -62,11 +76,6 @@ Loops StrokeContours::placed(Loops loops) const
             for (Point &p : c.p)
                 p = m_stroke.origin + p;
     return loops;
-}
-
-bool StrokeContours::isCrispAlone() const
-{
-    return m_field.crispDensity() > 0 && m_field.box().isEmpty();
 }
 
 double StrokeContours::lowestDensity(double coverage) const
@@ -158,37 +167,43 @@ Loops StrokeContours::outline(double level) const
 
 std::vector<Band> StrokeContours::bands(int count) const
 {
-    std::vector<Band> out;
-    const std::optional<double> opacity = m_field.evenOpacity();
-    if (m_field.hasOneStyle() && opacity && !(*opacity > 0))
-        return out;
-    if (m_field.hasOneStyle() && opacity) {
-        const int steps = std::max(1, int(std::ceil(count * *opacity - 1e-9)));
-        std::vector<CoverageStep> levels = stepsOf(m_field.style(), steps);
-        if (isCrispAlone()) // It is evenly covered: as it is.
-            levels = {{m_field.crispDensity(), densityFunction(m_field.style(), m_field.crispDensity())}};
-        std::vector<double> densities;
-        for (const CoverageStep &step : levels)
-            densities.push_back(step.density);
-        std::vector<Loops> loops = aboveDensities(densities);
-        for (std::size_t k = 0; k < loops.size(); ++k)
-            if (!loops[k].empty())
-                out.push_back({levels[k].coverage * *opacity, std::move(loops[k])});
-        return out;
-    }
-    double most = m_stroke.fill ? double(m_stroke.fill->colour.opacity) : 0;
-    if (m_stroke.fill && m_stroke.fill->gradient)
-        most = std::max(most, double(m_stroke.fill->gradient->colour.opacity));
-    for (const Segment &segment : m_stroke.segments)
-        most = std::max(most, segment.lift ? 0 : double(segment.colour.opacity));
+    const double most = mostOpacity(m_stroke);
     if (!(most > 0))
-        return out;
+        return {};
+    if (isCrisp()) { // It is evenly covered: as it is.
+        const double density = m_field.crispDensity();
+        Loops loops = aboveDensities({density}).front();
+        const double coverage = densityFunction(m_field.style(), density);
+        return loops.empty() || !(coverage > 0) ? std::vector<Band>() : std::vector<Band>{{coverage * most, loops}};
+    }
+    return m_field.hasOneStyle() && m_field.evenOpacity() ? evenBands(count, *m_field.evenOpacity())
+                                                          : opacityBands(count, most);
+}
+
+std::vector<Band> StrokeContours::evenBands(int count, double opacity) const
+{
+    const std::vector<CoverageStep> levels =
+        stepsOf(m_field.style(), std::max(1, int(std::ceil(count * opacity - 1e-9))));
+    std::vector<double> densities;
+    for (const CoverageStep &step : levels)
+        densities.push_back(step.density);
+    std::vector<Loops> loops = aboveDensities(densities);
+    std::vector<Band> out;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+        if (!loops[k].empty())
+            out.push_back({levels[k].coverage * opacity, std::move(loops[k])});
+    return out;
+}
+
+std::vector<Band> StrokeContours::opacityBands(int count, double most) const
+{
     const int steps = std::max(1, int(std::ceil(count * most - 1e-9)));
     std::vector<double> levels;
     for (int k = 0; k < steps; ++k)
         levels.push_back((k + 0.5) * most / steps);
     const auto field = [this](Point p) { return m_field.opacityAt(p); };
     std::vector<Loops> loops = above(field, levels, lowestDensity(levels.front() / most));
+    std::vector<Band> out;
     for (std::size_t k = 0; k < loops.size(); ++k)
         if (!loops[k].empty())
             out.push_back({(double(k) + 1) * most / steps, placed(std::move(loops[k]))});

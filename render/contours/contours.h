@@ -9,7 +9,7 @@ namespace suffuse::contours {
 /// Closed loops of cubics in canvas units. The winding number is 1 inside and 0 outside.
 using Loops = std::vector<std::vector<Cubic>>;
 
-/// What of a stroke is at least so opaque, in steps: each lies over those before it and takes their place.
+/// What of a stroke is so opaque, in steps: each lies within the one before it and takes its place there.
 struct Band {
     double opacity = 0; ///< w within
     Loops loops;
@@ -32,6 +32,8 @@ public:
     /// an evenly opaque stroke is its opacity itself.
     std::vector<Band> bands(int count) const;
 
+    /// Whether it is nothing but a fill that does not spread: one band, as opaque as it is at most.
+    bool isCrisp() const { return m_field.crispDensity() > 0 && m_field.box().isEmpty(); }
     const StrokeField &field() const { return m_field; }
     const Stroke &stroke() const { return m_stroke; }
 
@@ -40,8 +42,9 @@ private:
     std::vector<Loops> above(const Field &field, const std::vector<double> &levels, double lowest) const;
     /// φ′ at these densities and above, crisp fills included.
     std::vector<Loops> aboveDensities(const std::vector<double> &densities) const;
+    std::vector<Band> evenBands(int count, double opacity) const;
+    std::vector<Band> opacityBands(int count, double most) const;
     double lowestDensity(double coverage) const;
-    bool isCrispAlone() const;
     Loops placed(Loops loops) const;
 
     Stroke m_stroke;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/painting/geometry.h"
+#include "render/contours/gauss_sums.h"
 
 #include <cstdint>
 #include <span>
@@ -35,22 +36,40 @@ struct Sloped {
     }
 };
 
+/// Sums over Gaussians, each with weights of its own.
+using ChannelSums = std::array<Sloped, mostChannels>;
+/// By what the weights of the Gaussians of a row are multiplied, for each channel.
+using ChannelGains = std::array<double, mostChannels>;
+
 /// Gaussians of similar spreads in a grid of squares that are as wide as two spreads.
 class GaussBins {
 public:
-    explicit GaussBins(std::vector<Gauss> all);
+    /// `gains` are those of the rows.
+    GaussBins(std::vector<Gauss> all, const std::vector<ChannelGains> &gains, int channels);
 
     const std::vector<Gauss> &all() const { return m_all; }
     /// Those that may count at a point.
     std::span<const std::uint32_t> near(Point p) const;
+    /// Adds the sums at a point: in floats relative to the square, unless its Gaussians are so wide that digits are
+    /// missed.
+    void addSums(Point p, ChannelSums &sums) const;
 
 private:
-    std::uint64_t keyAt(double x, double y) const;
+    struct Bin {
+        std::uint32_t begin = 0, end = 0; ///< in m_indices
+        std::uint32_t column = 0; ///< in m_columns, where each column begins after as many as the one before has
+    };
+    const Bin *binAt(Point p) const;
+    void makeColumns();
 
     std::vector<Gauss> m_all;
+    std::vector<ChannelGains> m_gains;
+    int m_channels;
+    bool m_wide = false;
     double m_side = 1;
-    std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> m_bins; ///< ranges of m_indices
+    std::unordered_map<std::uint64_t, Bin> m_bins;
     std::vector<std::uint32_t> m_indices;
+    std::vector<float> m_columns; ///< x, y, a, b, c and the weights of each bin
 };
 
 /// What a Gaussian is at a point.

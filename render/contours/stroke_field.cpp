@@ -103,14 +103,19 @@ StrokeField::StrokeField(const Stroke &stroke, Microseconds T, double eta, doubl
         std::vector<Gauss> &nodes = byOctave[int(std::floor(std::log2(smaller)))];
         addGausses(s, s.curve, s.epsilon, 0, nodes);
     }
+    addFill(stroke, T);
+    classify();
+    if (std::ranges::all_of(m_rows, &Row::lifts)) { // What only takes paint away shows nothing.
+        m_box = {};
+        return;
+    }
+    const std::vector<ChannelGains> gains = this->gains();
     for (auto &[octave, nodes] : byOctave) {
         for (const Gauss &g : nodes)
             m_box = m_box.united(
                 {g.at.x - g.halfWidth, g.at.y - g.halfHeight, g.at.x + g.halfWidth, g.at.y + g.halfHeight});
-        m_bins.emplace_back(std::move(nodes));
+        m_bins.emplace_back(std::move(nodes), gains, m_channels);
     }
-    addFill(stroke, T);
-    classify();
 }
 
 void StrokeField::addFill(const Stroke &stroke, Microseconds T)
@@ -150,12 +155,12 @@ void StrokeField::classify()
         if (oneColour)
             m_evenColour = colourOf(row);
     }
-    if (!first) // What only takes paint away shows nothing.
-        m_box = {}, m_bins.clear();
     if (!oneColour)
         m_evenColour.reset();
-    if (oneStyle)
+    if (oneStyle) {
         m_style = first ? *first->style : m_stroke.style;
+        m_curve.emplace(*m_style);
+    }
     if (oneOpacity)
         m_evenOpacity = first ? first->opacity : 0;
     // Without lifting φ′ is a sum, whatever the granulation; with it only where all have the same.
@@ -164,6 +169,48 @@ void StrokeField::classify()
         for (Row &row : m_rows)
             if (row.lifts)
                 row.gain = -first->gain;
+    m_channels = m_kind == Kind::Mixed ? 0 : m_kind == Kind::OneStyle ? 4 : m_evenOpacity ? 1 : 3;
+}
+
+std::vector<ChannelGains> StrokeField::gains() const
+{
+    std::vector<ChannelGains> out;
+    for (const Row &row : m_rows) {
+        ChannelGains &gains = out.emplace_back();
+        gains[Modulated] = row.lifts && m_kind == Kind::OneStyle ? 0 : row.gain;
+        gains[Laid] = row.lifts ? 0 : 1;
+        gains[Opacity] = row.lifts ? 0 : row.opacity;
+        gains[Lifted] = row.lifts ? 1 : 0;
+    }
+    return out;
+}
+
+ChannelSums StrokeField::sumsAt(Point p) const
+{
+    ChannelSums sums;
+    for (const GaussBins &bins : m_bins)
+        bins.addSums(p, sums);
+    if (!m_area)
+        return sums;
+    const Sloped area = m_area->at(p);
+    sums[Modulated].add(m_rows[m_areaRow].gain, area);
+    sums[Laid].add(1, area);
+    sums[Opacity].add(m_rows[m_areaRow].opacity, area);
+    return sums;
+}
+
+Sloped StrokeField::modulated(const ChannelSums &sums) const
+{
+    if (m_kind == Kind::Even)
+        return sums[Modulated];
+    // φ′ = γφ, and γ is a mean over what lays paint.
+    const Sloped &laid = sums[Laid], &lifted = sums[Lifted];
+    if (!(laid.value > 0))
+        return {};
+    const double left = 1 - lifted.value / laid.value;
+    const Point slopeOfLeft =
+        (-1 / laid.value) * lifted.slope + (lifted.value / (laid.value * laid.value)) * laid.slope;
+    return {sums[Modulated].value * left, left * sums[Modulated].slope + sums[Modulated].value * slopeOfLeft};
 }
 
 template <class Use>
@@ -178,24 +225,7 @@ void StrokeField::forEach(Point p, Use use) const
 
 Sloped StrokeField::modulatedAt(Point p) const
 {
-    Sloped sum;
-    if (m_kind == Kind::Even) {
-        forEach(p, [&](std::uint32_t row, const Sloped &s) { sum.add(m_rows[row].gain, s); });
-        return sum;
-    }
-    // φ′ = γφ, and γ is a mean over what lays paint.
-    Sloped laid, lifted, modulated;
-    forEach(p, [&](std::uint32_t row, const Sloped &s) {
-        (m_rows[row].lifts ? lifted : laid).add(1, s);
-        if (!m_rows[row].lifts)
-            modulated.add(m_rows[row].gain, s);
-    });
-    if (!(laid.value > 0))
-        return {};
-    const double left = 1 - lifted.value / laid.value;
-    const Point slopeOfLeft =
-        (-1 / laid.value) * lifted.slope + (lifted.value / (laid.value * laid.value)) * laid.slope;
-    return {modulated.value * left, left * modulated.slope + modulated.value * slopeOfLeft};
+    return modulated(sumsAt(p));
 }
 
 LocalPaint StrokeField::localPaint(const std::vector<Sloped> &rows, Point step, Point p) const
@@ -249,23 +279,14 @@ Sloped StrokeField::opacityAt(Point p) const
 {
     if (!m_style)
         return paintAt(p, true);
-    const Sloped modulated = modulatedAt(p);
-    if (!(modulated.value > 0))
+    const ChannelSums sums = sumsAt(p);
+    const Sloped density = modulated(sums), &laid = sums[Laid], &opacity = sums[Opacity];
+    if (!(density.value > 0) || !(laid.value > 0))
         return {};
-    Sloped laid, opacity;
-    forEach(p, [&](std::uint32_t row, const Sloped &s) {
-        if (m_rows[row].lifts)
-            return;
-        laid.add(1, s);
-        opacity.add(m_rows[row].opacity, s);
-    });
-    const double mean = opacity.value / laid.value, step = 1e-5 * modulated.value;
-    const double coverage = densityFunction(*m_style, modulated.value);
-    const double rise =
-        (densityFunction(*m_style, modulated.value + step) - densityFunction(*m_style, modulated.value - step)) /
-        (2 * step);
+    const double mean = opacity.value / laid.value;
+    const auto [coverage, rise] = m_curve->at(density.value);
     const Point slopeOfMean = (1 / laid.value) * (opacity.slope - mean * laid.slope);
-    return {coverage * mean, (rise * mean) * modulated.slope + coverage * slopeOfMean};
+    return {coverage * mean, (rise * mean) * density.slope + coverage * slopeOfMean};
 }
 
 std::array<double, 4> StrokeField::colourAt(Point p) const

@@ -6,6 +6,7 @@
 #include "model/painting/stroke.h"
 #include "render/contours/area_field.h"
 #include "render/contours/gauss_bins.h"
+#include "render/contours/style_levels.h"
 
 #include <memory>
 #include <optional>
@@ -58,11 +59,16 @@ private:
         const Style *style = nullptr;
     };
     enum class Kind { Even, OneStyle, Mixed };
+    /// φ′ of what lays paint (where all is even, less what takes it away), φ⁺, the sum of opacities, and φ⁻.
+    enum Channel : std::size_t { Modulated, Laid, Opacity, Lifted };
 
     void addSegment(const Segment &segment, Microseconds T, double tolerance,
                     std::vector<std::vector<Gauss>> &byOctave);
     void addFill(const Stroke &stroke, Microseconds T);
     void classify();
+    std::vector<ChannelGains> gains() const;
+    ChannelSums sumsAt(Point p) const;
+    Sloped modulated(const ChannelSums &sums) const;
     template <class Use>
     void forEach(Point p, Use use) const;
     Sloped paintAt(Point p, bool withOpacity) const;
@@ -72,10 +78,12 @@ private:
     double m_eta;
     Kind m_kind = Kind::Even;
     std::optional<Style> m_style;
+    std::optional<CoverageCurve> m_curve; ///< of that style
     std::optional<double> m_evenOpacity;
     std::optional<Colour> m_evenColour;
     double m_crisp = 0;
     std::vector<Row> m_rows;
+    int m_channels = 1; ///< how many of the first are summed; 0: each row by itself
     std::vector<GaussBins> m_bins;
     std::unique_ptr<AreaField> m_area;
     std::uint32_t m_areaRow = 0;

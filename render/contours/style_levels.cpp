@@ -50,6 +50,40 @@ double meets(const Style &style, Slope slope, double level)
 
 } // namespace
 
+CoverageCurve::CoverageCurve(const Style &style)
+    : m_kind(style.kind), m_xi{double(style.xi[0]), double(style.xi[1]), double(style.xi[2])}, m_start(0)
+{
+    if (m_kind == StyleKind::Edge)
+        m_start = visibleCut(style);
+    if (m_kind != StyleKind::Uniform)
+        return;
+    m_start = std::max(0.0, m_xi[0] - 8 * m_xi[1]);
+    m_lowest = 1 / (1 + std::exp(-(m_start - m_xi[0]) / m_xi[1]));
+}
+
+CoverageCurve::Value CoverageCurve::at(double density) const
+{
+    if (!(density > m_start))
+        return {};
+    const auto [xi1, xi2, xi3] = m_xi;
+    switch (m_kind) {
+    case StyleKind::Uniform: {
+        const double f = 1 / (1 + std::exp(-(density - xi1) / xi2)), gain = 1 / (1 - m_lowest);
+        return {gain * (f - m_lowest), gain * f * (1 - f) / xi2};
+    }
+    case StyleKind::Feathering: {
+        if (density >= xi1)
+            return {1, 0};
+        const double f = std::pow(density / xi1, xi2);
+        return {f, xi2 * f / density};
+    }
+    case StyleKind::Edge:
+        break;
+    }
+    const double a = xi1 / density, b = xi2 / density, a6 = a * a * a * a * a * a, b3 = b * b * b;
+    return {std::clamp(xi3 * (a6 - b3 + 1), 0.0, 1.0), xi3 * (3 * b3 - 6 * a6) / density};
+}
+
 std::vector<double> crossingsOf(const Style &style, double level)
 {
     std::vector<double> out;

@@ -3,9 +3,27 @@
 
 #include "model/painting/style.h"
 
+#include <array>
 #include <vector>
 
 namespace suffuse::contours {
+
+/// F of one style with its slope, quicker than model/paint has it.
+class CoverageCurve {
+public:
+    explicit CoverageCurve(const Style &style);
+
+    struct Value {
+        double coverage = 0, slope = 0;
+    };
+    Value at(double density) const;
+
+private:
+    StyleKind m_kind;
+    std::array<double, 3> m_xi;
+    double m_start; ///< below it F is 0
+    double m_lowest = 0;
+};
 
 /// From a density on, a coverage (until the next one).
 struct CoverageStep {

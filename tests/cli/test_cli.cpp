@@ -25,6 +25,7 @@ private slots:
     void convertLeavesItsInput();
     void convertWithBrush();
     void convertDrawing();
+    void convertToDrawing();
     void textsOfDrawings();
     void probe();
     void probeTakesNegativeNumbers();
@@ -98,7 +99,7 @@ void TestCli::wrongUsage_data()
     row("a format for a file", {"render", in, "-o", out, "--format", "jpg"}, "--format is for -o -");
     row("no format", {"render", in, "-o", "-", "--format", "bmp"}, "png, tiff");
     row("two things on standard output", {"render", in, "-o", "-", "--stats"}, "standard output");
-    row("a document of no format", {"convert", in, "-", "--format", "txt"}, "suffuse or json");
+    row("a document of no format", {"convert", in, "-", "--format", "txt"}, "suffuse, json or svg");
     row("convert to a file by format", {"convert", in, path("b.json"), "--format", "json"}, "chooses the format");
     row("no depth", {"render", in, "-o", out, "--depth", "12"}, "8, 16, half or float");
     row("PNG holds no half", {"render", in, "-o", out, "--depth", "half"}, "8, 16");
@@ -112,7 +113,11 @@ void TestCli::wrongUsage_data()
     row("info without a file", {"info"}, "--backends");
     row("info of two things", {"info", in, "--backends"}, "--backends");
     row("convert without a target", {"convert", in}, "too few");
-    row("convert to an unknown ending", {"convert", in, path("a.txt")}, ".suffuse or .json");
+    row("convert to an unknown ending", {"convert", in, path("a.txt")}, ".suffuse, .json");
+    row("a drawing of no kind", {"convert", in, path("a.svg"), "--as", "dots"}, "outlines, bands or hybrid");
+    row("a drawing of no bands", {"convert", in, path("a.svg"), "--bands", "0"}, "from 1 to 256");
+    row("bands of outlines", {"convert", in, path("a.svg"), "--as", "outlines", "--bands", "4"}, "--as bands");
+    row("bands of a document", {"convert", in, path("a.json"), "--bands", "4"}, ".svg");
     row("a size given twice", {"render", in, "-o", out, "--size", "40", "--size", "80"}, "--size is given twice");
     row("an output given twice", {"render", in, "-o", out, "--output", path("b.png")}, "--output is given twice");
     row("a switch given twice", {"info", in, "--json", "--json"}, "--json is given twice");
@@ -240,6 +245,22 @@ void TestCli::convertLeavesItsInput()
     QVERIFY(runCli({"convert", path("link.suffuse"), path("other.suffuse")}).code == 0); // what is there is replaced
     // Standard input is no file of that name.
     QVERIFY(runCli({"convert", "-", path("other.suffuse")}, smallPainting()).code == 0);
+}
+
+void TestCli::convertToDrawing()
+{
+    for (const QString kind : {"outlines", "bands", "hybrid"}) {
+        const QString out = path(kind + ".svgz");
+        const CliOutcome outcome = runCli({"convert", path("a.json"), out, "--as", kind});
+        QVERIFY2(outcome.code == 0, outcome.err.constData());
+        QVERIFY2(outcome.out.contains("differs from the picture by at most"), outcome.out.constData());
+        QVERIFY(runCli({"convert", path("a.json"), path("direct.json")}).code == 0);
+        QVERIFY(runCli({"convert", out, path("back.json")}).code == 0);
+        QCOMPARE(readFile(path("back.json")), readFile(path("direct.json")));
+    }
+    const CliOutcome piped = runCli({"convert", path("a.json"), "-", "--format", "svg"});
+    QVERIFY(piped.code == 0);
+    QVERIFY(piped.out.contains("<svg") && piped.err.contains("of 255"));
 }
 
 void TestCli::convertWithBrush()

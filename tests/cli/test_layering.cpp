@@ -35,7 +35,7 @@ const QList<Rule> &rules()
         return others;
     };
     static const QList<Rule> table = {
-        {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zstd.h"}},
+        {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zlib.h", "zstd.h"}},
         // Parts of zip files.
         {"model/formats/ora/", {"model/"}, {"QtCore"}, {"minizip"}},
         // Formulas in double precision: plain C++.
@@ -68,7 +68,7 @@ const QList<Rule> &rules()
         {"render/contours/",
          {"model/", "render/contours/", "render/nodes/", "render/math/", "render/image_io/image_io.h"},
          {"QtCore"},
-         {}},
+         {"hwy"}},
         {"render/scene/",
          {"model/", "render/composition/", "render/math/", "render/nodes/", "render/scene/", "render/threads/",
           "render/renderer.h", "render/target.h", "render/view.h", "render/picture_grid.h",
@@ -77,6 +77,8 @@ const QList<Rule> &rules()
          {}},
         {"render/cpu/", {"model/", "render/"}, {"QtCore"}, {"hwy"}, allBut("render/cpu/")},
         {"render/reference/", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
+        // What other programs show of a painting is found without knowing who draws the picture.
+        {"render/drawing/", {"model/", "render/"}, {"QtCore"}, {}, backends},
         // Written once for host and device.
         {"render/math/", {"render/math/", "model/painting/style.h", "model/painting/blend.h"}, {}, {"hwy"}},
         {"render/cuda/",

@@ -151,6 +151,15 @@ private slots:
                     QCOMPARE(densityFunction(style, at[k] * (1 - 1e-9)) >= level, k % 2 == 1);
                 }
             }
+            const CoverageCurve curve(style);
+            for (double density = 0.01; density < 3; density *= 1.01) {
+                const CoverageCurve::Value value = curve.at(density);
+                QVERIFY(std::abs(value.coverage - densityFunction(style, density)) < 1e-12);
+                const double above = densityFunction(style, density + 1e-7),
+                             below = densityFunction(style, density - 1e-7);
+                if (value.coverage > 0 && value.coverage < 1 && above > 0 && below > 0 && above < 1)
+                    QVERIFY(std::abs(value.slope - (above - below) / 2e-7) < 1e-4 * (1 + std::abs(value.slope)));
+            }
             const std::vector<CoverageStep> steps = stepsOf(style, 64);
             for (double density = 1e-3; density < 5; density *= 1.003) {
                 double shown = 0;
@@ -268,6 +277,39 @@ private slots:
                 loops, [&](Point p) { return exact.coverage(p); }, level, what.contains("fill") ? 30 : 100, 7);
             QVERIFY2(near.worst <= 1.0 / 256 + 1e-5, qPrintable(QString::number(near.worst)));
         }
+    }
+
+    void slopesAreThose()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> anywhere(-1, 1);
+        for (const double spread : {0.5, 10.0})
+            for (const float ratio : {1.0f, 2.0f}) {
+                Stroke s = emptyFill(1, spread, test::styleOf(StyleKind::Uniform));
+                addEllipse(s, {300, 200}, 120, 70);
+                addRectangle(s, Rect::of(280, 180, 50, 30), true);
+                changeFill(s, [&](Fill &fill) { fill.anisotropyRatio = ratio, fill.anisotropyAngle = 0.7f; });
+                s.segments[1].density = 2;
+                const StrokeField field(s, end, 1, 1.0 / 256);
+                for (int i = 0; i < 400; ++i) {
+                    const Point edge =
+                        i % 2 == 0 ? Point{280, 195 + 14 * anywhere(random)} : Point{305 + 24 * anywhere(random), 180};
+                    const Point p = edge + 2 * spread * Point{anywhere(random), anywhere(random)};
+                    const double h = 1e-3 * spread;
+                    const Point slope{
+                        (field.modulatedAt(p + Point{h, 0}).value - field.modulatedAt(p - Point{h, 0}).value) / (2 * h),
+                        (field.modulatedAt(p + Point{0, h}).value - field.modulatedAt(p - Point{0, h}).value) /
+                            (2 * h)};
+                    const Point own = field.modulatedAt(p).slope;
+                    QVERIFY2(length(own - slope) * spread < 1e-3, qPrintable(QString("%1 %2: %3 %4, not %5 %6")
+                                                                                 .arg(p.x)
+                                                                                 .arg(p.y)
+                                                                                 .arg(own.x)
+                                                                                 .arg(own.y)
+                                                                                 .arg(slope.x)
+                                                                                 .arg(slope.y)));
+                }
+            }
     }
 
     void crispFillsAreTheirOutlines()

@@ -4,6 +4,7 @@
 #include "app/session/files/svg_widths.h"
 #include "model/area/outline.h"
 #include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/svg_group_writer.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
 #include "model/painting/fields.h"
@@ -251,56 +252,6 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
         xml.writeEndElement();
 }
 
-/// Writes the beginnings and ends of groups between strokes.
-class WrittenGroups {
-public:
-    WrittenGroups(QXmlStreamWriter &xml, const Painting &painting) : m_xml(xml), m_painting(painting) {}
-
-    /// What follows is in this group.
-    void goTo(GroupId group)
-    {
-        std::vector<GroupId> wanted;
-        for (; group != 0; group = parentOf(group))
-            wanted.insert(wanted.begin(), group);
-        std::size_t same = 0;
-        while (same < m_open.size() && same < wanted.size() && m_open[same] == wanted[same])
-            ++same;
-        for (; m_open.size() > same; m_open.pop_back())
-            m_xml.writeEndElement();
-        for (; m_open.size() < wanted.size(); m_open.push_back(wanted[m_open.size()])) {
-            m_xml.writeStartElement("g");
-            const Group *group = m_painting.findGroup(wanted[m_open.size()]);
-            if (group)
-                writeBlending(*group);
-            if (group && !group->name.isEmpty())
-                m_xml.writeTextElement("title", group->name);
-        }
-    }
-
-private:
-    void writeBlending(const Group &group)
-    {
-        if (group.opacity < 1)
-            m_xml.writeAttribute("opacity", number(double(group.opacity)));
-        QStringList style;
-        if (const char *mode = cssOf(group.blend); mode && group.blend != BlendMode::Normal)
-            style << QLatin1String("mix-blend-mode:") + QLatin1String(mode);
-        if (group.isolated)
-            style << QStringLiteral("isolation:isolate");
-        if (!style.isEmpty())
-            m_xml.writeAttribute("style", style.join(u';'));
-    }
-    GroupId parentOf(GroupId id) const
-    {
-        const Group *group = m_painting.findGroup(id);
-        return group ? group->parent : 0;
-    }
-
-    QXmlStreamWriter &m_xml;
-    const Painting &m_painting;
-    std::vector<GroupId> m_open; ///< from outside to inside
-};
-
 /// The canvas' colour, as a rectangle under everything. Ours and other programs know it by its id.
 void writeBackground(QXmlStreamWriter &xml, const Rect &page, const Colour &colour)
 {
@@ -388,7 +339,7 @@ SvgStrokes svgOf(const Painting &painting, const Rect &area)
     const std::vector<double> halves = joinedHalfWidths(lines);
     auto half = halves.begin();
     int gradients = 0;
-    WrittenGroups groups(xml, painting);
+    SvgGroupWriter groups(xml, painting);
     for (const StrokePtr &stroke : painting.strokes) {
         if (!isVisible(*stroke) || stroke->picture)
             continue;

@@ -1,0 +1,86 @@
+#include "app/cli/convert_drawing.h"
+
+#include "app/cli/progress.h"
+#include "render/backends.h"
+#include "render/drawing/drawing_file.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace suffuse::cli {
+
+namespace {
+
+Result<DrawingOptions> drawingOptions(const CommandLine &line, const Painting &painting)
+{
+    DrawingOptions options;
+    const QString as = line.isSet("as") ? line.value("as") : QStringLiteral("bands");
+    if (as == QLatin1String("outlines"))
+        options.kind = DrawingKind::Outlines;
+    else if (as == QLatin1String("hybrid"))
+        options.kind = DrawingKind::Hybrid;
+    else if (as != QLatin1String("bands"))
+        return Error{QCoreApplication::translate("Cli", "--as %1: give outlines, bands or hybrid").arg(as)};
+    if (line.isSet("bands")) {
+        const std::optional<double> bands = toNumber(line.value("bands"));
+        if (!bands || *bands != std::floor(*bands) || *bands < 1 || *bands > mostBands)
+            return Error{QCoreApplication::translate("Cli", "--bands %1: give a whole number from 1 to %2")
+                             .arg(line.value("bands"))
+                             .arg(mostBands)};
+        if (options.kind != DrawingKind::Bands)
+            return Error{QCoreApplication::translate("Cli", "--bands is for --as bands; leave one of them out")};
+        options.bands = int(*bands);
+    }
+    const Result<Microseconds> time = timeOption(line, painting);
+    if (!time)
+        return Error{time.error()};
+    options.time = *time;
+    return options;
+}
+
+} // namespace
+
+void addDrawingOptions(CommandLine &line)
+{
+    line.add({"as"},
+             QCoreApplication::translate("Cli",
+                                         "Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands "
+                                         "(contours within each other, as opaque as the paint; the default) or "
+                                         "hybrid (the exact picture under unpainted outlines)."),
+             "KIND");
+    line.add({"bands"}, QCoreApplication::translate("Cli", "How many bands full opacity has, 1 to 256 (default: 16)."),
+             "K");
+    line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: all dried)."),
+             "SECONDS");
+}
+
+int convertToDrawing(const CommandLine &line, const Painting &painting, const QString &out)
+{
+    Result<DrawingOptions> options = drawingOptions(line, painting);
+    if (!options)
+        return failUsage("convert", options.error());
+    const auto shared = std::make_shared<const Painting>(painting);
+    const Result<std::unique_ptr<Renderer>> renderer = makeRenderer({Backend::Cpu});
+    if (!renderer)
+        return fail(renderer.error());
+    options->cancel = &interrupted();
+    std::optional<ProgressLine> progress(QCoreApplication::translate("Cli", "Drawing"));
+    options->progress = [&](int done, int all) { progress->show(done, all); };
+    const Result<PreparedDrawing> prepared = prepareDrawing(shared, *options, **renderer);
+    progress.reset();
+    if (!prepared)
+        return fail(QStringLiteral("%1: %2").arg(out, prepared.error()));
+    if (const QString leftOut = leftOutOf(*prepared); !leftOut.isEmpty())
+        warn(QStringLiteral("%1: %2").arg(out, leftOut));
+    if (out == QLatin1String("-")) {
+        warn(differenceText(prepared->difference));
+        return printBytes(bytesOf(*prepared, painting, QStringLiteral("svg"), options->cancel));
+    }
+    if (const int code = print(differenceText(prepared->difference) + QLatin1Char('\n')); code != Done)
+        return code;
+    const Result<void> saved = saveDrawing(*prepared, painting, out, options->cancel);
+    return saved ? Done : fail(saved.error());
+}
+
+} // namespace suffuse::cli

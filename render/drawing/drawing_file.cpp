@@ -1,0 +1,136 @@
+#include "render/drawing/drawing_file.h"
+
+#include "model/formats/files.h"
+#include "model/formats/gzip.h"
+#include "model/formats/svg/svg_embedding.h"
+#include "render/drawing/drawing_svg.h"
+#include "render/image_io/image_io.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+Error drawingInterrupted()
+{
+    return Error{QCoreApplication::translate("Drawing", "interrupted; nothing was written")};
+}
+
+bool isCancelled(const std::atomic<bool> *cancel)
+{
+    return cancel && cancel->load(std::memory_order_relaxed);
+}
+
+/// The sheet with a pixel a unit as a PNG.
+Result<QByteArray> pictureOfSheet(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer)
+{
+    const Rect area = painting->canvas.area();
+    ImageOptions image;
+    image.alpha = painting->canvas.background.opacity < 1;
+    image.cancel = options.cancel;
+    const int width = std::max(1, int(std::lround(area.width())));
+    const int height = std::max(1, heightForWidth(area, width));
+    if (const QString problem = problemOf(ImageFormat::Png, image, width, height); !problem.isEmpty())
+        return Error{problem};
+    if (qint64(width) * height > maxPicturePixels)
+        return Error{
+            QCoreApplication::translate("Drawing", "the sheet is too large for a picture with a pixel a unit")};
+    RenderRequest request;
+    request.painting = painting;
+    request.time = options.time;
+    request.view = View::ofArea(area, width, height);
+    request.transparent = image.alpha;
+    FloatPicture picture;
+    const Result<RenderStats> stats = renderer.render(request, picture, options.cancel);
+    if (!stats)
+        return Error{stats.error()};
+    if (stats->cancelled)
+        return drawingInterrupted();
+    return encodeImage(ImageFormat::Png, picture, image, QStringLiteral("PNG"));
+}
+
+QString ofLevels(double value)
+{
+    return QLocale().toString(255 * value, 'f', 255 * value < 10 ? 2 : 0);
+}
+
+} // namespace
+
+Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer)
+{
+    PreparedDrawing out;
+    out.drawing = drawingOf(painting, options);
+    if (isCancelled(options.cancel))
+        return drawingInterrupted();
+    if (options.kind == DrawingKind::Hybrid) {
+        Result<QByteArray> png = pictureOfSheet(painting, options, renderer);
+        if (!png)
+            return Error{png.error()};
+        out.png = std::move(*png);
+        renderer.invalidate();
+    }
+    const Result<DrawingDifference> difference =
+        differenceOf(out.drawing, painting, options.time, renderer, options.cancel);
+    if (!difference)
+        return Error{difference.error()};
+    if (isCancelled(options.cancel))
+        return drawingInterrupted();
+    out.difference = *difference;
+    return out;
+}
+
+QByteArray bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
+                   const std::atomic<bool> *cancel)
+{
+    const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);
+    if (svg.isEmpty() || isCancelled(cancel))
+        return {};
+    const QByteArray whole = withEmbedded(svg, writeSuffuseFile(painting));
+    return name.endsWith(QLatin1String("svgz"), Qt::CaseInsensitive) ? packedGzip(whole, cancel) : whole;
+}
+
+Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
+                         const std::atomic<bool> *cancel)
+{
+    const QByteArray bytes = bytesOf(prepared, painting, path, cancel);
+    if (bytes.isEmpty())
+        return drawingInterrupted();
+    return writeFileAtomically(path, bytes);
+}
+
+bool isDrawingPath(const QString &path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    return ending == QLatin1String("svg") || ending == QLatin1String("svgz");
+}
+
+QString leftOutOf(const PreparedDrawing &prepared)
+{
+    QStringList said;
+    if (prepared.drawing.plain > 0)
+        said << QCoreApplication::translate("Drawing",
+                                            "SVG has no groups that mask, erase or clip what lies below: %n group(s) "
+                                            "became plain.",
+                                            nullptr, prepared.drawing.plain);
+    if (prepared.drawing.thin > 0)
+        said << QCoreApplication::translate(
+            "Drawing",
+            "%n stroke(s) are left out, since nothing of them is covered enough to have "
+            "a path.",
+            nullptr, prepared.drawing.thin);
+    return said.join(QLatin1Char(' '));
+}
+
+QString differenceText(const DrawingDifference &difference)
+{
+    return QCoreApplication::translate("Drawing",
+                                       "The drawing differs from the picture by at most %1 of 255, by %2 on average.")
+        .arg(ofLevels(difference.largest), ofLevels(difference.mean));
+}
+
+} // namespace suffuse

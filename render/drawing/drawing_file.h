@@ -1,0 +1,33 @@
+// A painting becomes an SVG file.
+#pragma once
+
+#include "render/drawing/drawing_picture.h"
+
+namespace suffuse {
+
+/// A drawing that is ready to be written, and what is to be known of it before.
+struct PreparedDrawing {
+    PathDrawing drawing;
+    QByteArray png; ///< the picture, if paths are unpainted
+    DrawingDifference difference;
+};
+
+/// Draws a painting. It fails if the renderer does, or if it was cancelled.
+Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer);
+
+/// The file's bytes, with the painting in it; packed if the ending of `name` is .svgz. Empty if it was cancelled.
+QByteArray bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
+                   const std::atomic<bool> *cancel = nullptr);
+/// Replaces a file by them, or leaves it as it was.
+Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
+                         const std::atomic<bool> *cancel = nullptr);
+
+/// Whether a path has the ending of a drawing, .svg or .svgz.
+bool isDrawingPath(const QString &path);
+
+/// What of a painting the drawing has in another way, in sentences for people; empty if there is nothing.
+QString leftOutOf(const PreparedDrawing &prepared);
+/// "The drawing differs from the picture by at most 3 of 255, by 0.2 on average."
+QString differenceText(const DrawingDifference &difference);
+
+} // namespace suffuse
