@@ -34,8 +34,14 @@ AreaField::AreaField(const Stroke &stroke, Microseconds T, double reach)
     m_density = double(fill.density);
     m_narrowest = fill.spread(T) * std::sqrt(std::min(1.0, double(fill.anisotropyRatio)));
     m_width = 1 / m_a, m_height = 1 / m_c;
-    for (const BoundaryArc &part : boundaryOf(closedOutline(stroke), fill.rule).arcs)
+    const AreaBoundary boundary = boundaryOf(closedOutline(stroke), fill.rule);
+    for (const BoundaryArc &part : boundary.arcs)
         addArc(part.arc.curve, part.enters, 0);
+    // What is level adds nothing, but the density changes beside it, too.
+    for (const BoundaryFlat &flat : boundary.flats) {
+        const Point from{flat.left, flat.y}, third{(flat.right - flat.left) / 3, 0};
+        addArc({{from, from + third, from + 2 * third, {flat.right, flat.y}}}, flat.jump, 0);
+    }
     for (const Node &node : m_nodes)
         m_box.include(node.at);
     const double larger = fill.spread(T) * std::sqrt(std::max(1.0, double(fill.anisotropyRatio)));
