@@ -11,10 +11,11 @@ namespace {
 
 constexpr double coarsestStep = 1e-3; ///< canvas units, of coordinates
 /// Renderers take curves for lines to within a tenth of a pixel, which shows where opacity changes steeply. Bands are
-/// cut into pieces that lie so near to lines, the more bands there are, canvas units.
-double bendFor(int bands)
+/// cut into pieces that lie so near to lines, canvas units: the nearer the more bands there are, as these may lie close
+/// together, and where opacity jumps by a step of many levels, so near that it is off by less than half a usual step.
+double bendFor(int bands, int step)
 {
-    return 100.0 / (double(bands) * bands);
+    return std::min(100.0 / (double(bands) * bands), 100.0 / (double(bands) * std::max(step, 1)));
 }
 
 /// What is seen through a mask is so much wider than its paths, and the mask reaches so much farther that its own
@@ -247,11 +248,11 @@ private:
             const int level = levelOf(bands[k]), step = level - (k > 0 ? levelOf(bands[k - 1]) : 0);
             if (step == 0)
                 continue;
+            const QString data = m_data.of(bands[k].loops, bendFor(m_drawing.bandCount, std::abs(step)));
             if (k < rising)
-                writeGrey(step, sheet + m_data.of(bands[k].loops, bendFor(m_drawing.bandCount)), true);
+                writeGrey(step, sheet + data, true);
             else
-                writeGrey(k < falling ? -step : level, m_data.of(bands[k].loops, bendFor(m_drawing.bandCount)),
-                          k < falling);
+                writeGrey(k < falling ? -step : level, data, k < falling);
         }
         m_xml.writeEndElement();
     }
