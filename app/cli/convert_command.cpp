@@ -126,7 +126,9 @@ int convertCommand(const QStringList &arguments)
                                                 nullptr, int(document->lostStrokes))
                         .arg(line.argument(0)));
     if (*format == FileFormat::Svg)
-        return convertToDrawing(line, document->painting, out);
+        return convertToDrawing(
+            line, out == QLatin1String("-") ? document->painting : movedTo(out, line.argument(0), document->painting),
+            out);
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
     if (out == QLatin1String("-"))
         return printBytes(writeDocument(document->painting, extras, *format));

@@ -41,7 +41,7 @@ Result<QByteArray> pictureOfSheet(const PaintingPtr &painting, const DrawingOpti
         return Error{
             QCoreApplication::translate("Drawing", "the sheet is too large for a picture with a pixel a unit")};
     RenderRequest request;
-    request.painting = painting;
+    request.painting = withoutDrafts(painting);
     request.time = options.time;
     request.view = View::ofArea(area, width, height);
     request.transparent = image.alpha;

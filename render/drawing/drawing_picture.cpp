@@ -2,6 +2,7 @@
 
 #include "model/formats/svg/css_blending.h"
 #include "model/painting/ryb.h"
+#include "render/drawing/drawn_picture.h"
 #include "render/drawing/path_coverage.h"
 #include "render/math/scalar.h"
 #include "render/threads/parallel.h"
@@ -139,8 +140,12 @@ private:
             }
             m_coverage.clear();
         }
-        for (int row = 0; row < m_height && first < last; ++row)
-            putRow(stroke, row, first, last);
+        if (first >= last)
+            return;
+        const auto picture =
+            stroke.stroke->picture ? scenePicture(*stroke.stroke, PictureGrid::ofPicture(m_view)) : nullptr;
+        for (int row = 0; row < m_height; ++row)
+            putRow(stroke, picture.get(), row, first, last);
     }
 
     void addPaths(const contours::Loops &loops)
@@ -157,7 +162,7 @@ private:
         }
     }
 
-    void putRow(const DrawnStroke &stroke, int row, int first, int last)
+    void putRow(const DrawnStroke &stroke, const ScenePicture *picture, int row, int first, int last)
     {
         float *levels = m_levels.data() + std::size_t(row) * std::size_t(m_view.width);
         float *below = m_sheets.back().rgba.data() + 4 * std::size_t(row) * std::size_t(m_view.width);
@@ -168,7 +173,9 @@ private:
             levels[x] = 0;
             if (!(level > 0))
                 continue;
-            if (stroke.paint.isGradient())
+            if (picture)
+                colour = colourAt(*picture, x, m_top + row);
+            else if (stroke.paint.isGradient())
                 colour = stroke.paint.at(m_view.toCanvas({x + 0.5, m_top + row + 0.5}));
             mix(below + 4 * std::size_t(x), level * float(colour[3]),
                 {float(colour[0]), float(colour[1]), float(colour[2])}, mode);
@@ -204,7 +211,7 @@ Result<DrawingDifference> differenceOf(const PathDrawing &drawing, const Paintin
     const double scale = std::min(1.0, std::sqrt(mostComparedPixels / (area.width() * area.height())));
     const int width = std::max(1, int(std::lround(scale * area.width())));
     RenderRequest request;
-    request.painting = painting;
+    request.painting = withoutDrafts(painting);
     request.time = T;
     request.view = View::ofArea(area, width, std::max(1, heightForWidth(area, width)));
     FloatPicture exact;

@@ -2,8 +2,11 @@
 
 #include "model/formats/svg/svg_group_writer.h"
 #include "model/painting/ryb.h"
+#include "render/drawing/drawn_picture.h"
 
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace suffuse {
 
@@ -110,18 +113,19 @@ private:
 
 class DrawingWriter {
 public:
-    DrawingWriter(const PathDrawing &drawing, const QByteArray &png)
-        : m_drawing(drawing), m_png(png), m_xml(&m_bytes), m_data(decimalsFor(drawing.painting->canvas))
+    DrawingWriter(const PathDrawing &drawing, const QByteArray &png, const std::atomic<bool> *cancel)
+        : m_drawing(drawing), m_png(png), m_cancel(cancel), m_xml(&m_bytes),
+          m_data(decimalsFor(drawing.painting->canvas))
     {}
 
-    QByteArray write(const std::atomic<bool> *cancel)
+    QByteArray write()
     {
         const Canvas &canvas = m_drawing.painting->canvas;
         m_xml.writeStartDocument();
         m_xml.writeStartElement("svg");
         m_xml.writeDefaultNamespace(svgNamespace);
         m_xml.writeNamespace(inkscapeNamespace, "inkscape");
-        if (!m_png.isEmpty())
+        if (!m_png.isEmpty() || std::ranges::any_of(m_drawing.strokes, hasPicture))
             m_xml.writeNamespace(linkNamespace, "xlink");
         m_xml.writeAttribute("width", decimal(canvas.width));
         m_xml.writeAttribute("height", decimal(canvas.height));
@@ -131,7 +135,7 @@ public:
         writeBelow(canvas);
         SvgGroupWriter groups(m_xml, *m_drawing.painting, SvgLayers::Inkscape);
         for (const DrawnStroke &stroke : m_drawing.strokes) {
-            if (cancel && cancel->load(std::memory_order_relaxed))
+            if (m_cancel && m_cancel->load(std::memory_order_relaxed))
                 return {};
             groups.goTo(stroke.stroke->group);
             m_xml.writeCharacters("\n");
@@ -157,8 +161,7 @@ private:
         if (!m_png.isEmpty()) {
             m_xml.writeEmptyElement("image");
             writeBox(canvas.area());
-            m_xml.writeAttribute(linkNamespace, "href",
-                                 "data:image/png;base64," + QString::fromLatin1(m_png.toBase64()));
+            writeImage({m_png});
             m_xml.writeAttribute("preserveAspectRatio", "none");
         } else if (canvas.background.opacity > 0) {
             const std::array<double, 3> rgb = srgbFromRyb(canvas.background);
@@ -170,6 +173,12 @@ private:
                 m_xml.writeAttribute("fill-opacity", decimal(double(canvas.background.opacity)));
         }
     }
+    void writeImage(const DrawnImage &image)
+    {
+        m_xml.writeAttribute(linkNamespace, "href",
+                             "data:" + QLatin1String(image.type) + ";base64," +
+                                 QString::fromLatin1(image.bytes.toBase64()));
+    }
     void writeBox(const Rect &box)
     {
         m_xml.writeAttribute("x", decimal(box.left));
@@ -178,44 +187,96 @@ private:
         m_xml.writeAttribute("height", decimal(box.height()));
     }
 
+    static bool hasPicture(const DrawnStroke &drawn) { return bool(drawn.stroke->picture); }
+
     void writeStroke(const DrawnStroke &drawn)
     {
-        const Stroke &stroke = *drawn.stroke;
-        const QString id = QString::number(stroke.id), name = xmlText(stroke.name);
+        const QString id = QString::number(drawn.stroke->id);
         const contours::Band &outer = drawn.bands.front();
-        const bool masked = drawn.bands.size() > 1;
-        QString paint;
-        if (!m_drawing.unpainted && (masked || drawn.paint.isGradient())) {
+        const bool masked = drawn.bands.size() > 1, pictured = hasPicture(drawn) && !m_drawing.unpainted;
+        if (!m_drawing.unpainted && (masked || pictured || drawn.paint.isGradient())) {
             m_xml.writeStartElement("defs");
             if (masked)
                 writeMask(drawn, id);
-            if (drawn.paint.isGradient())
+            if (pictured && !masked)
+                writeClip(outer, id);
+            if (drawn.paint.isGradient() && !pictured)
                 writeGradient(drawn.paint, id);
             m_xml.writeEndElement();
         }
-        paint = drawn.paint.isGradient() ? "url(#paint" + id + ')' : hex(drawn.paint.at({}));
-        m_xml.writeStartElement("path");
+        const QString name = xmlText(drawn.stroke->name);
+        m_xml.writeStartElement(pictured ? "g" : "path");
         m_xml.writeAttribute("id", "stroke" + id);
         if (!name.isEmpty())
             m_xml.writeAttribute(inkscapeNamespace, "label", name);
-        m_xml.writeAttribute("d", m_data.of(outer.loops));
-        if (m_drawing.unpainted) {
+        if (!pictured)
+            m_xml.writeAttribute("d", m_data.of(outer.loops));
+        if (m_drawing.unpainted)
             m_xml.writeAttribute("fill-opacity", "0");
-        } else {
+        else
+            writeLook(drawn, id, pictured);
+        if (!name.isEmpty())
+            m_xml.writeTextElement("title", name);
+        if (pictured)
+            writePicture(*drawn.stroke);
+        m_xml.writeEndElement();
+    }
+
+    /// How what is within a stroke's outline looks.
+    void writeLook(const DrawnStroke &drawn, const QString &id, bool pictured)
+    {
+        const bool masked = drawn.bands.size() > 1;
+        const double opacity = masked ? 1 : drawn.bands.front().opacity;
+        if (masked)
+            m_xml.writeAttribute("mask", "url(#bands" + id + ')');
+        else if (pictured)
+            m_xml.writeAttribute("clip-path", "url(#clip" + id + ')');
+        if (!pictured) {
+            const QString paint = drawn.paint.isGradient() ? "url(#paint" + id + ')' : hex(drawn.paint.at({}));
             m_xml.writeAttribute("fill", paint);
             if (masked) { // The mask alone says where paint ends.
                 m_xml.writeAttribute("stroke", paint);
                 m_xml.writeAttribute("stroke-width", decimal(2 * paintMargin));
                 m_xml.writeAttribute("stroke-linejoin", "round");
-                m_xml.writeAttribute("mask", "url(#bands" + id + ')');
-            } else if (outer.opacity < 1) {
-                m_xml.writeAttribute("fill-opacity", QString::number(outer.opacity, 'g', 4));
             }
-            if (drawn.multiplies)
-                m_xml.writeAttribute("style", "mix-blend-mode:multiply");
         }
-        if (!name.isEmpty())
-            m_xml.writeTextElement("title", name);
+        if (opacity < 1)
+            m_xml.writeAttribute(pictured ? "opacity" : "fill-opacity", QString::number(opacity, 'g', 4));
+        if (drawn.multiplies)
+            m_xml.writeAttribute("style", "mix-blend-mode:multiply");
+    }
+
+    /// The picture that a stroke shows. Strokes that show the same image share it.
+    void writePicture(const Stroke &stroke)
+    {
+        const Picture &picture = *stroke.picture;
+        const Affine map = Affine::translation(stroke.origin) * mapOf(picture);
+        QStringList numbers;
+        for (const double number : {map.a, map.c, map.b, map.d, map.offset.x, map.offset.y})
+            numbers << decimal(number);
+        m_xml.writeStartElement("g");
+        m_xml.writeAttribute("transform", "matrix(" + numbers.join(' ') + ')');
+        const auto [known, isNew] = m_images.try_emplace(std::tuple(picture.sha256, picture.width, picture.height),
+                                                         "image" + QString::number(m_images.size() + 1));
+        if (!isNew) {
+            m_xml.writeEmptyElement("use");
+            m_xml.writeAttribute(linkNamespace, "href", '#' + known->second);
+        } else if (const Result<DrawnImage> image = drawnImage(picture, m_cancel)) {
+            m_xml.writeEmptyElement("image");
+            m_xml.writeAttribute("id", known->second);
+            writeBox({0, 0, double(picture.width), double(picture.height)});
+            writeImage(*image);
+            m_xml.writeAttribute("preserveAspectRatio", "none");
+        }
+        m_xml.writeEndElement();
+    }
+
+    void writeClip(const contours::Band &band, const QString &id)
+    {
+        m_xml.writeStartElement("clipPath");
+        m_xml.writeAttribute("id", "clip" + id);
+        m_xml.writeEmptyElement("path");
+        m_xml.writeAttribute("d", m_data.of(band.loops));
         m_xml.writeEndElement();
     }
 
@@ -291,6 +352,8 @@ private:
 
     const PathDrawing &m_drawing;
     const QByteArray &m_png;
+    const std::atomic<bool> *m_cancel;
+    std::map<std::tuple<QString, std::uint32_t, std::uint32_t>, QString> m_images; ///< by their ids in the drawing
     QByteArray m_bytes;
     QXmlStreamWriter m_xml;
     PathData m_data;
@@ -300,7 +363,7 @@ private:
 
 QByteArray svgOf(const PathDrawing &drawing, const QByteArray &png, const std::atomic<bool> *cancel)
 {
-    return DrawingWriter(drawing, png).write(cancel);
+    return DrawingWriter(drawing, png, cancel).write();
 }
 
 } // namespace suffuse

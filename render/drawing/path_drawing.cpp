@@ -3,6 +3,7 @@
 #include "model/area/area_sets.h"
 #include "model/formats/svg/css_blending.h"
 #include "render/composition/washes.h"
+#include "render/scene/picture.h"
 #include "render/threads/parallel.h"
 
 #include <set>
@@ -99,19 +100,25 @@ int plainGroups(const Painting &painting, const std::vector<StrokePtr> &visible)
     return plain;
 }
 
+/// Whether a stroke is painted with a picture that is missing or cannot be read: then nothing of it is seen.
+bool lacksPicture(const Stroke &stroke)
+{
+    return stroke.picture && !pictureLevels(*stroke.picture);
+}
+
 } // namespace
 
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options)
 {
     PathDrawing out;
     Washes washes;
-    out.painting = washes.drawn(painting);
+    out.painting = washes.drawn(withoutDrafts(painting));
     out.bandCount = options.bands;
     out.unpainted = options.kind == DrawingKind::Hybrid;
     const Visibility isVisible(out.painting->groups);
     std::vector<StrokePtr> visible;
     for (const StrokePtr &stroke : out.painting->strokes)
-        if (isVisible(*stroke))
+        if (isVisible(*stroke) && !lacksPicture(*stroke))
             visible.push_back(stroke);
     out.plain = plainGroups(*out.painting, visible);
     const contours::ContourOptions how = contourOptions(*out.painting, options);

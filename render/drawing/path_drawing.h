@@ -30,7 +30,7 @@ inline constexpr int mostBands = 256;
 struct DrawnStroke {
     StrokePtr stroke; ///< as it is drawn: the strokes of a wash are one
     std::vector<contours::Band> bands;
-    DrawnPaint paint;
+    DrawnPaint paint;        ///< of a stroke with a picture the colour that is not seen
     bool multiplies = false; ///< whether it is pigment rather than opaque paint
 };
 
@@ -43,7 +43,7 @@ struct PathDrawing {
     int plain = 0; ///< how many groups clip, mask or erase, which a drawing has nothing for: they are plain
 };
 
-/// Draws a painting. Nothing of a drawing that was cancelled is of use.
+/// Draws a painting as it is exported: without drafts. Nothing of a drawing that was cancelled is of use.
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options);
 
 } // namespace suffuse

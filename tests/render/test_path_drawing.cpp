@@ -9,6 +9,7 @@
 #include "tests/model/random_paintings.h"
 #include "tests/render/filled.h"
 #include "tests/render/paintings.h"
+#include "tests/render/pictured.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -187,6 +188,74 @@ private slots:
         if (!shown)
             QSKIP("rsvg-convert is not installed");
         QVERIFY(largestDifference(*shown, exactPicture(p)) <= 1.0 / 255);
+    }
+
+    /// Pictures are images behind masks and clip paths, each of them once.
+    void picturesAreImages()
+    {
+        FloatPicture image; // Programs scale sharp pixels in ways of their own.
+        image.resize(60, 40);
+        for (int i = 0; i < 60 * 40; ++i)
+            for (int c = 0; c < 4; ++c)
+                image.rgba.data()[4 * i + c] =
+                    c < 3 ? float(0.5 + 0.4 * std::sin(c + 0.1 * (i % 60)) * std::cos(0.1 * (i / 60))) : 1;
+        const Result<QByteArray> png = encodeImage(ImageFormat::Png, image, {}, QStringLiteral("test"));
+        QVERIFY(bool(png));
+        const Picture picture = embeddedPicture(std::make_shared<const QByteArray>(*png), 60, 40);
+        Stroke alone = pictureStroke(picture, Rect::of(20, 30, 60, 40), 0);
+        alone.id = 1;
+        Stroke soft = stroke(2, Shape::Curved, {200, 100}, 70, 10, test::styleOf(StyleKind::Feathering));
+        Picture large = picture;
+        const auto at = [&](double x, double y) { return toOffset({x, y}, soft.origin); };
+        large.corner = at(100, 10), large.right = at(310, 15), large.down = at(95, 190);
+        soft.picture = large;
+        const PaintingPtr p = painting({alone, soft}, 300, 200);
+        for (const DrawingKind kind : {DrawingKind::Bands, DrawingKind::Outlines}) {
+            const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(kind, *p, 64), *cpu());
+            QVERIFY(bool(prepared));
+            const QByteArray svg = bytesOf(*prepared, *p, "a.svg");
+            QCOMPARE(svg.count("<image"), 1);
+            QCOMPARE(svg.count("<use"), 1);
+            if (kind == DrawingKind::Bands)
+                QVERIFY2(prepared->difference.largest <= 1.0 / 128 + 2.0 / 255,
+                         qPrintable(QString::number(255 * prepared->difference.largest)));
+            const std::optional<FloatPicture> shown = shownByLibrsvg(svg);
+            if (!shown)
+                QSKIP("rsvg-convert is not installed");
+            const View view = View::ofArea(p->canvas.area(), 300, 200);
+            const double largest = largestDifference(*shown, pictureOf(prepared->drawing, view));
+            // Curves are lines to librsvg within a tenth of a pixel.
+            const double allowed = kind == DrawingKind::Outlines ? 0.1 : 1.0 / 128 + 2.0 / 255;
+            QVERIFY2(largest <= allowed, qPrintable(QString::number(255 * largest)));
+        }
+        // A picture that is missing is not seen, and no stroke without a path.
+        large.image = {};
+        soft.picture = large;
+        const PaintingPtr missing = painting({soft}, 300, 200);
+        const Result<PreparedDrawing> prepared =
+            prepareDrawing(missing, optionsOf(DrawingKind::Bands, *missing), *cpu());
+        QVERIFY(bool(prepared));
+        QVERIFY(prepared->drawing.strokes.empty());
+        QCOMPARE(prepared->drawing.thin, 0);
+        QCOMPARE(prepared->difference.largest, 0.0);
+    }
+
+    void draftsAreLeftOut()
+    {
+        auto p = std::make_shared<Painting>(*oneStroke(StyleKind::Uniform));
+        p->groups = {{1, "Sketch"}};
+        p->groups[0].draft = true;
+        Stroke s = *p->strokes[0];
+        s.id = 7, s.name = "draft", s.group = 1;
+        p->strokes.push_back(std::make_shared<Stroke>(s));
+        for (const DrawingKind kind : {DrawingKind::Outlines, DrawingKind::Bands, DrawingKind::Hybrid}) {
+            const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(kind, *p), *cpu());
+            QVERIFY(bool(prepared));
+            const QByteArray svg = bytesOf(*prepared, *p, "a.svg");
+            QVERIFY(!svg.contains("draft") && !svg.contains("Sketch"));
+            const Result<Painting> back = readPainting(svg, "a.svg");
+            QVERIFY(bool(back) && *back == *p);
+        }
     }
 
     void theDifferenceIsTold()
