@@ -49,7 +49,7 @@ private slots:
         QCOMPARE(detectFormat("<html/>"), FileFormat::Unknown);
         QCOMPARE(formatForSaving("a.svg"), FileFormat::Unknown);
         QVERIFY(errorOf("<html/>").contains("SVG"));
-        QVERIFY(errorOf("\x1f\x8b\x08").contains("unpack"));
+        QVERIFY(errorOf("\x1f\x8b\x08").contains("Unpack"));
     }
 
     void sizes_data()
