@@ -10859,5 +10859,9 @@ Auch die Pfeiltasten wirken.</translation>
         <source>The drawing differs from the picture by at most %1 of 255, by %2 on average.</source>
         <translation>Die Zeichnung weicht vom Bild um höchstens %1 von 255 ab, im Mittel um %2.</translation>
     </message>
+    <message>
+        <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
+        <translation>%1: hätte entpackt %2 MB und ließe sich nicht mehr öffnen. Bitte weniger Bänder oder die Endung .svg wählen.</translation>
+    </message>
 </context>
 </TS>

@@ -10795,5 +10795,9 @@ Arrow keys work too.</source>
         <source>The drawing differs from the picture by at most %1 of 255, by %2 on average.</source>
         <translation>图形与图像的差异最大为 %1（满值 255），平均为 %2。</translation>
     </message>
+    <message>
+        <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
+        <translation>%1：解压后将有 %2 MB，无法再次打开。请选择更少的色带，或使用 .svg 扩展名。</translation>
+    </message>
 </context>
 </TS>

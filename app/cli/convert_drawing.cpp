@@ -75,7 +75,8 @@ int convertToDrawing(const CommandLine &line, const Painting &painting, const QS
         warn(QStringLiteral("%1: %2").arg(out, leftOut));
     if (out == QLatin1String("-")) {
         warn(differenceText(prepared->difference));
-        return printBytes(bytesOf(*prepared, painting, QStringLiteral("svg"), options->cancel));
+        const Result<QByteArray> bytes = bytesOf(*prepared, painting, QStringLiteral("svg"), options->cancel);
+        return bytes ? printBytes(*bytes) : fail(bytes.error());
     }
     if (const int code = print(differenceText(prepared->difference) + QLatin1Char('\n')); code != Done)
         return code;

@@ -262,10 +262,9 @@ Result<Painting> readOpenRaster(const QByteArray &bytes, const QString &fileName
 /// Reads a drawing: the painting that it was made of, if it is in it and no other program has changed the drawing since.
 Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
 {
-    constexpr qint64 largestDrawing = qint64(512) << 20;
     QByteArray svg = bytes;
     if (isGzip(bytes)) {
-        Result<QByteArray> unpacked = unpackedGzip(bytes, largestDrawing);
+        Result<QByteArray> unpacked = unpackedGzip(bytes, largestUnpacked);
         if (!unpacked)
             return fileError(fileName, unpacked.error());
         svg = std::move(*unpacked);

@@ -9,6 +9,9 @@
 
 namespace suffuse {
 
+/// What a file that is opened may have once it is unpacked, bytes.
+inline constexpr qint64 largestUnpacked = qint64(256) << 20;
+
 /// Whether bytes begin as a gzip file does.
 bool isGzip(const QByteArray &bytes);
 /// What is packed in a file, or the first `most` bytes of it. It fails if the file is damaged or has more than `most`

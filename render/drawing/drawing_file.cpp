@@ -84,23 +84,30 @@ Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const Drawin
     return out;
 }
 
-QByteArray bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
-                   const std::atomic<bool> *cancel)
+Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
+                           const std::atomic<bool> *cancel)
 {
     const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);
     if (svg.isEmpty() || isCancelled(cancel))
-        return {};
-    const QByteArray whole = withEmbedded(svg, writeSuffuseFile(painting));
-    return name.endsWith(QLatin1String("svgz"), Qt::CaseInsensitive) ? packedGzip(whole, cancel) : whole;
+        return drawingInterrupted();
+    QByteArray whole = withEmbedded(svg, writeSuffuseFile(painting));
+    if (!name.endsWith(QLatin1String("svgz"), Qt::CaseInsensitive))
+        return whole;
+    if (whole.size() > largestUnpacked)
+        return Error{QCoreApplication::translate("Drawing",
+                                                 "%1: would have %2 MB once it is unpacked, and could not be "
+                                                 "opened again. Choose fewer bands, or the ending .svg.")
+                         .arg(name)
+                         .arg(whole.size() >> 20)};
+    QByteArray packed = packedGzip(whole, cancel);
+    return packed.isEmpty() ? Result<QByteArray>(drawingInterrupted()) : packed;
 }
 
 Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
                          const std::atomic<bool> *cancel)
 {
-    const QByteArray bytes = bytesOf(prepared, painting, path, cancel);
-    if (bytes.isEmpty())
-        return drawingInterrupted();
-    return writeFileAtomically(path, bytes);
+    const Result<QByteArray> bytes = bytesOf(prepared, painting, path, cancel);
+    return bytes ? writeFileAtomically(path, *bytes) : Result<void>(Error{bytes.error()});
 }
 
 bool isDrawingPath(const QString &path)

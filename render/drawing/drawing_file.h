@@ -15,9 +15,10 @@ struct PreparedDrawing {
 /// Draws a painting. It fails if the renderer does, or if it was cancelled.
 Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer);
 
-/// The file's bytes, with the painting in it; packed if the ending of `name` is .svgz. Empty if it was cancelled.
-QByteArray bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
-                   const std::atomic<bool> *cancel = nullptr);
+/// The file's bytes, with the painting in it; packed if the ending of `name` is .svgz. It fails if it was cancelled,
+/// and if the packed file would be too large to be opened again.
+Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
+                           const std::atomic<bool> *cancel = nullptr);
 /// Replaces a file by them, or leaves it as it was.
 Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
                          const std::atomic<bool> *cancel = nullptr);

@@ -40,7 +40,7 @@ DrawingOptions optionsOf(DrawingKind kind, const Painting &painting, int bands =
 QByteArray drawingBytes(const PaintingPtr &painting, DrawingKind kind, int bands = 16)
 {
     const Result<PreparedDrawing> prepared = prepareDrawing(painting, optionsOf(kind, *painting, bands), *cpu());
-    return prepared ? bytesOf(*prepared, *painting, "a.svg") : QByteArray();
+    return prepared ? *bytesOf(*prepared, *painting, "a.svg") : QByteArray();
 }
 
 /// The picture with so many pixels a unit.
@@ -163,7 +163,7 @@ private slots:
         const double own = largestDifference(pictureOf(prepared->drawing, view), fine);
         QVERIFY2(own <= allowed, qPrintable(QString::number(255 * own)));
         QVERIFY(jumps || prepared->difference.largest <= allowed);
-        const QByteArray svg = bytesOf(*prepared, *p, "a.svg");
+        const QByteArray svg = *bytesOf(*prepared, *p, "a.svg");
         const std::optional<FloatPicture> shown = shownByLibrsvg(svg), large = shownByLibrsvg(svg, 8);
         if (!shown || !large)
             QSKIP("rsvg-convert is not installed");
@@ -213,7 +213,7 @@ private slots:
         for (const DrawingKind kind : {DrawingKind::Bands, DrawingKind::Outlines}) {
             const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(kind, *p, 64), *cpu());
             QVERIFY(bool(prepared));
-            const QByteArray svg = bytesOf(*prepared, *p, "a.svg");
+            const QByteArray svg = *bytesOf(*prepared, *p, "a.svg");
             QCOMPARE(svg.count("<image"), 1);
             QCOMPARE(svg.count("<use"), 1);
             if (kind == DrawingKind::Bands)
@@ -251,7 +251,7 @@ private slots:
         for (const DrawingKind kind : {DrawingKind::Outlines, DrawingKind::Bands, DrawingKind::Hybrid}) {
             const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(kind, *p), *cpu());
             QVERIFY(bool(prepared));
-            const QByteArray svg = bytesOf(*prepared, *p, "a.svg");
+            const QByteArray svg = *bytesOf(*prepared, *p, "a.svg");
             QVERIFY(!svg.contains("draft") && !svg.contains("Sketch"));
             const Result<Painting> back = readPainting(svg, "a.svg");
             QVERIFY(bool(back) && *back == *p);
@@ -270,7 +270,7 @@ private slots:
         const PaintingPtr p = painting({below, above}, 300, 200);
         const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(DrawingKind::Bands, *p), *cpu());
         QVERIFY(bool(prepared));
-        const std::optional<FloatPicture> shown = shownByLibrsvg(bytesOf(*prepared, *p, "a.svg"));
+        const std::optional<FloatPicture> shown = shownByLibrsvg(*bytesOf(*prepared, *p, "a.svg"));
         if (!shown)
             QSKIP("rsvg-convert is not installed");
         const double largest = largestDifference(*shown, exactPicture(p));
@@ -294,7 +294,7 @@ private slots:
             const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(DrawingKind(kind), *p, 8), *cpu());
             QVERIFY(bool(prepared));
             for (const char *name : {"a.svg", "a.svgz"}) {
-                const QByteArray bytes = bytesOf(*prepared, *p, name);
+                const QByteArray bytes = *bytesOf(*prepared, *p, name);
                 QCOMPARE(isGzip(bytes), QString(name).endsWith('z'));
                 QCOMPARE(detectFormat(bytes), FileFormat::Svg);
                 const Result<LoadedDocument> back = readDocument(bytes, name);
