@@ -7,7 +7,7 @@
 namespace suffuse {
 
 /// The nodes of the session's wave.
-inline constexpr Point nodeAt[] = {{200, 300}, {300, 340}, {400, 300}, {500, 340}, {600, 300}};
+inline constexpr Point nodePlace[] = {{200, 300}, {300, 340}, {400, 300}, {500, 340}, {600, 300}};
 
 /// A square of straight segments, from its upper left corner clockwise.
 inline StrokePtr square(StrokeId id, Point corner, double side)

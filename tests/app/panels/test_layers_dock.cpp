@@ -7,6 +7,7 @@
 #include "app/widgets/look/group_tags.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
+#include "undo/group_roles.h"
 #include "undo/layer_edits.h"
 
 #include <QLabel>

@@ -28,7 +28,7 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         s.use(Command::Delete);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QCOMPARE(nodeCount(s.stroke()), 4);
@@ -65,7 +65,7 @@ private slots:
             QGuiApplication::clipboard()->setText("before");
             const Stroke before = s.stroke();
             const int steps = s.steps();
-            s.click(nodeAt[2]);
+            s.click(nodePlace[2]);
             s.use(command);
             QCOMPARE(s.painting().strokes.size(), std::size_t(1));
             QVERIFY(s.stroke() == before);
@@ -217,7 +217,7 @@ private slots:
     {
         NodeSession s;
         QVERIFY(!s.window.action(Command::NodeCorner).isEnabled());
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         s.use(Command::NodeCorner);
         QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
         s.use(Command::NodeSymmetric);
@@ -236,7 +236,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
         s.canvas().setFocus();
         const Stroke before = s.stroke();
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         s.key(Qt::Key_C, Qt::ShiftModifier);
         QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
         s.key(Qt::Key_Y, Qt::ShiftModifier);
@@ -245,7 +245,7 @@ private slots:
         QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Smooth);
         s.key(Qt::Key_A, Qt::ControlModifier);
         QCOMPARE(s.tool().nodes().size(), std::size_t(5));
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         s.key(Qt::Key_Delete);
         QCOMPARE(nodeCount(s.stroke()), 4);
         s.key(Qt::Key_Z, Qt::ControlModifier);
@@ -276,7 +276,7 @@ private slots:
         s.click({550, 320}, Qt::ShiftModifier); // back on the first
         QVERIFY(s.selection().segments.contains({s.id, 3}));
         QCOMPARE(s.selection().segments.size(), std::size_t(5));
-        s.click(nodeAt[4]);
+        s.click(nodePlace[4]);
         QCOMPARE(s.tool().nodes(), s.nodes({4}));
         s.use(Command::JoinNodes); // one end is not enough
         QCOMPARE(s.painting().strokes.size(), std::size_t(2));
@@ -321,7 +321,7 @@ private slots:
             fill(other, upper);
             s.canvas().panBy({-250, 0});
             s.editor().document().setSelection({{s.id, other}, {}});
-            s.click(nodeAt[4]);
+            s.click(nodePlace[4]);
             s.click({700, 300}, Qt::ShiftModifier);
             QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
             s.use(Command::JoinNodes);
@@ -343,7 +343,7 @@ private slots:
         NodeSession s;
         s.click({250, 320});
         QCOMPARE(s.selection(), (Selection{{s.id}, {{s.id, 0}}}));
-        s.click(nodeAt[3], Qt::ShiftModifier);
+        s.click(nodePlace[3], Qt::ShiftModifier);
         QVERIFY(s.tool().nodes().empty());
         QVERIFY(s.selection().segments.contains({s.id, 0}));
         QVERIFY(s.selection().segments.contains({s.id, 1}));
@@ -354,7 +354,7 @@ private slots:
     {
         NodeSession s;
         const StrokeId other = s.addWave(200, 450, false);
-        s.click(nodeAt[4]);
+        s.click(nodePlace[4]);
         s.click({250, 470}, Qt::ShiftModifier);
         QCOMPARE(s.selection(), (Selection{{s.id, other}, {}}));
         QCOMPARE(s.tool().nodes(), s.nodes({4}));
@@ -366,7 +366,7 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         s.use(Command::BreakNodes);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
@@ -381,7 +381,7 @@ private slots:
         s.use(Command::Undo);
         QVERIFY(s.stroke() == before);
 
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         s.use(Command::ReverseStrokes);
         QVERIFY(s.stroke() == reversed(before));
         QCOMPARE(s.tool().nodes(), s.nodes({3})); // the same node
@@ -391,16 +391,16 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         s.use(Command::BreakNodes);
         QCOMPARE(s.tool().nodes(), s.nodes({2}));
         s.key(Qt::Key_Down, Qt::ShiftModifier); // moves this end, and neither the stroke nor the other end
         QCOMPARE(s.stroke().origin, before.origin);
-        QVERIFY(length(nodePosition(s.stroke(), 2) - nodeAt[2] - Point{0, 10}) < 1e-3);
-        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), 1)) - nodeAt[2]) < 1e-3);
-        QVERIFY(length(nodePosition(s.stroke(), 0) - nodeAt[0]) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodePlace[2] - Point{0, 10}) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), 1)) - nodePlace[2]) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), 0) - nodePlace[0]) < 1e-3);
         // An end breaks no further, and stays.
-        s.click(nodeAt[0]);
+        s.click(nodePlace[0]);
         s.use(Command::BreakNodes);
         QCOMPARE(s.tool().nodes(), s.nodes({0}));
     }
@@ -413,7 +413,7 @@ private slots:
         s.use(Command::JoinNodes);
         QVERIFY2(said().contains("two ends"), qPrintable(said()));
         s.window.statusBar()->clearMessage();
-        s.click(nodeAt[0]);
+        s.click(nodePlace[0]);
         s.use(Command::JoinNodes);
         QVERIFY2(said().contains("two ends"), qPrintable(said()));
         s.window.statusBar()->clearMessage();
@@ -436,9 +436,9 @@ private slots:
         s.use(Command::JoinNodes);
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(1));
         QVERIFY(!isClosed(s.stroke(), chainsOf(s.stroke()).front()));
-        QVERIFY(length(nodePosition(s.stroke(), 0) - nodeAt[0]) < 1e-3);
-        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), int(s.stroke().segments.size()) - 1)) - nodeAt[4]) <
-                1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), 0) - nodePlace[0]) < 1e-3);
+        QVERIFY(length(nodePosition(s.stroke(), endNode(s.stroke(), int(s.stroke().segments.size()) - 1)) -
+                       nodePlace[4]) < 1e-3);
     }
 
     void nodesAreInsertedBetweenSelectedOnes()
@@ -499,7 +499,7 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         s.key(Qt::Key_Down);
         QVERIFY(length(nodePosition(s.stroke(), 2) - nodePosition(before, 2) - Point{0, 1}) < 1e-4);
         QCOMPARE(nodePosition(s.stroke(), 1), nodePosition(before, 1));
@@ -563,10 +563,10 @@ private slots:
         NodeSession s;
         const Stroke before = s.stroke();
         s.use(Command::Brush);
-        QTest::mousePress(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at(nodeAt[4]));
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at(nodePlace[4]));
         for (int i = 1; i <= 10; ++i) {
             s.advance(interval);
-            s.move(nodeAt[4] + Point{10.0 * i, 8.0 * i}, Qt::ShiftModifier);
+            s.move(nodePlace[4] + Point{10.0 * i, 8.0 * i}, Qt::ShiftModifier);
         }
         QCOMPARE(s.stroke().segments.size(), before.segments.size()); // the draft is not part of it yet
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at({700, 380}));

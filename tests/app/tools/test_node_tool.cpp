@@ -33,11 +33,11 @@ private slots:
     void clicksAndBandsSelectNodes()
     {
         NodeSession s;
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         QCOMPARE(s.tool().nodes(), s.nodes({1}));
-        s.click(nodeAt[3], Qt::ShiftModifier);
+        s.click(nodePlace[3], Qt::ShiftModifier);
         QCOMPARE(s.tool().nodes(), s.nodes({1, 3}));
-        s.click(nodeAt[1], Qt::ShiftModifier);
+        s.click(nodePlace[1], Qt::ShiftModifier);
         QCOMPARE(s.tool().nodes(), s.nodes({3}));
         s.drag({350, 270}, {550, 380});
         QCOMPARE(s.tool().nodes(), s.nodes({2, 3}));
@@ -54,7 +54,7 @@ private slots:
     void nodesAndSegmentsAreNeverSelectedBoth()
     {
         NodeSession s;
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         s.click({350, 320});
         QVERIFY(s.tool().nodes().empty());
         QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}}));
@@ -62,7 +62,7 @@ private slots:
         QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}, {s.id, 2}}));
         s.click({250, 320}, Qt::ControlModifier);
         QCOMPARE(s.selection().segments.size(), std::size_t(3));
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         QVERIFY(s.selection().segments.empty());
         QCOMPARE(s.tool().nodes(), s.nodes({1}));
         s.editor().document().setSelection({{s.id}, {{s.id, 0}}});
@@ -92,11 +92,11 @@ private slots:
         s.canvas().rotateBy(degrees);
         s.canvas().setZoom(scale);
         const View &view = s.canvas().view();
-        s.canvas().panBy(Point{0.5 * view.width, 0.5 * view.height} - view.toPixels(nodeAt[2]));
+        s.canvas().panBy(Point{0.5 * view.width, 0.5 * view.height} - view.toPixels(nodePlace[2]));
         const Stroke before = s.stroke();
-        const Point to = nodeAt[2] + (1 / scale) * Point{60, -35};
-        s.drag(nodeAt[2], to);
-        const Point by = s.sent(to) - s.sent(nodeAt[2]);
+        const Point to = nodePlace[2] + (1 / scale) * Point{60, -35};
+        s.drag(nodePlace[2], to);
+        const Point by = s.sent(to) - s.sent(nodePlace[2]);
         QCOMPARE(s.tool().nodes(), s.nodes({2}));
         QVERIFY(s.stroke() == withNodeMoved(before, {2}, by));
         QCOMPARE(s.steps(), 2);
@@ -108,20 +108,20 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(nodeAt[1]));
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(nodePlace[1]));
         s.move({330, 390});
         QVERIFY(!(s.stroke() == before));
-        s.move(nodeAt[1]);
-        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(nodeAt[1]));
+        s.move(nodePlace[1]);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(nodePlace[1]));
         QVERIFY(s.stroke() == before);
         QCOMPARE(s.steps(), 1);
-        s.drag(nodeAt[1], {330, 390}, {}, false);
+        s.drag(nodePlace[1], {330, 390}, {}, false);
         QVERIFY(!(s.stroke() == before));
         s.key(Qt::Key_Escape);
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({330, 390}));
         QVERIFY(s.stroke() == before);
         QCOMPARE(s.steps(), 1);
-        s.drag(nodeAt[1], {330, 390}, {}, false);
+        s.drag(nodePlace[1], {330, 390}, {}, false);
         s.use(Command::Undo); // gives up what is in hand
         QVERIFY(s.stroke() == before);
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({330, 390}));
@@ -131,7 +131,7 @@ private slots:
     void anotherPaintingEndsTheDrag()
     {
         NodeSession s;
-        s.drag(nodeAt[1], {330, 390}, {}, false);
+        s.drag(nodePlace[1], {330, 390}, {}, false);
         auto other = std::make_shared<Painting>();
         other->strokes = {wave(s.id, 100, 100)};
         s.editor().document().reset(other);
@@ -318,21 +318,22 @@ private slots:
         NodeSession s;
         const auto fill = [](Stroke &stroke) {
             Fill graded;
-            graded.gradient = Gradient{toOffset(nodeAt[0], stroke.origin), toOffset(nodeAt[4], stroke.origin), {}};
+            graded.gradient =
+                Gradient{toOffset(nodePlace[0], stroke.origin), toOffset(nodePlace[4], stroke.origin), {}};
             stroke.fill = graded;
         };
         s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
         const Stroke before = s.stroke();
-        const Point ring = nodeAt[4] + Point{0, -7};
+        const Point ring = nodePlace[4] + Point{0, -7};
         s.hover(ring);
         QVERIFY(s.canvas().tool()->hint().contains("gradient"));
         s.drag(ring, ring + Point{30, 40});
         QCOMPARE(nodePosition(s.stroke(), 4), nodePosition(before, 4));
         const Point end = s.stroke().origin + s.stroke().fill->gradient->to;
-        QVERIFY(length(end - (nodeAt[4] + Point{30, 40})) < 1.5);
+        QVERIFY(length(end - (nodePlace[4] + Point{30, 40})) < 1.5);
         s.use(Command::Undo);
-        s.drag(nodeAt[4], nodeAt[4] + Point{30, 40});
-        QVERIFY(length(nodePosition(s.stroke(), 4) - (nodeAt[4] + Point{30, 40})) < 1.5);
+        s.drag(nodePlace[4], nodePlace[4] + Point{30, 40});
+        QVERIFY(length(nodePosition(s.stroke(), 4) - (nodePlace[4] + Point{30, 40})) < 1.5);
         QCOMPARE(s.stroke().fill->gradient->to, before.fill->gradient->to);
     }
 
@@ -341,8 +342,8 @@ private slots:
         NodeSession s;
         const Stroke before = s.stroke();
         s.drag({350, 270}, {550, 380});
-        s.drag(nodeAt[3], {500, 400});
-        const Point by = s.sent({500, 400}) - s.sent(nodeAt[3]);
+        s.drag(nodePlace[3], {500, 400});
+        const Point by = s.sent({500, 400}) - s.sent(nodePlace[3]);
         QVERIFY(s.stroke() == withNodeMoved(before, {2, 3}, by));
     }
 
@@ -351,7 +352,7 @@ private slots:
         NodeSession s;
         s.addWave(230, 450, false);
         s.canvas().setAids({.snapToNodes = true, .snapToGrid = true, .gridStep = 50});
-        s.drag(nodeAt[2], {427, 453}); // (430, 450) is a node of the other
+        s.drag(nodePlace[2], {427, 453}); // (430, 450) is a node of the other
         QVERIFY(length(nodePosition(s.stroke(), 2) - Point{430, 450}) < 1e-4);
         s.drag(nodePosition(s.stroke(), 2), {398, 203});
         QVERIFY(length(nodePosition(s.stroke(), 2) - Point{400, 200}) < 1e-4);
@@ -361,11 +362,11 @@ private slots:
     {
         NodeSession s;
         const Stroke before = s.stroke();
-        s.drag(nodeAt[1], {310, 400}, Qt::ControlModifier);
+        s.drag(nodePlace[1], {310, 400}, Qt::ControlModifier);
         QCOMPARE(nodePosition(s.stroke(), 1).x, nodePosition(before, 1).x);
         QVERIFY(std::abs(nodePosition(s.stroke(), 1).y - 400) < 2);
         s.use(Command::Undo);
-        s.drag(nodeAt[1], {330, 370}, Qt::ControlModifier | Qt::AltModifier); // its handles are level
+        s.drag(nodePlace[1], {330, 370}, Qt::ControlModifier | Qt::AltModifier); // its handles are level
         QCOMPARE(nodePosition(s.stroke(), 1).y, nodePosition(before, 1).y);
         QVERIFY(std::abs(nodePosition(s.stroke(), 1).x - 330) < 2);
     }
@@ -373,7 +374,7 @@ private slots:
     void handlesKeepTheKindOfTheirNode()
     {
         NodeSession s;
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         const Stroke before = s.stroke();
         const Point handle = *handlePosition(before, 2, true), to = handle + Point{-5, -30};
         s.drag(handle, to);
@@ -401,7 +402,7 @@ private slots:
     void handlesOfNeighboursCanBeDragged()
     {
         NodeSession s;
-        s.click(nodeAt[2]);
+        s.click(nodePlace[2]);
         const Stroke before = s.stroke();
         const Point handle = *handlePosition(before, 3, false);
         s.drag(handle, handle + Point{0, 25});
@@ -451,7 +452,7 @@ private slots:
         s.editor().push(changeStrokes(s.editor().document(), {s.id}, [](Stroke &stroke) { stroke.locked = true; }),
                         "lock");
         const Stroke before = s.stroke();
-        s.drag(nodeAt[2], {400, 200});
+        s.drag(nodePlace[2], {400, 200});
         s.use(Command::SelectAll);
         s.use(Command::Delete);
         QVERIFY(s.stroke() == before);
@@ -462,11 +463,11 @@ private slots:
     {
         NodeSession s;
         std::set<QString> hints{s.tool().hint()};
-        s.hover(nodeAt[1]);
+        s.hover(nodePlace[1]);
         hints.insert(s.tool().hint());
         s.hover({350, 320});
         hints.insert(s.tool().hint());
-        s.click(nodeAt[1]);
+        s.click(nodePlace[1]);
         s.hover(*handlePosition(s.stroke(), 1, true));
         hints.insert(s.tool().hint());
         QCOMPARE(hints.size(), std::size_t(4));
