@@ -5317,6 +5317,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one</source>
         <translation>Striche, SVG-Pfade oder ein Bild am Zeiger einfügen; eine Farbe wird zur aktuellen</translation>
     </message>
+    <message>
+        <source>Export &amp;Drawing…</source>
+        <translation>Zeichnun&amp;g exportieren …</translation>
+    </message>
+    <message>
+        <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
+        <translation>Genaue Umrisse und Bänder der Farbe für Inkscape, Plotter und Browser (SVG)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5737,8 +5745,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Was geschrieben wird. Die Endung des Dateinamens sagt dasselbe.</translation>
     </message>
     <message>
-        <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
-        <translation>Hier entstehen Bilder. SVG schreibt Datei ▸ Kopie speichern.</translation>
+        <source>Pictures are written here. File ▸ Export Drawing writes SVG.</source>
+        <translation>Hier entstehen Bilder. SVG schreibt Datei ▸ Zeichnung exportieren.</translation>
     </message>
     <message>
         <source>OpenRaster (layers)</source>
@@ -10862,6 +10870,88 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
         <translation>%1: hätte entpackt %2 MB und ließe sich nicht mehr öffnen. Bitte weniger Bänder oder die Endung .svg wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::DrawingDialog</name>
+    <message>
+        <source>One path for each stroke, where it is covered by half: for plotters, cutters, logos.</source>
+        <translation>Ein Pfad je Strich, wo er zur Hälfte deckt: für Plotter, Schneider, Logos.</translation>
+    </message>
+    <message>
+        <source>Contours within each other, as opaque as the paint. They look like the painting at any zoom.</source>
+        <translation>Höhenlinien ineinander, so deckend wie die Farbe. Sie sehen bei jeder Vergrößerung wie das Gemälde aus.</translation>
+    </message>
+    <message>
+        <source>The exact picture, a pixel a unit, and over it the outlines without paint, to select and name strokes by.</source>
+        <translation>Das genaue Bild, ein Pixel je Einheit, darüber die Umrisse ohne Farbe, um Striche auszuwählen und zu benennen.</translation>
+    </message>
+    <message>
+        <source>Export Drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>The ending chooses the format: svg, or svgz, which is packed.</source>
+        <translation>Die Endung bestimmt das Format: svg, oder gepackt svgz.</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>Bänder</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Picture and outlines</source>
+        <translation>Bild und Umrisse</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What of the painting becomes paths</source>
+        <translation>Was vom Gemälde zu Pfaden wird</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>How many bands full opacity is drawn in. More of them are smoother, and make a larger file.</source>
+        <translation>In wie vielen Bändern volle Deckkraft gezeichnet wird. Mehr sind glatter und machen die Datei größer.</translation>
+    </message>
+    <message>
+        <source>Of red, green and blue, over the sheet, with a pixel a unit</source>
+        <translation>Von Rot, Grün und Blau auf dem ganzen Blatt, ein Pixel je Einheit</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Comparing with the picture…</source>
+        <translation>Wird mit dem Bild verglichen …</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>SVG drawings</source>
+        <translation>SVG-Zeichnungen</translation>
+    </message>
+    <message>
+        <source>“%1” has no ending of a drawing. Choose one of: %2.</source>
+        <translation>„%1“ hat keine Endung einer Zeichnung. Möglich sind: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::DrawingJob</name>
+    <message>
+        <source>The drawing does not fit into memory.</source>
+        <translation>Die Zeichnung passt nicht in den Speicher.</translation>
     </message>
 </context>
 </TS>

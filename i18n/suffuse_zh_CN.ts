@@ -5296,6 +5296,14 @@ Arrow keys work too.</source>
         <source>Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one</source>
         <translation>在指针处粘贴笔画、SVG 路径或图片；颜色则成为当前颜色</translation>
     </message>
+    <message>
+        <source>Export &amp;Drawing…</source>
+        <translation>导出图形(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
+        <translation>为 Inkscape、绘图仪和浏览器导出颜料的精确轮廓和条带（SVG）</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5716,8 +5724,8 @@ Arrow keys work too.</source>
         <translation>要写入的格式，与文件名的扩展名一致。</translation>
     </message>
     <message>
-        <source>Pictures are written here. File ▸ Save a Copy writes SVG.</source>
-        <translation>此处导出图片。SVG 由“文件 ▸ 保存副本”写入。</translation>
+        <source>Pictures are written here. File ▸ Export Drawing writes SVG.</source>
+        <translation>此处导出图片。SVG 由“文件 ▸ 导出图形”写入。</translation>
     </message>
     <message>
         <source>OpenRaster (layers)</source>
@@ -10797,7 +10805,89 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
-        <translation>%1：解压后将有 %2 MB，无法再次打开。请选择更少的色带，或使用 .svg 扩展名。</translation>
+        <translation>%1：解压后将有 %2 MB，无法再次打开。请选择更少的条带，或使用 .svg 扩展名。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::DrawingDialog</name>
+    <message>
+        <source>One path for each stroke, where it is covered by half: for plotters, cutters, logos.</source>
+        <translation>每个笔画一条路径，取覆盖一半之处：用于绘图仪、切割机、标志。</translation>
+    </message>
+    <message>
+        <source>Contours within each other, as opaque as the paint. They look like the painting at any zoom.</source>
+        <translation>层层嵌套的等值线，与颜料同样不透明。无论放大多少，看上去都与画作一样。</translation>
+    </message>
+    <message>
+        <source>The exact picture, a pixel a unit, and over it the outlines without paint, to select and name strokes by.</source>
+        <translation>精确的图像，每单位一个像素，上面是不着色的轮廓，便于选取和命名笔画。</translation>
+    </message>
+    <message>
+        <source>Export Drawing</source>
+        <translation>导出图形</translation>
+    </message>
+    <message>
+        <source>The ending chooses the format: svg, or svgz, which is packed.</source>
+        <translation>扩展名决定格式：svg，或压缩的 svgz。</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>条带</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Picture and outlines</source>
+        <translation>图像与轮廓</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>What of the painting becomes paths</source>
+        <translation>画作的哪些内容成为路径</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>级数</translation>
+    </message>
+    <message>
+        <source>How many bands full opacity is drawn in. More of them are smoother, and make a larger file.</source>
+        <translation>完全不透明分为多少条带。越多越平滑，文件也越大。</translation>
+    </message>
+    <message>
+        <source>Of red, green and blue, over the sheet, with a pixel a unit</source>
+        <translation>整个画布上红、绿、蓝的差异，每单位一个像素</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Comparing with the picture…</source>
+        <translation>正在与图像比较…</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>SVG drawings</source>
+        <translation>SVG 图形</translation>
+    </message>
+    <message>
+        <source>“%1” has no ending of a drawing. Choose one of: %2.</source>
+        <translation>“%1”没有图形的扩展名。请选择：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::DrawingJob</name>
+    <message>
+        <source>The drawing does not fit into memory.</source>
+        <translation>图形太大，内存不足。</translation>
     </message>
 </context>
 </TS>

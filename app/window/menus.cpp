@@ -58,7 +58,7 @@ QMenu *addFileMenu(QMenuBar &bar, const Commands &table)
     append(*file, table,
            {{Save, SaveAs, SaveCopy, KeepHistory},
             {Revert, RestoreBackup},
-            {ImportStrokes, ImportPicture, ImportUnderlay, Export, ExportAgain, ExportTimelapse},
+            {ImportStrokes, ImportPicture, ImportUnderlay, Export, ExportAgain, ExportDrawing, ExportTimelapse},
             {Close, Quit}});
     return recent;
 }

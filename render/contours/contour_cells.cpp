@@ -50,8 +50,11 @@ public:
     std::vector<std::vector<ContourChain>> chains()
     {
         m_next.resize(m_levels.size());
-        for (const auto &[corner, depth] : m_leaves)
+        for (const auto &[corner, depth] : m_leaves) {
+            if (isCancelled())
+                break;
             cutLeaf(corner, depth);
+        }
         std::vector<std::vector<ContourChain>> out(m_levels.size());
         for (std::size_t k = 0; k < m_levels.size() && !isCancelled(); ++k)
             out[k] = chainsOf(k);

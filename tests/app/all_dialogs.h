@@ -2,18 +2,19 @@
 #pragma once
 
 #include "app/dialogs/about_dialog.h"
+#include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
+#include "app/dialogs/export/timelapse_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
-#include "app/dialogs/export/timelapse_dialog.h"
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along_dialog.h"
-#include "app/window/palette_entries.h"
 #include "app/window/files/recovery.h"
+#include "app/window/palette_entries.h"
 #include "tests/app/shapes.h"
 
 #include <functional>
@@ -39,6 +40,7 @@ inline std::vector<DialogMaker> allDialogs()
          }},
         {"brush", [](MainWindow &w) { return std::make_unique<BrushDialog>(w.editor(), &w); }},
         {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
+        {"drawing", [](MainWindow &w) { return std::make_unique<DrawingDialog>(w.editor(), &w); }},
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
         {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},

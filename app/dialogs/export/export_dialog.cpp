@@ -239,7 +239,7 @@ void ExportDialog::startExport()
     const int width = widthBox()->value();
     if (format == ImageFormat::Unknown) {
         if (target.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0) {
-            m_hint->showHint(tr("Pictures are written here. File ▸ Save a Copy writes SVG."));
+            m_hint->showHint(tr("Pictures are written here. File ▸ Export Drawing writes SVG."));
             return;
         }
         m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")

@@ -19,6 +19,7 @@ enum class Command {
     ImportPicture,
     Export,
     ExportAgain,
+    ExportDrawing,
     Close,
     Quit,
     Undo,

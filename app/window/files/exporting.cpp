@@ -1,6 +1,7 @@
 #include "app/window/files/exporting.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
 #include "app/session/commands/session_rows.h"
@@ -37,6 +38,11 @@ void Exporting::addRows()
         .when([this] { return !m_job->isRunning(); })
         .runs([this] { exportAgain(); });
     table
+        .add(ExportDrawing, "exportDrawing", Commands::tr("Export &Drawing…"), "", {},
+             Commands::tr("Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)"))
+        .when(anyStrokes(m_place.open.editor))
+        .runs([this] { exportDrawing(); });
+    table
         .add(ExportTimelapse, "exportTimelapse", Commands::tr("Export Ti&melapse…"), "film",
              {QKeySequence(Commands::tr("Ctrl+Alt+E"))}, Commands::tr("Make a film of the painting being painted"))
         .when(anyStrokes(m_place.open.editor))
@@ -69,6 +75,14 @@ void Exporting::exportTimelapse()
     m_place.canvas.settleTool();
     m_place.open.playback.pause();
     TimelapseDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
+    if (dialog.exec() == QDialog::Accepted)
+        sayWritten(dialog.path()->text());
+}
+
+void Exporting::exportDrawing()
+{
+    m_place.canvas.settleTool();
+    DrawingDialog dialog(m_place.open.editor, &m_place.window);
     if (dialog.exec() == QDialog::Accepted)
         sayWritten(dialog.path()->text());
 }

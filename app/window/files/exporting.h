@@ -25,6 +25,7 @@ private:
     void takeLast();
     void exportPicture();
     void exportAgain();
+    void exportDrawing();
     void exportTimelapse();
     void showOutcome(bool written, const QString &error);
     void sayWritten(const QString &path);

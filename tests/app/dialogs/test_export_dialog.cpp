@@ -198,7 +198,7 @@ private slots:
     }
 
     /// Who wants a drawing is told where it is written.
-    void aDrawingIsSavedAsACopy()
+    void drawingsAreExportedElsewhere()
     {
         Bench bench;
         ExportDialog dialog(bench.editor, shown);
@@ -206,8 +206,9 @@ private slots:
         dialog.path()->setText(m_folder->filePath("a.svg"));
         QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
         const QList<QLabel *> labels = dialog.findChildren<QLabel *>();
-        QVERIFY(std::ranges::any_of(
-            labels, [](const QLabel *label) { return label->isVisible() && label->text().contains("Save a Copy"); }));
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel *label) {
+            return label->isVisible() && label->text().contains("Export Drawing");
+        }));
         QVERIFY(dialog.isVisible() && !QFileInfo::exists(m_folder->filePath("a.svg")));
     }
 

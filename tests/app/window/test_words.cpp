@@ -411,16 +411,17 @@ private slots:
         NewDialog fresh(&s.window);
         SettingsDialog options(&s.window);
         ExportDialog picture(s.editor(), {0, 0, 10, 10}, &s.window);
+        DrawingDialog drawing(s.editor(), &s.window);
         TimelapseDialog film(s.editor(), {0, 0, 10, 10}, &s.window);
         ShortcutsDialog keys({&s.window.action(Command::Undo)}, {}, &s.window);
         AboutDialog about(&s.window);
         for (const QWidget *dialog :
-             std::initializer_list<QWidget *>{&brush, &along, &fresh, &options, &picture, &film, &keys, &about}) {
+             std::initializer_list<QWidget *>{&brush, &along, &fresh, &options, &picture, &drawing, &film, &keys, &about}) {
             const QString fault = mnemonicFault(*dialog);
             QVERIFY2(fault.isEmpty(), qPrintable(dialog->windowTitle() + ": " + fault));
         }
         for (const QWidget *dialog :
-             std::initializer_list<QWidget *>{&brush, &along, &fresh, &options, &picture, &film, &keys}) {
+             std::initializer_list<QWidget *>{&brush, &along, &fresh, &options, &picture, &drawing, &film, &keys}) {
             const QString fault = fieldWithoutKey(*dialog);
             QVERIFY2(fault.isEmpty(), qPrintable(dialog->windowTitle() + ": " + fault));
         }
