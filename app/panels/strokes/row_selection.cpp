@@ -16,10 +16,12 @@ RowSelection::RowSelection(Editor &editor, const StrokesModel &model, const Stro
     : QObject(&view), m_editor(editor), m_model(model), m_filter(filter), m_view(view)
 {
     connect(view.selectionModel(), &QItemSelectionModel::selectionChanged, this, &RowSelection::give);
-    connect(&filter, &QAbstractItemModel::modelReset, this, &RowSelection::follow);
+    connect(&filter, &QAbstractItemModel::modelReset, this, &RowSelection::followRows);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
-        if (change.selection || change.order || change.reset)
+        if (change.selection || change.reset)
             follow();
+        else if (change.order)
+            followRows();
     });
     view.installEventFilter(this);
     take();
@@ -34,17 +36,21 @@ bool RowSelection::eventFilter(QObject *watched, QEvent *event)
 
 void RowSelection::follow()
 {
+    m_isNew = true;
+    followRows();
+}
+
+void RowSelection::followRows()
+{
     m_stale = true;
     if (m_view.isVisible())
         take();
 }
 
-/// Runs of neighbouring rows are selected at once, since ten thousand single ranges would take long.
-QItemSelection RowSelection::selectedRows(QModelIndex &first) const
+RowSelection::Rows RowSelection::rowsOf(const Selection &selected) const
 {
-    const Selection &selected = m_editor.selection();
     const bool allShown = m_filter.text().isEmpty();
-    std::unordered_map<const StrokesTree::Node *, std::vector<int>> rows;
+    Rows rows;
     for (const StrokeId id : selected.strokes)
         if (const StrokesTree::Node *node = m_model.tree().nodeOf(id)) {
             const int row = allShown ? node->row : m_filter.mapFromSource(m_model.indexOf(node)).row();
@@ -55,24 +61,62 @@ QItemSelection RowSelection::selectedRows(QModelIndex &first) const
         if (const StrokesTree::Node *node = m_model.tree().nodeOf(ref.stroke))
             if (m_view.isExpanded(m_filter.mapFromSource(m_model.indexOf(node))))
                 rows[node].push_back(ref.segment);
-    QItemSelection selection;
-    // The topmost parent comes first.
-    std::map<QModelIndex, std::vector<int> *> ordered;
     for (auto &[node, list] : rows)
-        ordered.emplace(m_filter.mapFromSource(m_model.indexOf(node)), &list);
-    for (const auto &[parent, list] : ordered) {
-        std::ranges::sort(*list);
-        for (auto at = list->begin(); at != list->end();) {
+        std::ranges::sort(list);
+    return rows;
+}
+
+/// Runs of neighbouring rows are selected at once, since ten thousand single ranges would take long.
+QItemSelection RowSelection::selectionOf(const Rows &rows) const
+{
+    QItemSelection selection;
+    for (const auto &[node, list] : rows) {
+        const QModelIndex parent = m_filter.mapFromSource(m_model.indexOf(node));
+        for (auto at = list.begin(); at != list.end();) {
             auto end = at + 1;
-            while (end != list->end() && *end == *(end - 1) + 1)
+            while (end != list.end() && *end == *(end - 1) + 1)
                 ++end;
-            const QModelIndex top = m_filter.index(*at, 0, parent);
-            selection.append(QItemSelectionRange(top, m_filter.index(*(end - 1), StrokesModel::LockColumn, parent)));
-            first = first.isValid() ? first : top;
+            selection.append(QItemSelectionRange(m_filter.index(*at, StrokesModel::NameColumn, parent),
+                                                 m_filter.index(*(end - 1), StrokesModel::LockColumn, parent)));
             at = end;
         }
     }
     return selection;
+}
+
+/// The topmost row that looks selected and for which no group has to be opened; otherwise the topmost in closed groups.
+/// A group all of whose strokes are selected looks so itself.
+QModelIndex RowSelection::rowToShow(const Rows &rows) const
+{
+    using Node = StrokesTree::Node;
+    std::unordered_map<const Node *, bool> known;
+    const auto isWhole = [&](const Node *group, const auto &again) -> bool {
+        if (const auto it = known.find(group); it != known.end())
+            return it->second;
+        const auto own = rows.find(group);
+        std::size_t whole = own == rows.end() ? 0 : own->second.size();
+        for (const auto &child : group->children)
+            whole += child->group != 0 && again(child.get(), again);
+        return known[group] = !group->children.empty() && whole == group->children.size();
+    };
+    QModelIndex best;
+    std::pair<bool, std::vector<int>> bestPlace; // whether something is to be opened, and the rows from the top
+    for (const auto &[parent, list] : rows) {
+        if (parent->stroke)
+            continue; // The row of the stroke is selected, too.
+        QModelIndex row =
+            m_filter.index(list.front(), StrokesModel::NameColumn, m_filter.mapFromSource(m_model.indexOf(parent)));
+        for (const Node *group = parent; group->group && isWhole(group, isWhole); group = group->parent)
+            row = m_filter.mapFromSource(m_model.indexOf(group));
+        std::pair<bool, std::vector<int>> place(false, {row.row()});
+        for (QModelIndex above = row.parent(); above.isValid(); above = above.parent()) {
+            place.first |= !m_view.isExpanded(above);
+            place.second.insert(place.second.begin(), above.row());
+        }
+        if (!best.isValid() || place < bestPlace)
+            best = row, bestPlace = std::move(place);
+    }
+    return best;
 }
 
 void RowSelection::take()
@@ -81,9 +125,10 @@ void RowSelection::take()
     if (m_syncing)
         return;
     m_stale = false;
+    const bool isNew = std::exchange(m_isNew, false);
     const QScopedValueRollback syncing(m_syncing, true);
-    QModelIndex first;
-    const QItemSelection selection = selectedRows(first);
+    const Rows rows = rowsOf(m_editor.selection());
+    const QItemSelection selection = selectionOf(rows);
     QItemSelectionModel *model = m_view.selectionModel();
     if (model->selection() != selection)
         model->select(selection, QItemSelectionModel::ClearAndSelect);
@@ -94,9 +139,11 @@ void RowSelection::take()
     const QWidget *focus = QApplication::focusWidget();
     const bool isElsewhere = !focus || (focus != &m_view && !m_view.isAncestorOf(focus));
     const bool comesHere = focus == &m_view && !isOwn && !model->isSelected(m_view.currentIndex());
-    if (first.isValid() && (isElsewhere || comesHere)) {
-        model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
-        m_view.scrollTo(first);
+    if (!isNew || (!isElsewhere && !comesHere))
+        return;
+    if (const QModelIndex row = rowToShow(rows); row.isValid()) {
+        model->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
+        m_view.scrollTo(row);
     }
 }
 

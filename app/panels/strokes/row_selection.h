@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <optional>
+#include <unordered_map>
 
 namespace suffuse {
 
@@ -29,7 +30,13 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    QItemSelection selectedRows(QModelIndex &first) const;
+    /// The numbers of the selected rows below each row that has some.
+    using Rows = std::unordered_map<const StrokesTree::Node *, std::vector<int>>;
+
+    Rows rowsOf(const Selection &selected) const;
+    QItemSelection selectionOf(const Rows &rows) const;
+    QModelIndex rowToShow(const Rows &rows) const;
+    void followRows();
     void take();
     void give();
     std::set<QModelIndex> groupsAroundSelected() const;
@@ -41,6 +48,7 @@ private:
     std::optional<Selection> m_given; ///< what the rows have selected, until something else selects
     bool m_syncing = false;
     bool m_stale = true;
+    bool m_isNew = true; ///< whether something else is selected than what the view was moved to last
 };
 
 } // namespace suffuse

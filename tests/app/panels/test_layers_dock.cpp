@@ -4,6 +4,7 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/widgets/look/group_tags.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
@@ -159,6 +160,46 @@ private slots:
         dock.click(dock.groupRow().siblingAtColumn(StrokesModel::EyeColumn));
         QVERIFY(!bench.editor.document().painting()->groups[0].visible);
         QCOMPARE(bench.editor.layer().group(), GroupId(1));
+    }
+
+    /// What comes back or is selected is seen, and for that no other group opens than those around its row.
+    void closedGroupsStayClosed()
+    {
+        Layered bench;
+        bench.select({3, 4, 5}); // group 2 {group 1 {3, 4}, 5}
+        bench.editor.push(groupSelection(bench.editor.document(), "all"), "group");
+        bench.select({});
+        LayersDock dock(bench.editor);
+        const auto outer = [&] { return dock.view().model()->index(0, 0); };
+        const auto inner = [&] { return dock.panel.viewIndexOf(3).parent(); };
+        const auto isOpen = [&](const QModelIndex &group) { return dock.view().isExpanded(group); };
+        const auto shows = [&](const QModelIndex &row) {
+            bench.editor.laterChanges().flush();
+            QApplication::processEvents();
+            return dock.view().currentIndex() == row && !dock.view().visualRect(row).isEmpty();
+        };
+        bench.select({3, 4, 5}); // all in it: its row says so
+        QVERIFY(shows(outer()) && !isOpen(outer()));
+        bench.select({3, 4});
+        QVERIFY(shows(inner()) && isOpen(outer()) && !isOpen(inner()));
+        dock.view().collapse(outer());
+        bench.select({3, 2}); // one of them is seen
+        QVERIFY(shows(dock.panel.viewIndexOf(2)) && !isOpen(outer()));
+        bench.select({3});
+        QVERIFY(shows(dock.panel.viewIndexOf(3)) && isOpen(outer()) && isOpen(inner()));
+        dock.view().collapse(outer());
+        const StrokePtr stroke = makeStroke(bench.editor.document().takeStrokeId(), 2, 10);
+        bench.editor.push(addStrokes(bench.editor.document(), {stroke}, false), "paint");
+        bench.editor.laterChanges().flush();
+        QApplication::processEvents();
+        QVERIFY(!isOpen(dock.panel.viewIndexOf(5).parent())); // The selection is what it was.
+        bench.editor.undo();
+        dock.view().collapseAll();
+        bench.select({3, 4, 5});
+        commands::deleteSelected(bench.editor);
+        QCOMPARE(dock.view().model()->rowCount(), 2);
+        bench.editor.undo();
+        QVERIFY(shows(outer()) && !isOpen(outer()) && !isOpen(inner()));
     }
 
     void aMarkedGroupHasAStripOfItsColour()
