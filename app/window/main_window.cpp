@@ -372,7 +372,6 @@ MainWindow *MainWindow::replace()
         action(Command::HideDocks).trigger();
     const QByteArray geometry = saveGeometry(), layout = saveState();
     const std::optional<WorkspaceState> view = workspaceOf(canvas(), m_editor);
-    const bool fitted = m_canvas->isFitted();
     const std::map<QString, bool> switches = switchesOf(*m_commands);
     const std::map<QString, QString> searches = searchesOf(*this);
     auto *successor = new MainWindow(release(), m_makeRenderer, nullptr, Places::Given);
@@ -383,7 +382,7 @@ MainWindow *MainWindow::replace()
     successor->restoreState(layout);
     successor->m_commands->update();
     successor->show();
-    if (view && !fitted)
+    if (view)
         showWorkspace(*view, *successor->m_canvas, successor->m_editor);
     if (hidesDocks)
         successor->action(Command::HideDocks).trigger();

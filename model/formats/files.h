@@ -53,6 +53,9 @@ struct WorkspaceState {
     double rotation = 0; ///< radians
     bool mirrored = false;
     std::optional<Microseconds> time; ///< the moment that was looked at; no value: the end
+    bool isFitted = false;            ///< all of the canvas was shown, whatever the four above say
+    GroupId layer = 0;                ///< the group that was painted on; 0: none
+    std::vector<GroupId> open = {};   ///< the groups that were open in the list of strokes
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };
 

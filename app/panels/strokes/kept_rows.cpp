@@ -136,6 +136,29 @@ void KeptRows::search(const QString &text)
         });
 }
 
+std::set<GroupId> KeptRows::openGroups() const
+{
+    if (!m_filter.text().isEmpty())
+        return m_beforeSearch;
+    std::set<GroupId> open;
+    visitGroups(m_model.tree().root(), [&](const Node &group) {
+        if (m_view.isExpanded(viewIndexOf(&group)))
+            open.insert(group.group);
+    });
+    return open;
+}
+
+void KeptRows::openOnly(const std::set<GroupId> &groups)
+{
+    if (!m_filter.text().isEmpty())
+        m_beforeSearch = groups;
+    else
+        visitGroups(m_model.tree().root(), [&](const Node &group) {
+            if (const QModelIndex index = viewIndexOf(&group); m_view.isExpanded(index) != groups.contains(group.group))
+                m_view.setExpanded(index, groups.contains(group.group));
+        });
+}
+
 void KeptRows::open(GroupId group)
 {
     for (QModelIndex index = viewIndexOf(Row{0, group}); index.isValid(); index = index.parent())

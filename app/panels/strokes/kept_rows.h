@@ -24,6 +24,10 @@ public:
     void search(const QString &text);
     /// Opens a group and those around it.
     void open(GroupId group);
+    /// The groups that are open, in a search those that were before it.
+    std::set<GroupId> openGroups() const;
+    /// Opens these groups and closes the others, in a search after it.
+    void openOnly(const std::set<GroupId> &groups);
 
 private:
     using Node = StrokesTree::Node;

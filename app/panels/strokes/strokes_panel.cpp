@@ -159,6 +159,18 @@ void StrokesPanel::goToFirstFound()
     m_view->setCurrentIndex(row);
 }
 
+std::vector<GroupId> StrokesPanel::openGroups() const
+{
+    const std::set<GroupId> open = m_kept->openGroups();
+    return {open.begin(), open.end()};
+}
+
+void StrokesPanel::openOnly(const std::vector<GroupId> &groups)
+{
+    m_editor.laterChanges().flush(); // The rows are those of the painting.
+    m_kept->openOnly({groups.begin(), groups.end()});
+}
+
 QTreeView *StrokesPanel::view() const
 {
     return m_view;

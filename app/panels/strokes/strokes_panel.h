@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 class QHBoxLayout;
 class QLabel;
@@ -52,6 +53,11 @@ public:
     bool isSearching() const;
     /// Selects the visible, unlocked strokes that the search has found. Without a search it does nothing.
     void selectFound();
+
+    /// The groups that are open, or were before what is searched for now.
+    std::vector<GroupId> openGroups() const;
+    /// Opens these groups and closes the others, or does so after what is searched for now.
+    void openOnly(const std::vector<GroupId> &groups);
 
     QSize sizeHint() const override;
 

@@ -1,31 +1,52 @@
 #include "app/window/layout/workspace_view.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 
 namespace suffuse {
 
+namespace {
+
+StrokesPanel *strokesBeside(const CanvasWidget &canvas)
+{
+    return canvas.window()->findChild<StrokesPanel *>();
+}
+
+} // namespace
+
 std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Editor &editor)
 {
-    if (canvas.isFitted() && !editor.clock().isInPast())
-        return {};
-    const View &view = canvas.view();
-    WorkspaceState state{view.centre, view.scale / canvas.devicePixelRatioF(), view.rotation, view.mirrored, {}};
+    WorkspaceState state;
+    state.isFitted = canvas.isFitted();
+    if (const View &view = canvas.view(); !state.isFitted)
+        state = {view.centre, view.scale / canvas.devicePixelRatioF(), view.rotation, view.mirrored, {}};
     if (editor.clock().isInPast())
         state.time = editor.clock().time();
-    return state;
+    state.layer = editor.layer().isComing() ? 0 : editor.layer().group();
+    if (const StrokesPanel *strokes = strokesBeside(canvas))
+        state.open = strokes->openGroups();
+    const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty();
+    return isUsual ? std::nullopt : std::optional(state);
 }
 
 void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &editor)
 {
-    View view = canvas.view();
-    view.centre = state.centre;
-    view.scale = state.scale * canvas.devicePixelRatioF();
-    view.rotation = state.rotation;
-    view.mirrored = state.mirrored;
-    canvas.lookThrough(view);
+    if (!state.isFitted) {
+        View view = canvas.view();
+        view.centre = state.centre;
+        view.scale = state.scale * canvas.devicePixelRatioF();
+        view.rotation = state.rotation;
+        view.mirrored = state.mirrored;
+        canvas.lookThrough(view);
+    }
     if (state.time)
         editor.clock().lookAt(*state.time);
+    if (state.layer != 0)
+        editor.layer().choose(state.layer);
+    if (StrokesPanel *strokes = strokesBeside(canvas))
+        strokes->openOnly(state.open);
 }
 
 } // namespace suffuse

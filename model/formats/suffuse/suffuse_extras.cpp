@@ -14,12 +14,22 @@ constexpr Microseconds largestTime = 1'000'000'000'000'000;
 
 QByteArray writeView(const WorkspaceState &view)
 {
-    QCborMap map{{QLatin1String("centre"), QCborArray{view.centre.x, view.centre.y}},
-                 {QLatin1String("scale"), view.scale},
-                 {QLatin1String("rotation"), view.rotation},
-                 {QLatin1String("mirrored"), view.mirrored}};
+    QCborMap map;
+    if (!view.isFitted)
+        map = {{QLatin1String("centre"), QCborArray{view.centre.x, view.centre.y}},
+               {QLatin1String("scale"), view.scale},
+               {QLatin1String("rotation"), view.rotation},
+               {QLatin1String("mirrored"), view.mirrored}};
     if (view.time)
         map.insert(QLatin1String("time"), qint64(*view.time));
+    if (view.layer != 0)
+        map.insert(QLatin1String("layer"), qint64(view.layer));
+    if (!view.open.empty()) {
+        QCborArray open;
+        for (const GroupId group : view.open)
+            open.append(qint64(group));
+        map.insert(QLatin1String("open"), open);
+    }
     return QCborValue(map).toCbor();
 }
 
@@ -32,14 +42,20 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     WorkspaceState view;
     bool ok = true;
     MapReader in(value, ok);
-    const QCborArray centre = in.take("centre").toArray();
+    const QCborValue point = in.take("centre");
+    const QCborArray centre = point.toArray();
+    view.isFitted = point.isUndefined();
     view.centre = {centre.at(0).toDouble(), centre.at(1).toDouble()};
     in.read("scale", view.scale);
     in.read("rotation", view.rotation);
     in.read("mirrored", view.mirrored);
     if (const QCborValue time = in.take("time"); time.isInteger())
         view.time = std::clamp<Microseconds>(integerIn(time), -largestTime, largestTime);
-    ok = ok && centre.size() == 2 && std::abs(view.centre.x) <= largestCoordinate &&
+    view.layer = GroupId(integerIn(in.take("layer")));
+    for (const QCborValue &group : in.take("open").toArray())
+        if (group.isInteger())
+            view.open.push_back(GroupId(group.toInteger()));
+    ok = ok && (view.isFitted || centre.size() == 2) && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
          std::abs(view.rotation) <= largestCoordinate;
     return ok ? std::optional(view) : std::nullopt;

@@ -1,13 +1,17 @@
 // What goes into a document's file beside the picture: undo history, and how it was looked at.
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/session/current_layer.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
+#include "undo/group_edits.h"
 #include "undo/history/kept_history.h"
 
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 
 using namespace suffuse;
 
@@ -254,6 +258,39 @@ private slots:
         QVERIFY(is.width != was.width);
         QVERIFY(b.editor().clock().isInPast());
         QCOMPARE(b.editor().clock().time(), Microseconds(500'000));
+        QVERIFY(!b.editor().isModified());
+    }
+
+    /// The layer and the groups that are open, whatever part of the canvas is seen; and of a painting without them
+    /// none.
+    void theLayerComesBack()
+    {
+        Session a;
+        paint(a.editor(), 4);
+        for (const auto &[strokes, name] : {std::pair(std::set<StrokeId>{1}, "sea"), {{2, 3}, "sky"}}) {
+            a.editor().document().setSelection({strokes, {}});
+            a.editor().push(groupSelection(a.editor().document(), name), "group");
+        }
+        a.editor().document().setSelection({});
+        a.editor().layer().choose(2);
+        const auto isOpen = [](Session &session, StrokeId member) {
+            session.editor().laterChanges().flush();
+            const auto *panel = session.window.findChild<StrokesPanel *>();
+            return panel->view()->isExpanded(panel->viewIndexOf(member).parent());
+        };
+        QVERIFY(!isOpen(a, 1) && !isOpen(a, 2));
+        auto *panel = a.window.findChild<StrokesPanel *>();
+        panel->view()->expand(panel->viewIndexOf(1).parent());
+        panel->search()->setText("sky"); // The search opens groups for itself only.
+        QVERIFY(a.canvas().isFitted());
+        QVERIFY(a.window.saveTo(path("layer.suffuse")));
+        a.window.hide();
+        Session b;
+        b.window.resize(900, 700);
+        QVERIFY(b.window.openFile(path("layer.suffuse")));
+        QCOMPARE(b.editor().layer().group(), GroupId(2));
+        QVERIFY(b.canvas().isFitted());
+        QVERIFY(isOpen(b, 1) && !isOpen(b, 2));
         QVERIFY(!b.editor().isModified());
     }
 

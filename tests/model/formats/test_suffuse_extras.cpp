@@ -1,7 +1,7 @@
 // What a document file holds beside the picture.
 #include "model/formats/files.h"
-#include "tests/model/random_paintings.h"
 #include "suffuse_chunks.h"
+#include "tests/model/random_paintings.h"
 
 #include <QCborArray>
 #include <QCborMap>
@@ -18,7 +18,7 @@ DocumentExtras someExtras()
 {
     DocumentExtras extras;
     extras.preview = QByteArray("\x89PNG\r\n\x1a\n") + "pixels";
-    extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567};
+    extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567, false, 7, {3, 7}};
     extras.history = "steps";
     extras.unknown = {{"meta", QByteArray("\0a\xff", 3)}, {"xyzw", {}}, {"meta", "again"}};
     return extras;
@@ -54,6 +54,17 @@ private slots:
         QCOMPARE(writeDocument(d->painting, d->extras, FileFormat::Suffuse), bytes);
         const auto p = readPainting(bytes, QStringLiteral("a.suffuse"));
         QVERIFY(p && *p == somePainting());
+    }
+
+    /// Where all of the canvas was shown, the file does not say where its middle was.
+    void aViewOfAllComesBack()
+    {
+        DocumentExtras extras;
+        WorkspaceState &view = extras.view.emplace();
+        view.isFitted = true;
+        view.layer = 2;
+        const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
+        QVERIFY(d && d->extras == extras);
     }
 
     void pictureChunksDoNotDependOnThem()
