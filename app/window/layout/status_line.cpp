@@ -22,12 +22,10 @@ namespace suffuse {
 
 namespace {
 
-/// Draws a line of text that ends in "…" where there is no room for all of it.
-void drawElided(QPainter &painter, const QWidget &widget, const QRect &area, const QString &text)
+void drawLine(QPainter &painter, const QWidget &widget, const QRect &area, const QString &text)
 {
     widget.style()->drawItemText(&painter, area, Qt::AlignLeading | Qt::AlignVCenter | Qt::TextSingleLine,
-                                 widget.palette(), true, elidedSentences(text, widget.fontMetrics(), area.width()),
-                                 QPalette::WindowText);
+                                 widget.palette(), true, text, QPalette::WindowText);
 }
 
 /// A line that takes the room there is, so that another text need not be measured.
@@ -41,11 +39,12 @@ protected:
     void paintEvent(QPaintEvent *) override
     {
         QPainter painter(this);
-        drawElided(painter, *this, contentsRect(), text());
+        drawLine(painter, *this, contentsRect(), elidedSentences(text(), fontMetrics(), contentsRect().width()));
     }
 };
 
-/// Qt's own bar cuts a message off where the numbers begin. All of it is in the tool tip.
+/// Qt's own bar cuts a message off where the numbers begin. All of it is in the tool tip. Unlike of a hint, the part of a
+/// sentence that there is room for tells something: what was lost, for example, and that there is more of it.
 class MessageBar : public QStatusBar {
 public:
     explicit MessageBar(QWidget *parent) : QStatusBar(parent)
@@ -67,7 +66,7 @@ protected:
         for (const QObject *child : children())
             if (const auto *widget = qobject_cast<const QWidget *>(child); widget && widget->isVisible())
                 area.setRight(std::min(area.right(), widget->x() - margin));
-        drawElided(painter, *this, area, currentMessage());
+        drawLine(painter, *this, area, fontMetrics().elidedText(currentMessage(), Qt::ElideRight, area.width()));
     }
 };
 

@@ -16,6 +16,7 @@
 #include <QFontMetrics>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QScreen>
 #include <QScrollArea>
@@ -288,6 +289,31 @@ private slots:
         bar.clearMessage();
         QCOMPARE(bar.toolTip(), QString());
         QVERIFY(line->isVisible());
+    }
+
+    /// A message takes the room that there is, also within a sentence.
+    void messagesFillTheirLine()
+    {
+        Session s;
+        s.window.resize(1300, 700);
+        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+        QStatusBar &bar = *s.window.statusBar();
+        int right = bar.width(); // where the numbers begin
+        for (const auto *number : bar.findChildren<QLabel *>())
+            if (number->objectName() != QLatin1String("hint") && number->isVisible())
+                right = std::min(right, number->x());
+        QString first = "H";
+        while (bar.fontMetrics().horizontalAdvance(first) < 0.6 * right)
+            first += 'H';
+        bar.showMessage(first + ". " + QString(300, 'H') + '.');
+        QVERIFY(endsInDots(bar, right));
+        const QImage image = bar.grab().toImage();
+        const int ground = qGray(image.pixel(right - 2, 4));
+        bool isFull = false; // to the last tenth
+        for (int x = int(0.9 * right); x < right; ++x)
+            for (int y = 4; y < image.height() - 4; ++y)
+                isFull = isFull || std::abs(qGray(image.pixel(x, y)) - ground) > 60;
+        QVERIFY(isFull);
     }
 
     /// A window that is opened from a maximised one is maximised, too, and has somewhere to go back to.
