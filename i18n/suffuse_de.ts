@@ -5194,6 +5194,18 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>&amp;Mit darunterliegender vereinen</translation>
     </message>
     <message>
+        <source>New &amp;Clipped Layer</source>
+        <translation>Neue be&amp;grenzte Ebene</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+N</source>
+        <translation>Ctrl+Alt+N</translation>
+    </message>
+    <message>
+        <source>Paint on a new layer that shows only where the layer below has paint: a clipping mask</source>
+        <translation>Auf einer neuen Ebene malen, die nur zu sehen ist, wo die Ebene darunter Farbe hat: eine Schnittmaske</translation>
+    </message>
+    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -5381,6 +5393,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 is hidden: nothing is painted there</source>
         <translation>%1 ist ausgeblendet: Dort wird nichts gemalt</translation>
+    </message>
+    <message>
+        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
+        <translation>Neue begrenzte Ebene: %1. Malen Sie darauf, wo die Ebene darunter Farbe hat.</translation>
     </message>
     <message>
         <source>%1 copy</source>

@@ -5173,6 +5173,18 @@ Arrow keys work too.</source>
         <translation>向下合并(&amp;M)</translation>
     </message>
     <message>
+        <source>New &amp;Clipped Layer</source>
+        <translation>新建剪贴图层(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+N</source>
+        <translation>Ctrl+Alt+N</translation>
+    </message>
+    <message>
+        <source>Paint on a new layer that shows only where the layer below has paint: a clipping mask</source>
+        <translation>在新图层上绘画，只在下方图层有颜料之处显示：剪贴蒙版</translation>
+    </message>
+    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -5360,6 +5372,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 is hidden: nothing is painted there</source>
         <translation>%1 已隐藏：无法在其上绘画</translation>
+    </message>
+    <message>
+        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
+        <translation>新剪贴图层：%1。请在下方图层有颜料之处绘画。</translation>
     </message>
     <message>
         <source>%1 copy</source>

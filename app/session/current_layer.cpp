@@ -150,23 +150,34 @@ void CurrentLayer::deselectWithin(GroupId group)
     m_document.setSelection(std::move(selection));
 }
 
-void CurrentLayer::beginNew()
+void CurrentLayer::noteNew()
 {
-    if (isComing() && !m_layer.place)
-        return emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
+    emit noted((m_layer.coming->clips ? tr("New clipped layer: %1. Paint on it, where the layer below has paint.")
+                                      : tr("New layer: %1. Paint on it."))
+                   .arg(m_title));
+}
+
+void CurrentLayer::beginNew(bool clips)
+{
+    if (isComing() && !m_layer.place) {
+        m_layer.coming->clips = clips;
+        m_chosen = m_layer;
+        return noteNew();
+    }
     const Group *below = m_document.painting()->findGroup(m_layer.group);
     PaintedLayer layer;
     layer.group = m_document.takeGroupId();
     Group &coming = layer.coming.emplace();
     coming.id = layer.group;
     coming.name = newName();
+    coming.clips = clips;
     deselectWithin(m_layer.group);
     coming.parent = below ? below->parent : isComing() ? m_layer.coming->parent : 0;
     layer.above = m_layer.group;
     layer.place = m_layer.place;
     set(std::move(layer));
     m_chosen = m_layer;
-    emit noted(tr("New layer: %1. Paint on it.").arg(m_title));
+    noteNew();
 }
 
 /// Whether it is there, or can come.

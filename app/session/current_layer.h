@@ -39,7 +39,9 @@ public:
     void chooseByStep(GroupId group);
     /// Begins a layer just above this one, or on top of all where there is none. It comes into being with the first
     /// stroke that is painted on it.
-    void beginNew();
+    void beginNew() { beginNew(false); }
+    /// Begins a layer in the same way, clipped to the one below: it is seen only where that has paint.
+    void beginClipped() { beginNew(true); }
 
     /// Whether tools reach only what is in the layer, where there is one. It is remembered in the settings.
     bool isOnly() const { return m_isOnly; }
@@ -94,6 +96,8 @@ private:
 
     void follow(const Change &change);
     void set(PaintedLayer layer);
+    void beginNew(bool clips);
+    void noteNew();
     void tell();
     bool canBe(const PaintedLayer &layer) const;
     int numberIn(const QString &name) const;

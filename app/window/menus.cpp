@@ -121,7 +121,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
 void addLayerMenu(QMenuBar &bar, const Commands &table)
 {
     addMenu(bar, Commands::tr("&Layer"), table,
-            {{NewLayer, DuplicateLayer, MergeLayerDown},
+            {{NewLayer, NewClippedLayer, DuplicateLayer, MergeLayerDown},
              {RaiseLayer, LowerLayer},
              {LayerAbove, LayerBelow, NoLayer},
              {HideOtherLayers, ThisLayerOnly}});

@@ -111,6 +111,31 @@ private slots:
         QCOMPARE(s.layer.title(), QString("Layer 2"));
     }
 
+    /// It is seen only where the layer below has paint. One that is still to come becomes the one or the other.
+    void aClippedLayerComesAboveItsLayer()
+    {
+        Stage s;
+        QVERIFY(!s.table[Command::NewClippedLayer].isEnabled());
+        s.layer.choose(1);
+        s.table[Command::NewClippedLayer].trigger();
+        QVERIFY(s.layer.isComing());
+        const GroupId made = s.layer.group();
+        const StrokeId stroke = s.paint();
+        QCOMPARE(s.order(), (Order{1, 2, stroke, 3, 4, 5}));
+        QCOMPARE(s.painting().find(stroke)->group, made);
+        QVERIFY(s.painting().findGroup(made)->clips);
+        QCOMPARE(s.painting().findGroup(made)->parent, s.painting().findGroup(1)->parent);
+        s.table[Command::NewLayer].trigger();
+        s.table[Command::NewClippedLayer].trigger();
+        const StrokeId shade = s.paint();
+        QVERIFY(s.painting().findGroup(s.painting().find(shade)->group)->clips);
+        s.table[Command::NewClippedLayer].trigger();
+        s.table[Command::NewLayer].trigger();
+        const StrokeId plain = s.paint();
+        QVERIFY(!s.painting().findGroup(s.painting().find(plain)->group)->clips);
+        QCOMPARE(s.order(), (Order{1, 2, stroke, shade, plain, 3, 4, 5}));
+    }
+
     /// Whose only stroke is deleted with it, since its row is selected.
     void aLayerThatIsDeletedIsLeft_data()
     {

@@ -139,6 +139,7 @@ enum class Command {
     DistributeCentresDown,
     NewLayer,
     DuplicateLayer,
+    NewClippedLayer,
     MergeLayerDown,
     RaiseLayer,
     LowerLayer,

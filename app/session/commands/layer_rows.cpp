@@ -114,6 +114,12 @@ void addLayerRows(Commands &table, OpenPainting &open)
         .add(NewLayer, "newLayer", Commands::tr("&New Layer"), "", key(Commands::tr("Ctrl+Shift+N")),
              Commands::tr("Paint on a new layer above this one; it comes with its first stroke"))
         .runs([&editor] { editor.layer().beginNew(); });
+    table
+        .add(NewClippedLayer, "newClippedLayer", Commands::tr("New &Clipped Layer"), "",
+             key(Commands::tr("Ctrl+Alt+N")),
+             Commands::tr("Paint on a new layer that shows only where the layer below has paint: a clipping mask"))
+        .when([&editor] { return editor.layer().group() != 0; })
+        .runs([&editor] { editor.layer().beginClipped(); });
     table.add(DuplicateLayer, "duplicateLayer", Commands::tr("&Duplicate Layer"), "", key(Commands::tr("Ctrl+J")))
         .when(isThere)
         .runs([&editor] { duplicateLayer(editor); });

@@ -126,11 +126,11 @@ void Docks::makeDocks()
     };
     using enum Command;
     m_strokes = new StrokesPanel(
-        editor,
-        {&commands[Duplicate], &commands[GroupStrokes], &commands[UngroupStrokes],
-         menuOf(tr("&Arrange"), {Top, Raise, Lower, Bottom}),
-         menuOf(Commands::tr("La&yer"), {DuplicateLayer, MergeLayerDown, RaiseLayer, LowerLayer, HideOtherLayers}),
-         menuOf(Commands::tr("Group as a Whole"), {ClipGroups, MaskGroups, WashGroups})});
+        editor, {&commands[Duplicate], &commands[GroupStrokes], &commands[UngroupStrokes],
+                 menuOf(tr("&Arrange"), {Top, Raise, Lower, Bottom}),
+                 menuOf(Commands::tr("La&yer"), {NewLayer, NewClippedLayer, DuplicateLayer, MergeLayerDown, RaiseLayer,
+                                                 LowerLayer, HideOtherLayers}),
+                 menuOf(Commands::tr("Group as a Whole"), {ClipGroups, MaskGroups, WashGroups})});
     m_strokes->addSwitch(commands[ThisLayerOnly]);
     connect(brushPanel, &BrushPanel::chosen, this, [this] { takeToPaint(m_place.commands, m_place.open.editor); });
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
