@@ -3,9 +3,11 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/commands/selection_commands.h"
+#include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/icons.h"
 #include "model/painting/editable.h"
+#include "undo/emptied_groups.h"
 #include "undo/group_edits.h"
 
 #include <QMenu>
@@ -79,9 +81,16 @@ void fillRowMenu(QMenu &menu, Editor &editor, StrokesModel &model, const QModelI
     const bool any = !selected.empty() && std::ranges::any_of(painting.strokes, [&](const StrokePtr &stroke) {
         return selected.contains(stroke->id) && !isLocked(*stroke);
     });
+    // A group without strokes has nothing to select, and is deleted as the layer.
+    const auto group = GroupId(row.data(StrokesModel::GroupIdRole).toULongLong());
+    const bool isEmpty = selected.empty() && isEmptyGroup(painting, group);
     menu.addAction(icon("delete"), StrokesPanel::tr("&Delete"), &editor,
-                   [&editor] { commands::deleteSelected(editor); })
-        ->setEnabled(any);
+                   [&editor, isEmpty, group] {
+                       if (isEmpty)
+                           editor.layer().choose(group);
+                       commands::deleteSelected(editor);
+                   })
+        ->setEnabled(any || isEmpty);
     menu.addSeparator();
     menu.addActions(more);
     menu.addSeparator();

@@ -247,6 +247,36 @@ private slots:
         bench.editor.push(edit, "all");
         QCOMPARE(marksOf(group).size(), 4);
         QCOMPARE(dock.groupRow().data(Qt::ToolTipRole).toString().count('\n'), 4);
+    /// Files of earlier versions have such groups. Nothing of them can be selected.
+    void aGroupWithoutStrokesIsDeletedByItsMenu()
+    {
+        Layered bench;
+        auto painting = std::make_shared<Painting>(*bench.editor.document().painting());
+        painting->groups.push_back({9, "empty", 0, true, false});
+        bench.editor.document().reset(painting);
+        LayersDock dock(bench.editor);
+        QModelIndex row;
+        for (int i = 0; i < dock.view().model()->rowCount(); ++i)
+            if (const QModelIndex index = dock.view().model()->index(i, 0); index.data().toString() == "empty")
+                row = index;
+        QVERIFY(row.isValid());
+        const auto deleting = [&](const QModelIndex &of, QMenu &menu) {
+            dock.panel.fillMenu(menu, of);
+            const QList<QAction *> all = menu.actions();
+            return *std::ranges::find_if(
+                all, [](const QAction *action) { return action->text().remove('&').startsWith("Delete"); });
+        };
+        QMenu other, menu;
+        QVERIFY(!deleting(dock.groupRow(), other)->isEnabled()); // Nothing of it is selected.
+        QAction *action = deleting(row, menu);
+        QVERIFY(action->isEnabled());
+        action->trigger();
+        QVERIFY(!bench.editor.document().painting()->findGroup(9));
+        QCOMPARE(bench.editor.document().painting()->groups.size(), std::size_t(1));
+        bench.editor.undo();
+        QVERIFY(bench.editor.document().painting()->findGroup(9));
+    }
+
         const GroupCells all = dock.cells();
         QVERIFY(all.marks.width() >= 4 * 14 && all.marks.right() < all.mode.left());
         QVERIFY(all.mode.right() < all.opacity.left());
