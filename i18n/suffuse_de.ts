@@ -4355,6 +4355,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Auswahl um zehn Einheiten verschieben</translation>
     </message>
     <message>
+        <source>Move Rows in the Strokes Dock</source>
+        <translation>Zeilen im Dock „Striche“ verschieben</translation>
+    </message>
+    <message>
         <source>Previous Stroke or Node</source>
         <translation>Voriger Strich oder Knoten</translation>
     </message>
@@ -4421,6 +4425,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Select what the search in the Strokes dock has found</source>
         <translation>Auswählen, was die Suche im Andockfenster „Striche“ gefunden hat</translation>
+    </message>
+    <message>
+        <source>&amp;Search Strokes</source>
+        <translation>Stri&amp;che suchen</translation>
+    </message>
+    <message>
+        <source>Look for strokes and groups by their names, in the Strokes dock</source>
+        <translation>Striche und Gruppen nach ihren Namen suchen, im Dock „Striche“</translation>
     </message>
     <message>
         <source>Show Ou&amp;tlines</source>
@@ -5182,18 +5194,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Auf einer neuen Ebene über dieser malen; sie entsteht mit ihrem ersten Strich</translation>
     </message>
     <message>
-        <source>&amp;Duplicate Layer</source>
-        <translation>Ebene &amp;duplizieren</translation>
-    </message>
-    <message>
-        <source>Ctrl+J</source>
-        <translation>Ctrl+J</translation>
-    </message>
-    <message>
-        <source>&amp;Merge Down</source>
-        <translation>&amp;Mit darunterliegender vereinen</translation>
-    </message>
-    <message>
         <source>New &amp;Clipped Layer</source>
         <translation>Neue be&amp;grenzte Ebene</translation>
     </message>
@@ -5204,6 +5204,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Paint on a new layer that shows only where the layer below has paint: a clipping mask</source>
         <translation>Auf einer neuen Ebene malen, die nur zu sehen ist, wo die Ebene darunter Farbe hat: eine Schnittmaske</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Layer</source>
+        <translation>Ebene &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>&amp;Mit darunterliegender vereinen</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -5383,6 +5395,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Neue Ebene: %1. Malen Sie darauf.</translation>
     </message>
     <message>
+        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
+        <translation>Neue begrenzte Ebene: %1. Malen Sie darauf, wo die Ebene darunter Farbe hat.</translation>
+    </message>
+    <message>
         <source>All is shown again, since this would be hidden</source>
         <translation>Alles ist wieder sichtbar, da dies sonst verborgen wäre</translation>
     </message>
@@ -5393,10 +5409,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 is hidden: nothing is painted there</source>
         <translation>%1 ist ausgeblendet: Dort wird nichts gemalt</translation>
-    </message>
-    <message>
-        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
-        <translation>Neue begrenzte Ebene: %1. Malen Sie darauf, wo die Ebene darunter Farbe hat.</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -9140,6 +9152,30 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>&amp;Umbenennen</translation>
     </message>
     <message>
+        <source>Move &amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move Do&amp;wn</source>
+        <translation>Nach u&amp;nten</translation>
+    </message>
+    <message>
+        <source>Select rows to move them.</source>
+        <translation>Wählen Sie die Zeilen aus, die Sie verschieben wollen.</translation>
+    </message>
+    <message>
+        <source>Nothing changes: this is on top already.</source>
+        <translation>Nichts ändert sich: das steht schon ganz oben.</translation>
+    </message>
+    <message>
+        <source>Nothing changes: this is at the bottom already.</source>
+        <translation>Nichts ändert sich: das steht schon ganz unten.</translation>
+    </message>
+    <message>
+        <source>Nothing changes: locked strokes stay in place.</source>
+        <translation>Nichts ändert sich: gesperrte Striche bleiben an ihrem Platz.</translation>
+    </message>
+    <message>
         <source>&amp;Delete</source>
         <translation>&amp;Löschen</translation>
     </message>
@@ -10968,6 +11004,16 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>The drawing does not fit into memory.</source>
         <translation>Die Zeichnung passt nicht in den Speicher.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesView</name>
+    <message numerus="yes">
+        <source>%Ln row(s)</source>
+        <translation>
+            <numerusform>%Ln Zeile</numerusform>
+            <numerusform>%Ln Zeilen</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -4335,6 +4335,10 @@ Arrow keys work too.</source>
         <translation>将所选移动十个单位</translation>
     </message>
     <message>
+        <source>Move Rows in the Strokes Dock</source>
+        <translation>在“笔画”面板中移动行</translation>
+    </message>
+    <message>
         <source>Previous Stroke or Node</source>
         <translation>上一笔画或节点</translation>
     </message>
@@ -4401,6 +4405,14 @@ Arrow keys work too.</source>
     <message>
         <source>Select what the search in the Strokes dock has found</source>
         <translation>选择“笔画”面板中搜索到的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Search Strokes</source>
+        <translation>搜索笔画(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Look for strokes and groups by their names, in the Strokes dock</source>
+        <translation>在“笔画”面板中按名称搜索笔画和组</translation>
     </message>
     <message>
         <source>Show Ou&amp;tlines</source>
@@ -5161,18 +5173,6 @@ Arrow keys work too.</source>
         <translation>在此图层之上的新图层上绘画；画下第一笔时图层才会出现</translation>
     </message>
     <message>
-        <source>&amp;Duplicate Layer</source>
-        <translation>复制图层(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Ctrl+J</source>
-        <translation>Ctrl+J</translation>
-    </message>
-    <message>
-        <source>&amp;Merge Down</source>
-        <translation>向下合并(&amp;M)</translation>
-    </message>
-    <message>
         <source>New &amp;Clipped Layer</source>
         <translation>新建剪贴图层(&amp;C)</translation>
     </message>
@@ -5183,6 +5183,18 @@ Arrow keys work too.</source>
     <message>
         <source>Paint on a new layer that shows only where the layer below has paint: a clipping mask</source>
         <translation>在新图层上绘画，只在下方图层有颜料之处显示：剪贴蒙版</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Layer</source>
+        <translation>复制图层(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>&amp;Merge Down</source>
+        <translation>向下合并(&amp;M)</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -5362,6 +5374,10 @@ Arrow keys work too.</source>
         <translation>新图层：%1。请在上面绘画。</translation>
     </message>
     <message>
+        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
+        <translation>新剪贴图层：%1。请在下方图层有颜料之处绘画。</translation>
+    </message>
+    <message>
         <source>All is shown again, since this would be hidden</source>
         <translation>已重新显示全部，否则新内容会被隐藏</translation>
     </message>
@@ -5372,10 +5388,6 @@ Arrow keys work too.</source>
     <message>
         <source>%1 is hidden: nothing is painted there</source>
         <translation>%1 已隐藏：无法在其上绘画</translation>
-    </message>
-    <message>
-        <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
-        <translation>新剪贴图层：%1。请在下方图层有颜料之处绘画。</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -9082,6 +9094,30 @@ Arrow keys work too.</source>
         <translation>重命名(&amp;R)</translation>
     </message>
     <message>
+        <source>Move &amp;Up</source>
+        <translation>上移(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move Do&amp;wn</source>
+        <translation>下移(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Select rows to move them.</source>
+        <translation>请先选择要移动的行。</translation>
+    </message>
+    <message>
+        <source>Nothing changes: this is on top already.</source>
+        <translation>没有变化：已在最上方。</translation>
+    </message>
+    <message>
+        <source>Nothing changes: this is at the bottom already.</source>
+        <translation>没有变化：已在最下方。</translation>
+    </message>
+    <message>
+        <source>Nothing changes: locked strokes stay in place.</source>
+        <translation>没有变化：锁定的笔画保持原位。</translation>
+    </message>
+    <message>
         <source>&amp;Delete</source>
         <translation>删除(&amp;D)</translation>
     </message>
@@ -10904,6 +10940,15 @@ Arrow keys work too.</source>
     <message>
         <source>The drawing does not fit into memory.</source>
         <translation>图形太大，内存不足。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesView</name>
+    <message numerus="yes">
+        <source>%Ln row(s)</source>
+        <translation>
+            <numerusform>%Ln 行</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -71,7 +71,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
                            {CopyAppearance, PasteAppearance, PasteAppearanceEvenly, MatchAppearance},
                            {Delete, Duplicate},
                            {EditHere, CanvasMenu},
-                           {SelectAll, SelectFound, Deselect, InvertSelection}});
+                           {SelectAll, SelectFound, SearchStrokes, Deselect, InvertSelection}});
     addMenu(*edit, Commands::tr("Select Sa&me"), table, {{SameColour, SameStyle, SameBrush, SameName}});
     append(*edit, table, {{RecolourArtwork, MapToSwatches}, {Settings}});
 }

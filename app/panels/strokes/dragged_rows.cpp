@@ -72,6 +72,21 @@ DraggedRows DraggedRows::movable(const StrokesTree &tree) const
 DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<StrokeId> &moved)
 {
     const StrokesTree::Node *target = &onto;
+namespace {
+
+/// The lowest stroke of a node, in the order of painting, that stays where it is; 0: none.
+StrokeId lowestStaying(const StrokesTree::Node &node, const std::set<StrokeId> &moved)
+{
+    if (node.stroke)
+        return moved.contains(node.stroke) ? 0 : node.stroke;
+    for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
+        if (const StrokeId id = lowestStaying(**it, moved))
+            return id;
+    return 0;
+}
+
+} // namespace
+
     if (target->stroke) { // What is dropped onto a stroke goes just above it.
         row = target->row;
         target = target->parent;
@@ -83,10 +98,8 @@ DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<Strok
     StrokeId before = 0;
     const StrokesTree::Node *at = target;
     for (int above = row - 1; at && !before;) {
-        for (; above >= 0 && !before; --above) {
-            const StrokeId lowest = StrokesTree::lowestStrokeOf(*at->children[std::size_t(above)]);
-            before = lowest && !moved.contains(lowest) ? lowest : 0;
-        }
+        for (; above >= 0 && !before; --above)
+            before = lowestStaying(*at->children[std::size_t(above)], moved);
         above = at->row - 1;
         at = at->parent;
     }

@@ -1,5 +1,6 @@
 #include "app/panels/strokes/row_selection.h"
 
+#include "app/panels/strokes/row_moves.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_view.h"
@@ -108,11 +109,9 @@ QModelIndex RowSelection::rowToShow(const Rows &rows) const
             m_filter.index(list.front(), StrokesModel::NameColumn, m_filter.mapFromSource(m_model.indexOf(parent)));
         for (const Node *group = parent; group->group && isWhole(group, isWhole); group = group->parent)
             row = m_filter.mapFromSource(m_model.indexOf(group));
-        std::pair<bool, std::vector<int>> place(false, {row.row()});
-        for (QModelIndex above = row.parent(); above.isValid(); above = above.parent()) {
+        std::pair<bool, std::vector<int>> place(false, placeOf(row));
+        for (QModelIndex above = row.parent(); above.isValid(); above = above.parent())
             place.first |= !m_view.isExpanded(above);
-            place.second.insert(place.second.begin(), above.row());
-        }
         if (!best.isValid() || place < bestPlace)
             best = row, bestPlace = std::move(place);
     }

@@ -332,7 +332,7 @@ QStringList StrokesModel::mimeTypes() const
     return {rowsMime};
 }
 
-QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
+DraggedRows StrokesModel::draggedOf(const QModelIndexList &indexes) const
 {
     DraggedRows rows;
     for (const QModelIndex &index : indexes) {
@@ -342,6 +342,12 @@ QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
         if (const GroupId group = nodeAt(index).group)
             rows.groups.insert(group);
     }
+    return rows;
+}
+
+QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
+{
+    const DraggedRows rows = draggedOf(indexes);
     // Other windows take the strokes themselves.
     QMimeData *data =
         clipboard::mimeOf(clipboard::asPainting(*m_tree.painting(), {rows.strokes, {}}), m_editor.clock().time());
@@ -359,17 +365,29 @@ bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, in
     if (!canDropMimeData(data, action, 0, 0, parent) || segmentAt(parent) >= 0)
         return false;
     const std::optional<DraggedRows> dragged = DraggedRows::fromBytes(data->data(rowsMime), this);
-    const DraggedRows rows = dragged ? dragged->movable(m_tree) : DraggedRows();
+    if (dragged)
+        put(dragged->movable(m_tree), parent, row);
+    // The document has moved the rows already, so the view has nothing to remove.
+    return false;
+}
+
+bool StrokesModel::move(const QModelIndexList &rows, const QModelIndex &parent, int row)
+{
+    return put(draggedOf(rows).movable(m_tree), parent, row);
+}
+
+bool StrokesModel::put(const DraggedRows &rows, const QModelIndex &parent, int row)
+{
     if (rows.strokes.empty())
         return false;
     const DropPlace place = dropPlace(nodeAt(parent), row, rows.strokes);
-    if (std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place)) {
-        m_editor.push(std::move(*edit), tr("Reorder strokes"));
-        if (place.group != 0)
-            emit droppedInto(place.group);
-    }
-    // The document has moved the rows already, so the view has nothing to remove.
-    return false;
+    std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place);
+    if (!edit)
+        return false;
+    m_editor.push(std::move(*edit), tr("Reorder strokes"));
+    if (place.group != 0)
+        emit droppedInto(place.group);
+    return true;
 }
 
 } // namespace suffuse

@@ -8,6 +8,7 @@
 namespace suffuse {
 
 class Editor;
+struct DraggedRows;
 class ValueEntry;
 
 /// The name that people see. A stroke without a name has what it is and its number.
@@ -91,6 +92,10 @@ public:
     /// switches in a row is one step.
     void toggle(const QModelIndex &index, ValueEntry *entry = nullptr);
 
+    /// Puts rows above the row `row` of a group, or of none where `parent` is invalid. Locked strokes stay. Returns
+    /// whether anything changes by that.
+    bool move(const QModelIndexList &rows, const QModelIndex &parent, int row);
+
 signals:
     /// Emitted around all that changes when the rows follow the painting.
     void aboutToFollow();
@@ -101,6 +106,8 @@ signals:
     void droppedInto(GroupId group);
 
 private:
+    DraggedRows draggedOf(const QModelIndexList &rows) const;
+    bool put(const DraggedRows &rows, const QModelIndex &parent, int row);
     using Node = StrokesTree::Node;
 
     // These are called by the tree (StrokesTree::Listener).

@@ -3,6 +3,7 @@
 #include "app/panels/strokes/group_hand.h"
 #include "app/panels/strokes/kept_rows.h"
 #include "app/panels/strokes/row_menu.h"
+#include "app/panels/strokes/row_moves.h"
 #include "app/panels/strokes/row_selection.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
@@ -23,6 +24,16 @@
 #include <QVBoxLayout>
 
 namespace suffuse {
+
+namespace {
+
+/// The text of a row in a menu that tells the key that does the same in the list.
+QString withKey(const QString &text, QKeyCombination key)
+{
+    return text + QLatin1Char('\t') + QKeySequence(key).toString(QKeySequence::NativeText);
+}
+
+} // namespace
 
 StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget *parent)
     : QWidget(parent), m_editor(editor), m_more(more)
@@ -63,6 +74,7 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
             tr("While the list is searched, rows are not dragged: between those that show there may be others. Clear "
                "the search first."));
     });
+    connect(m_view, &StrokesView::stepped, this, &StrokesPanel::step);
     connect(m_view, &StrokesView::chosen, this, &StrokesPanel::chooseLayer);
     connect(&editor.layer(), &CurrentLayer::changed, this, &StrokesPanel::showLayer);
     showLayer();
@@ -235,6 +247,14 @@ bool StrokesPanel::sweep(const QEvent &event)
     return true;
 }
 
+void StrokesPanel::step(bool up)
+{
+    if (const QString why = moveRows(*m_view, *m_model, *m_filter, up); !why.isEmpty())
+        emit said(why);
+    m_editor.laterChanges().flush();
+    m_view->scrollTo(m_view->currentIndex());
+}
+
 void StrokesPanel::showMenu(const QPoint &at)
 {
     const QModelIndex index = m_view->indexAt(at);
@@ -257,6 +277,11 @@ void StrokesPanel::makeMenu(QMenu &menu, const QModelIndex &index)
                 m_hand->typeOpacity(row, *now, m_view->cellsOf(row));
         });
     }
+    menu.addSeparator();
+    for (const bool up : {true, false})
+        menu.addAction(withKey(up ? tr("Move &Up") : tr("Move Do&wn"), Qt::ALT | (up ? Qt::Key_Up : Qt::Key_Down)),
+                       this, [this, up] { step(up); })
+            ->setEnabled(!isSearching());
     makeMnemonicsDistinct(menu);
 }
 
@@ -264,7 +289,7 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
 {
     const QModelIndex name = index.siblingAtColumn(StrokesModel::NameColumn);
     if (name.flags() & Qt::ItemIsEditable)
-        menu.addAction(tr("&Rename"), m_view, [this, name] { m_view->edit(name); });
+        menu.addAction(withKey(tr("&Rename"), Qt::Key_F2), m_view, [this, name] { m_view->edit(name); });
     fillRowMenu(menu, m_editor, *m_model, m_filter->mapToSource(name), m_more);
 }
 

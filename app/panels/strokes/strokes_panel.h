@@ -84,6 +84,7 @@ private:
     /// Moves the focus from the search to the first row that was found.
     void goToFirstFound();
     void showMenu(const QPoint &at);
+    void step(bool up);
 
     Editor &m_editor;
     QList<QAction *> m_more;

@@ -178,16 +178,6 @@ std::set<StrokeId> StrokesTree::strokesBelow(const Node &node)
     return {found.begin(), found.end()};
 }
 
-StrokeId StrokesTree::lowestStrokeOf(const Node &node)
-{
-    if (node.stroke)
-        return node.stroke;
-    for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
-        if (const StrokeId id = lowestStrokeOf(**it))
-            return id;
-    return 0;
-}
-
 StrokesTree::Changed StrokesTree::follow(const PaintingPtr &painting, const Change &change, Listener &listener)
 {
     const std::unordered_set<StrokeId> ids(change.strokes.begin(), change.strokes.end());

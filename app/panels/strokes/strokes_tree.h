@@ -76,8 +76,6 @@ public:
     bool isWithin(GroupId group, const std::set<GroupId> &groups) const;
     /// The strokes that belong to a node: the stroke itself, or all in the group.
     static std::set<StrokeId> strokesBelow(const Node &node);
-    /// The lowest stroke of a node in the order of painting; 0 where a group is empty.
-    static StrokeId lowestStrokeOf(const Node &node);
 
 private:
     /// What stands below each parent from top to bottom. An entry is a stroke of the painting or a group.

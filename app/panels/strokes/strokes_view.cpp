@@ -1,5 +1,6 @@
 #include "app/panels/strokes/strokes_view.h"
 
+#include "app/panels/strokes/drag_picture.h"
 #include "app/panels/strokes/row_delegate.h"
 #include "app/panels/strokes/row_look.h"
 #include "app/panels/strokes/strokes_filter.h"
@@ -9,8 +10,11 @@
 #include "app/widgets/habits/keyboard_focus.h"
 
 #include <QApplication>
+#include <QDrag>
 #include <QHeaderView>
 #include <QInputEvent>
+#include <QMimeData>
+#include <QPainter>
 
 #include <algorithm>
 
@@ -122,6 +126,14 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     if (const QModelIndex row = event->key() == Qt::Key_F2 && !event->modifiers() ? rowToRename() : QModelIndex();
         row.isValid())
         selectionModel()->setCurrentIndex(row, QItemSelectionModel::NoUpdate);
+    const bool isStep = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+    if (isStep && (event->modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier) {
+        if (m_filter.text().isEmpty())
+            emit stepped(event->key() == Qt::Key_Up);
+        else
+            emit dragRefused();
+        return event->accept();
+    }
     const QPersistentModelIndex before = currentIndex();
     const bool plain = !(event->modifiers() & ~Qt::KeypadModifier), none = !selectionModel()->hasSelection();
     const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
@@ -208,8 +220,62 @@ void StrokesView::startDrag(Qt::DropActions actions)
         return;
     }
     selectWholeGroups();
+    const QModelIndexList rows = draggedRows();
+    if (rows.isEmpty())
+        return;
+    auto *drag = new QDrag(this);
+    drag->setMimeData(model()->mimeData(rows));
+    drag->setPixmap(dragPicture(*this, rows));
+    drag->setHotSpot(dragHotSpot());
     const KeysEndDrag ends;
-    QTreeView::startDrag(actions);
+    drag->exec(actions, defaultDropAction());
+}
+
+QModelIndexList StrokesView::draggedRows() const
+{
+    QModelIndexList rows;
+    for (const QItemSelectionRange &range : selectionModel()->selection()) {
+        if (range.left() != StrokesModel::NameColumn || goesWithGroup(range.parent()))
+            continue;
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            if (const QModelIndex index = model()->index(row, StrokesModel::NameColumn, range.parent());
+                index.flags() & Qt::ItemIsDragEnabled)
+                rows << index;
+    }
+    return rows;
+}
+
+/// Whether a group, or one around it, is selected.
+bool StrokesView::goesWithGroup(QModelIndex group) const
+{
+    while (group.isValid() && !selectionModel()->isSelected(group))
+        group = group.parent();
+    return group.isValid();
+}
+
+/// The arrow is as light or dark as the name beside it.
+void StrokesView::drawBranches(QPainter *painter, const QRect &rect, const QModelIndex &index) const
+{
+    if (!model()->hasChildren(index))
+        return;
+    const bool isStrong = index.data(StrokesModel::CurrentLayerRole).toBool();
+    const double half = 4; // logical pixels
+    const QRectF cell(rect.right() + 1 - indentation(), rect.top(), indentation(), rect.height());
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->translate(cell.center());
+    if (isExpanded(index))
+        painter->rotate(90);
+    painter->setPen(QPen(palette().color(isStrong ? QPalette::HighlightedText : QPalette::Text), 1.6, Qt::SolidLine,
+                         Qt::RoundCap, Qt::RoundJoin));
+    painter->drawPolyline(QPolygonF{{-half / 2, -half}, {half / 2, 0}, {-half / 2, half}});
+    painter->restore();
+}
+
+QRegion StrokesView::visualRegionForSelection(const QItemSelection &selection) const
+{
+    constexpr int fewRanges = 16;
+    return selection.size() > fewRanges ? QRegion(viewport()->rect()) : QTreeView::visualRegionForSelection(selection);
 }
 
 /// A group looks selected when all of its strokes are selected. The row of the layer that is painted on stands out,

@@ -31,7 +31,12 @@ public:
     /// holds no other.
     void selectWholeGroups();
 
+    /// Those of the selected rows that can be moved, without those that go with their group.
+    QModelIndexList draggedRows() const;
+
 signals:
+    /// Emitted when a key moves the selected rows up or down by one.
+    void stepped(bool up);
     /// Emitted when a person has gone to a row by a plain click or key; invalid where they clicked beside all rows.
     void chosen(const QModelIndex &index);
     /// Emitted where rows would have been dragged during a search, which hides rows between which they could be put.
@@ -46,13 +51,17 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void rowsAboutToBeRemoved(const QModelIndex &parent, int start, int end) override;
     void startDrag(Qt::DropActions actions) override;
+    /// Of many ranges all is painted: looking for where each of them stands would take longer.
+    QRegion visualRegionForSelection(const QItemSelection &selection) const override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+    void drawBranches(QPainter *painter, const QRect &rect, const QModelIndex &index) const override;
 
 private:
     static bool isGroup(const QModelIndex &index);
     QItemSelection wholeOf(const QModelIndex &group) const;
     QModelIndex rowToRename() const;
     bool holdsSelected(const QModelIndex &group) const;
+    bool goesWithGroup(QModelIndex group) const;
 
     const StrokesModel &m_model;
     const StrokesFilter &m_filter;

@@ -93,6 +93,9 @@ QList<FixedKeys> fixedKeys()
             {Commands::tr("Move the Selection Ten Times as Far"), arrows(Qt::ShiftModifier)},
             {Commands::tr("Move the Selection by One Unit"), arrows(Qt::AltModifier)},
             {Commands::tr("Move the Selection by Ten Units"), arrows(Qt::AltModifier | Qt::ShiftModifier)},
+            {Commands::tr("Move Rows in the Strokes Dock"),
+             {QKeySequence(QKeyCombination(Qt::AltModifier, Qt::Key_Up)),
+              QKeySequence(QKeyCombination(Qt::AltModifier, Qt::Key_Down))}},
             {Commands::tr("Previous Stroke or Node"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)}},
             {Commands::tr("Give Up, or Deselect"), {QKeySequence(Qt::Key_Escape)}}};
 }

@@ -119,6 +119,25 @@ void drawFocus(QPainter &painter, const QRect &area, int width)
     painter.restore();
 }
 
+/// Where dragged rows will go: a line between two rows, or a frame around the one that takes them. It has an edge, so
+/// that it is seen on selected rows, too.
+void drawDropPlace(QPainter &painter, const QStyleOption &option)
+{
+    const QPalette &palette = option.palette;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const auto &[colour, width] : {std::pair(palette.color(QPalette::Base), 6.0), {focusFrame(), 2.0}}) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        if (option.rect.height() == 0)
+            painter.drawLine(QPointF(option.rect.left() + 3, option.rect.top()),
+                             QPointF(option.rect.right() - 3, option.rect.top()));
+        else
+            painter.drawRoundedRect(QRectF(option.rect).adjusted(3, 3, -3, -3), 2, 2);
+    }
+    painter.restore();
+}
+
 } // namespace
 
 OutlineStyle::OutlineStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -141,6 +160,8 @@ QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption
 void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                  const QWidget *widget) const
 {
+    if (element == PE_IndicatorItemViewItemDrop)
+        return drawDropPlace(*painter, *option);
     const bool isFocus = element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView *>(widget);
     if (isFocus && showsFocus(*option) && !qobject_cast<const QPushButton *>(widget))
         drawFocus(*painter, option->rect, 1);

@@ -19,6 +19,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
@@ -74,9 +75,15 @@ QDockWidget *Docks::add(const char *name, const QString &title, QWidget *panel, 
     dock->setObjectName(QString::fromLatin1(name));
     dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
     m_place.window.addDockWidget(Qt::RightDockWidgetArea, dock);
-    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
-        if (shown) // and not as a tab behind another
-            dock->raise();
+    // Qt would close a dock that is open behind another one, where people want to see it.
+    QAction *toggle = dock->toggleViewAction();
+    disconnect(toggle, &QAction::triggered, dock, nullptr);
+    connect(toggle, &QAction::triggered, dock, [dock, toggle] {
+        if (isInFront(*dock))
+            return void(dock->close());
+        dock->show();
+        dock->raise();
+        toggle->setChecked(true);
     });
     m_docks << dock;
     return dock;
@@ -139,7 +146,7 @@ void Docks::makeDocks()
     add("colourDock", tr("Colour"), new ColourPanel(editor));
     m_brushes = add("brushesDock", tr("Brushes"), brushPanel);
     m_inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
-    add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
+    m_strokesDock = add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
     add("historyDock", tr("History"), new HistoryPanel(editor));
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     m_probe = makeProbe();
@@ -274,6 +281,15 @@ void Docks::addSelectingRows()
              Commands::tr("Select what the search in the Strokes dock has found"))
         .when([this] { return m_strokes->isSearching(); })
         .runs([this] { m_strokes->selectFound(); });
+    table
+        .add(SearchStrokes, "searchStrokes", Commands::tr("&Search Strokes"), "",
+             QKeySequence::keyBindings(QKeySequence::Find),
+             Commands::tr("Look for strokes and groups by their names, in the Strokes dock"))
+        .runs([this] {
+            m_strokesDock->show();
+            m_keyboard.toDock(*m_strokesDock);
+            m_strokes->search()->setFocus(Qt::ShortcutFocusReason);
+        });
     connect(m_strokes, &StrokesPanel::said, this,
             [this](const QString &message) { emit m_place.commands.said(message, 8'000); });
     connect(m_strokes, &StrokesPanel::searchingChanged, this, [this] { m_place.commands.update(SelectFound); });

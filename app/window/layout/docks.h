@@ -50,6 +50,7 @@ private:
     Workplace m_place;
     KeyboardFocus &m_keyboard;
     StrokesPanel *m_strokes = nullptr;
+    QDockWidget *m_strokesDock = nullptr;
     QDockWidget *m_brushes = nullptr;
     QDockWidget *m_inspector = nullptr;
     QDockWidget *m_probe = nullptr;

@@ -1,5 +1,8 @@
 // The list of strokes: rows are dragged to other places, groups with what is in them.
+#include "app/panels/strokes/drag_picture.h"
 #include "app/panels/strokes/dragged_rows.h"
+#include "app/panels/strokes/row_moves.h"
+#include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
@@ -75,6 +78,27 @@ private slots:
         QVERIFY(said[0][0].toString().contains("Clear the search"));
         QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{1, 2, 3, 4}));
         QCOMPARE(bench.steps(), 0);
+    }
+
+    /// It shows what is dragged, small and beside the pointer, so that the place where it goes is seen.
+    void aSmallPictureIsDragged()
+    {
+        Bench bench(6);
+        bench.editor.push(
+            changeStrokes(bench.editor.document(), {1, 2}, [](Stroke &stroke) { stroke.name = QString(200, 'm'); }),
+            "a long name");
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {300, 400});
+        const auto picture = [&](const QModelIndexList &rows) { return dragPicture(*panel.view(), rows); };
+        const QPixmap one = picture({panel.viewIndexOf(1)}), other = picture({panel.viewIndexOf(3)}),
+                      some = picture({panel.viewIndexOf(3), panel.viewIndexOf(4)});
+        for (const QPixmap &each : {one, other, some}) {
+            QVERIFY(each.deviceIndependentSize().width() < 0.75 * panel.width());
+            QVERIFY(each.deviceIndependentSize().height() <=
+                    panel.view()->visualRect(panel.viewIndexOf(1)).height() + 8);
+        }
+        QVERIFY(other.toImage() != some.toImage() && one.width() > other.width());
+        QVERIFY(dragHotSpot().x() < 0 && dragHotSpot().y() < 0); // The pointer is outside.
     }
 
     /// Undo and Delete give up what is dragged from one place to another, as they do with every drag. QDrag takes all
@@ -296,6 +320,89 @@ private slots:
         QCOMPARE(dragged().groups, std::set<GroupId>());
         QCOMPARE(dragged().strokes, std::set<StrokeId>{1});
         QCOMPARE(bench.steps(), 0);
+    }
+
+    /// Alt with Up and Down moves rows by one, into groups that are open and out of theirs, and the frame goes with
+    /// them.
+    void keysMoveRows()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 2}, {2, 1}, {3, 1}, {4, 0}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        QTreeView &view = *panel.view();
+        QSignalSpy said(&panel, &StrokesPanel::said);
+        const auto press = [&](Qt::Key key) { QTest::keyClick(&view, key, Qt::AltModifier); };
+        const auto rows = [&] { // from the top, with the group of each
+            QString text;
+            const auto look = [&](const QModelIndex &parent, const auto &again) -> void {
+                for (int row = 0; row < view.model()->rowCount(parent); ++row) {
+                    const QModelIndex index = view.model()->index(row, 0, parent);
+                    if (const StrokeId stroke = index.data(StrokesModel::StrokeIdRole).toULongLong()) {
+                        text += QString::number(stroke);
+                    } else {
+                        text += index.data().toString().left(1) + '(';
+                        again(index, again);
+                        text += ')';
+                    }
+                }
+            };
+            look({}, look);
+            return text;
+        };
+        QCOMPARE(rows(), QString("54T(32)S(1)"));
+        view.setFocus();
+        view.setCurrentIndex(panel.viewIndexOf(5));
+        press(Qt::Key_Down);
+        QCOMPARE(rows(), QString("45T(32)S(1)"));
+        QCOMPARE(view.currentIndex(), panel.viewIndexOf(5));
+        QCOMPARE(bench.editor.selection().strokes, std::set<StrokeId>{5});
+        press(Qt::Key_Down); // past a closed group
+        QCOMPARE(rows(), QString("4T(32)5S(1)"));
+        press(Qt::Key_Up);
+        QCOMPARE(rows(), QString("45T(32)S(1)"));
+        view.expand(panel.viewIndexOf(3).parent());
+        for (const char *wanted : {"4T(532)S(1)", "4T(352)S(1)", "4T(325)S(1)", "4T(32)5S(1)"}) {
+            press(Qt::Key_Down);
+            QCOMPARE(rows(), QString(wanted));
+            QCOMPARE(view.currentIndex(), panel.viewIndexOf(5));
+            QVERIFY(!view.visualRect(view.currentIndex()).isEmpty());
+        }
+        for (const char *wanted : {"4T(325)S(1)", "4T(352)S(1)", "4T(532)S(1)", "45T(32)S(1)", "54T(32)S(1)"}) {
+            press(Qt::Key_Up);
+            QCOMPARE(rows(), QString(wanted));
+        }
+        const int steps = bench.steps();
+        press(Qt::Key_Up);
+        QCOMPARE(int(said.count()), 1);
+        QCOMPARE(bench.steps(), steps);
+        view.collapseAll();
+        view.setCurrentIndex(panel.viewIndexOf(3).parent()); // a group goes as a whole
+        press(Qt::Key_Down);
+        QCOMPARE(rows(), QString("54S(1)T(32)"));
+        view.expand(panel.viewIndexOf(1).parent());
+        press(Qt::Key_Up);
+        QCOMPARE(rows(), QString("54S(1T(32))"));
+        bench.editor.undo();
+        bench.editor.undo();
+        QCOMPARE(rows(), QString("54T(32)S(1)"));
+        bench.editor.push(setLocked(bench.editor.document(), {5}, true), "lock");
+        view.setCurrentIndex(panel.viewIndexOf(5));
+        press(Qt::Key_Down);
+        QCOMPARE(rows(), QString("54T(32)S(1)"));
+        QCOMPARE(int(said.count()), 2);
+        panel.search()->setText("Stroke");
+        view.setCurrentIndex(panel.viewIndexOf(4));
+        press(Qt::Key_Down);
+        QCOMPARE(rows(), QString("54T(32)S(1)"));
+        QCOMPARE(int(said.count()), 3);
     }
 };
 

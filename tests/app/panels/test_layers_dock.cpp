@@ -6,6 +6,7 @@
 #include "app/panels/strokes/strokes_view.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/widgets/look/group_tags.h"
+#include "app/widgets/look/theme.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
 #include "undo/group_roles.h"
@@ -15,6 +16,8 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTreeView>
+
+#include <algorithm>
 
 using namespace suffuse;
 
@@ -118,6 +121,35 @@ private slots:
         QVERIFY(isWeak(dock.groupRow()) && !isStrong(dock.groupRow()));
     }
 
+    /// The arrow before a group is seen on the ground of its row, whether that is the layer's, selected or neither.
+    void theArrowOfAGroupIsSeen()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const auto contrast = [&] {
+            bench.editor.laterChanges().flush();
+            const QImage image = dock.view().viewport()->grab().toImage();
+            const QRect row = dock.view().visualRect(dock.groupRow());
+            const int ground = qGray(image.pixel(1, row.top() + 2));
+            int most = 0;
+            for (int x = 0; x < row.left(); ++x)
+                for (int y = row.top() + 2; y < row.bottom() - 1; ++y)
+                    most = std::max(most, std::abs(qGray(image.pixel(x, y)) - ground));
+            return most;
+        };
+        for (const QPalette &palette : {lightPalette(), darkPalette()}) {
+            dock.view().setPalette(palette);
+            for (const bool isLayer : {false, true})
+                for (const std::set<StrokeId> &selected : {std::set<StrokeId>(), {3, 4}})
+                    for (const bool open : {false, true}) {
+                        bench.select(selected);
+                        bench.editor.layer().choose(isLayer ? 1 : 0);
+                        dock.view().setExpanded(dock.groupRow(), open);
+                        QVERIFY2(contrast() > 100, qPrintable(QString::number(contrast())));
+                    }
+        }
+    }
+
     /// Their eyes are dimmed, since they are not seen.
     void othersAreDimmedWhileOneIsShownAlone()
     {
@@ -217,36 +249,6 @@ private slots:
         QVERIFY(dock.groupRow().data(Qt::ToolTipRole).toString().contains(nameOf(GroupTag::Green)));
     }
 
-    void aLayerThatIsToComeIsNamed()
-    {
-        Layered bench;
-        LayersDock dock(bench.editor);
-        bench.editor.layer().beginNew();
-        QCOMPARE(dock.said(), QString("New layer: Layer 1"));
-        const StrokePtr stroke = makeStroke(bench.editor.document().takeStrokeId(), 2, 10);
-        bench.editor.push(bench.editor.layer().take(addStrokes(bench.editor.document(), {stroke}, false)), "paint");
-        QCOMPARE(dock.said(), QString("Painting on: Layer 1"));
-        bench.editor.push(renameGroup(bench.editor.document(), bench.editor.layer().group(), "sea"), "rename");
-        QCOMPARE(dock.said(), QString("Painting on: sea"));
-    }
-
-    void aRowSaysWhatIsUnusualAboutItsGroup()
-    {
-        Layered bench;
-        LayersDock dock(bench.editor);
-        dock.panel.resize(400, 400);
-        QVERIFY(dock.groupRow().data(Qt::ToolTipRole).toString().isEmpty());
-        const GroupCells plain = dock.cells();
-        QVERIFY(!plain.opacity.isEmpty() && !plain.mode.isEmpty() && plain.marks.isEmpty());
-        Edit edit;
-        edit.groups = bench.editor.document().painting()->groups;
-        Group &group = edit.groups->front();
-        group.blend = BlendMode::Multiply;
-        group.clips = group.mask = group.solo = true;
-        group.wash = Wash();
-        bench.editor.push(edit, "all");
-        QCOMPARE(marksOf(group).size(), 4);
-        QCOMPARE(dock.groupRow().data(Qt::ToolTipRole).toString().count('\n'), 4);
     /// Files of earlier versions have such groups. Nothing of them can be selected.
     void aGroupWithoutStrokesIsDeletedByItsMenu()
     {
@@ -277,6 +279,36 @@ private slots:
         QVERIFY(bench.editor.document().painting()->findGroup(9));
     }
 
+    void aLayerThatIsToComeIsNamed()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        bench.editor.layer().beginNew();
+        QCOMPARE(dock.said(), QString("New layer: Layer 1"));
+        const StrokePtr stroke = makeStroke(bench.editor.document().takeStrokeId(), 2, 10);
+        bench.editor.push(bench.editor.layer().take(addStrokes(bench.editor.document(), {stroke}, false)), "paint");
+        QCOMPARE(dock.said(), QString("Painting on: Layer 1"));
+        bench.editor.push(renameGroup(bench.editor.document(), bench.editor.layer().group(), "sea"), "rename");
+        QCOMPARE(dock.said(), QString("Painting on: sea"));
+    }
+
+    void aRowSaysWhatIsUnusualAboutItsGroup()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        dock.panel.resize(400, 400);
+        QVERIFY(dock.groupRow().data(Qt::ToolTipRole).toString().isEmpty());
+        const GroupCells plain = dock.cells();
+        QVERIFY(!plain.opacity.isEmpty() && !plain.mode.isEmpty() && plain.marks.isEmpty());
+        Edit edit;
+        edit.groups = bench.editor.document().painting()->groups;
+        Group &group = edit.groups->front();
+        group.blend = BlendMode::Multiply;
+        group.clips = group.mask = group.solo = true;
+        group.wash = Wash();
+        bench.editor.push(edit, "all");
+        QCOMPARE(marksOf(group).size(), 4);
+        QCOMPARE(dock.groupRow().data(Qt::ToolTipRole).toString().count('\n'), 4);
         const GroupCells all = dock.cells();
         QVERIFY(all.marks.width() >= 4 * 14 && all.marks.right() < all.mode.left());
         QVERIFY(all.mode.right() < all.opacity.left());

@@ -129,8 +129,9 @@ private slots:
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay "
                 "importPicture export "
-                "exportAgain exportDrawing close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
-                "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound "
+                "exportAgain exportDrawing close quit undo redo cut copy paste pasteInPlace copyAppearance "
+                "pasteAppearance "
+                "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound searchStrokes "
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes "
                 "outlinePen lassoFill bucket text "
                 "knife eraser "

@@ -14,8 +14,10 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QStyle>
+#include <QStyleOption>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -177,6 +179,31 @@ private slots:
                 for (int x = 0; x < image.width(); ++x)
                     most = std::max(most, contrast(image.pixelColor(x, y), ground));
             QVERIFY2(most >= 3, qPrintable(QString::number(most)));
+        }
+    }
+
+    /// Where dragged rows go is seen on any row, in both palettes.
+    void thePlaceOfADropIsSeen()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            const QPalette palette = QApplication::palette();
+            for (const auto ground : {QPalette::Base, QPalette::AlternateBase, QPalette::Highlight})
+                for (const int height : {0, 24}) { // between two rows, and on one
+                    QImage image(100, 40, QImage::Format_RGB32);
+                    image.fill(palette.color(ground));
+                    QPainter painter(&image);
+                    QStyleOption option;
+                    option.palette = palette;
+                    option.rect = {0, 8, 100, height};
+                    QApplication::style()->drawPrimitive(QStyle::PE_IndicatorItemViewItemDrop, &option, &painter,
+                                                         nullptr);
+                    painter.end();
+                    double best = 0; // the contrast of what is drawn, across it
+                    for (int y = 0; y < 20; ++y)
+                        best = std::max(best, contrast(image.pixelColor(50, y), palette.color(ground)));
+                    QVERIFY2(best > 3, qPrintable(QString::number(best)));
+                }
         }
     }
 

@@ -419,6 +419,44 @@ private slots:
         QVERIFY(seen("strokesDock"));
     }
 
+    /// Who asks for a dock that is open behind another one wants to see it; who asks for one that is seen closes it.
+    void theMenuBringsDocksToTheFront()
+    {
+        Session s;
+        s.window.resize(1300, 800);
+        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+        auto *front = s.window.findChild<QDockWidget *>("brushesDock");
+        auto *behind = s.window.findChild<QDockWidget *>("strokesDock");
+        s.window.tabifyDockWidget(front, behind);
+        front->raise();
+        QApplication::processEvents();
+        const auto isSeen = [](const QDockWidget *dock) { return !dock->visibleRegion().isEmpty(); };
+        QVERIFY(isSeen(front) && !isSeen(behind) && !behind->isHidden());
+        QAction *entry = behind->toggleViewAction();
+        QVERIFY(entry->isChecked());
+        entry->trigger();
+        QTRY_VERIFY(isSeen(behind));
+        QVERIFY(entry->isChecked() && !behind->isHidden());
+        entry->trigger();
+        QTRY_VERIFY(behind->isHidden());
+        QVERIFY(!entry->isChecked());
+        entry->trigger();
+        QTRY_VERIFY(isSeen(behind));
+        QVERIFY(entry->isChecked());
+    }
+
+    /// Ctrl+F goes to the search of the Strokes dock, wherever that is.
+    void theSearchIsReachedByAKey()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        s.window.findChild<QDockWidget *>("strokesDock")->hide();
+        s.canvas().setFocus();
+        QTest::keyClick(&s.canvas(), Qt::Key_F, Qt::ControlModifier);
+        QTRY_VERIFY(panel->search()->hasFocus() && panel->isVisible());
+    }
+
     /// Whatever was done to docks and tool bars, one command puts them back.
     void resetLayoutPutsAllBack()
     {
