@@ -4427,8 +4427,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Auswählen, was die Suche im Andockfenster „Striche“ gefunden hat</translation>
     </message>
     <message>
-        <source>&amp;Search Strokes</source>
-        <translation>Stri&amp;che suchen</translation>
+        <source>Find Strokes</source>
+        <translation>Striche suchen</translation>
     </message>
     <message>
         <source>Look for strokes and groups by their names, in the Strokes dock</source>
@@ -9152,7 +9152,7 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>&amp;Umbenennen</translation>
     </message>
     <message>
-        <source>Move &amp;Up</source>
+        <source>Mo&amp;ve Up</source>
         <translation>Nach &amp;oben</translation>
     </message>
     <message>

@@ -4407,8 +4407,8 @@ Arrow keys work too.</source>
         <translation>选择“笔画”面板中搜索到的内容</translation>
     </message>
     <message>
-        <source>&amp;Search Strokes</source>
-        <translation>搜索笔画(&amp;W)</translation>
+        <source>Find Strokes</source>
+        <translation>搜索笔画</translation>
     </message>
     <message>
         <source>Look for strokes and groups by their names, in the Strokes dock</source>
@@ -9094,8 +9094,8 @@ Arrow keys work too.</source>
         <translation>重命名(&amp;R)</translation>
     </message>
     <message>
-        <source>Move &amp;Up</source>
-        <translation>上移(&amp;U)</translation>
+        <source>Mo&amp;ve Up</source>
+        <translation>上移(&amp;V)</translation>
     </message>
     <message>
         <source>Move Do&amp;wn</source>

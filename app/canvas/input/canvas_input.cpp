@@ -353,6 +353,10 @@ void CanvasInput::enter(const QPointF &position)
 {
     m_pointerInside = true;
     m_hand.enter(devicePixels(m_canvas, position));
+    // It is as if the pointer came where a menu closes that was opened by a key, elsewhere.
+    const QPoint at = m_canvas.mapToGlobal(position).toPoint();
+    if (const auto left = std::exchange(m_leftAt, std::nullopt); left && (at - *left).manhattanLength() <= 1)
+        return;
     // While the pointer is over the canvas, keys mean the canvas, unless something is being typed.
     const QWidget *focus = QApplication::focusWidget();
     const bool typing = qobject_cast<const QLineEdit *>(focus) || qobject_cast<const QAbstractSpinBox *>(focus);
@@ -363,6 +367,7 @@ void CanvasInput::enter(const QPointF &position)
 void CanvasInput::leave()
 {
     m_pointerInside = false;
+    m_leftAt = QCursor::pos();
     m_hand.leave();
     emit pointerLeft();
 }

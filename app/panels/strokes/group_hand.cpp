@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTreeView>
@@ -79,11 +80,31 @@ void GroupHand::typeOpacity(const QModelIndex &row, const Group &group, const Gr
         else
             emit said(tr("“%1” is no number.").arg(text));
     });
-    connect(field, &QLineEdit::editingFinished, field, &QObject::deleteLater);
+    connect(field, &QLineEdit::editingFinished, this, [this, field] { close(*field); });
+    field->installEventFilter(this);
     connect(m_view.model(), &QAbstractItemModel::layoutChanged, field, &QObject::deleteLater);
     m_view.scrollTo(row);
     field->show();
     field->setFocus(Qt::MouseFocusReason);
+}
+
+/// The list has the keyboard again, unless it has gone elsewhere.
+void GroupHand::close(QWidget &field)
+{
+    if (field.hasFocus())
+        m_view.setFocus(Qt::OtherFocusReason);
+    field.deleteLater();
+}
+
+/// Esc gives up the number that is typed, as it does with a name.
+bool GroupHand::eventFilter(QObject *watched, QEvent *event)
+{
+    auto *field = qobject_cast<EntryField *>(watched);
+    if (!field || event->type() != QEvent::KeyPress || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
+        return QObject::eventFilter(watched, event);
+    field->setModified(false);
+    close(*field);
+    return true;
 }
 
 void GroupHand::giveUp()

@@ -38,11 +38,14 @@ public:
     /// Opens a field for the opacity in the row.
     void typeOpacity(const QModelIndex &row, const Group &group, const GroupCells &cells);
 
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 signals:
     /// Why nothing was done.
     void said(const QString &text);
 
 private:
+    void close(QWidget &field);
     void setOpacity(GroupId group, double opacity, ValueEntry *entry);
 
     Editor &m_editor;

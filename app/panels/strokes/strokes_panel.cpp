@@ -272,14 +272,17 @@ void StrokesPanel::makeMenu(QMenu &menu, const QModelIndex &index)
     if (const Group *group = m_model->groupAt(m_filter->mapToSource(row))) {
         menu.addSeparator();
         m_hand->fillModes(*menu.addMenu(tr("&Mode")), group->id);
-        menu.addAction(tr("O&pacity…"), this, [this, row] {
+        const auto type = [this, row] {
             if (const Group *now = row.isValid() ? m_model->groupAt(m_filter->mapToSource(row)) : nullptr)
                 m_hand->typeOpacity(row, *now, m_view->cellsOf(row));
-        });
+        };
+        // The menu gives the keyboard back first, which the field then takes.
+        menu.addAction(tr("O&pacity…"), this,
+                       [this, type] { QMetaObject::invokeMethod(this, type, Qt::QueuedConnection); });
     }
     menu.addSeparator();
     for (const bool up : {true, false})
-        menu.addAction(withKey(up ? tr("Move &Up") : tr("Move Do&wn"), Qt::ALT | (up ? Qt::Key_Up : Qt::Key_Down)),
+        menu.addAction(withKey(up ? tr("Mo&ve Up") : tr("Move Do&wn"), Qt::ALT | (up ? Qt::Key_Up : Qt::Key_Down)),
                        this, [this, up] { step(up); })
             ->setEnabled(!isSearching());
     makeMnemonicsDistinct(menu);

@@ -244,6 +244,8 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
 {
     qApp->installEventFilter(this);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget *old, QWidget *now) {
+        if (now && now->windowType() == Qt::Popup)
+            return; // A menu comes back to where it was opened.
         // What had the keyboard has gone, with its section for example, and Qt has given it to whatever came next.
         if (old && now && !old->isVisible() && old->window() == &m_window && panelOf(now))
             QTimer::singleShot(0, this, &KeyboardFocus::toCanvas);
@@ -608,7 +610,7 @@ void KeyboardFocus::noteKey(const QWidget *widget, const QKeyEvent &key)
     // The editor may be gone before the panel hears of the key.
     m_endsName = isReturn && (m_endsName || (m_namesByKey && isRowEditor(widget)));
     m_tab = key.key() == Qt::Key_Tab ? 1 : key.key() == Qt::Key_Backtab ? -1 : 0;
-    if (key.key() == Qt::Key_F2)
+    if (!isRowEditor(widget)) // what is typed in one does not tell how it was opened
         m_namesByKey = true;
 }
 

@@ -21,7 +21,7 @@ class PanelFrame;
 /// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose
 /// name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says who has
 /// the keyboard. Tab passes docks by that are hidden behind others, and shows which panel it has come to. A list in
-/// which a name was begun by a key keeps the keyboard when Return ends it.
+/// which a name or a number was begun by a key keeps the keyboard when Return ends it.
 class KeyboardFocus : public QObject {
     Q_OBJECT
 
@@ -81,7 +81,7 @@ private:
     QPointer<QDockWidget> m_front; ///< the dock that stood in front of the one to which the walk has gone
     QPointer<QWidget> m_opened;    ///< the widget that was pressed last, and got no key since
     int m_tab = 0;                 ///< 1 after Tab, −1 after Shift+Tab
-    bool m_namesByKey = false;     ///< F2 was pressed, and no button since
+    bool m_namesByKey = false;     ///< a key was pressed, as F2 in a list, and no button since
     bool m_endsName = false;       ///< the key that is being handled ends a name in a list
     QPointer<QWidget> m_told;      ///< the panel of which the status bar has said that it has the keyboard
 };

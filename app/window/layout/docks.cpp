@@ -282,7 +282,7 @@ void Docks::addSelectingRows()
         .when([this] { return m_strokes->isSearching(); })
         .runs([this] { m_strokes->selectFound(); });
     table
-        .add(SearchStrokes, "searchStrokes", Commands::tr("&Search Strokes"), "",
+        .add(SearchStrokes, "searchStrokes", Commands::tr("Find Strokes"), "",
              QKeySequence::keyBindings(QKeySequence::Find),
              Commands::tr("Look for strokes and groups by their names, in the Strokes dock"))
         .runs([this] {

@@ -92,8 +92,9 @@ void AtPointer::menuByKey()
 {
     QWidget *focus = QApplication::focusWidget();
     if (focus && focus != &m_place.canvas && focus != &m_place.window) {
-        const QPoint middle = focus->rect().center();
-        QContextMenuEvent event(QContextMenuEvent::Keyboard, middle, focus->mapToGlobal(middle));
+        // In a list this is in the middle of the row with the frame.
+        const QPoint at = focus->inputMethodQuery(Qt::ImCursorRectangle).toRect().center();
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, at, focus->mapToGlobal(at));
         QCoreApplication::sendEvent(focus, &event);
         return;
     }

@@ -5,6 +5,7 @@
 #include "app/widgets/numbers/number_field.h"
 #include "app/window/layout/window_layout.h"
 #include "tests/app/window/hands_on_widgets.h"
+#include "undo/group_edits.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -654,6 +655,107 @@ private slots:
 
     /// Delete and undo in the list: the row that comes back is the one from which the arrow keys go on, and the status
     /// bar goes on to say who has the keyboard, not what a drag on the canvas does.
+    /// The canvas takes the keyboard where the pointer comes to it, but not where a menu closes above which it rests.
+    void aMenuThatClosesLeavesTheKeyboard()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        auto *dock = s.window.findChild<QDockWidget *>("strokesDock");
+        dock->show();
+        dock->raise();
+        const auto enter = [&](QPoint at) {
+            const QPoint global = s.canvas().mapToGlobal(at);
+            QCursor::setPos(global);
+            QEnterEvent event(at, at, global);
+            QCoreApplication::sendEvent(&s.canvas(), &event);
+        };
+        const auto leave = [&] {
+            QEvent event(QEvent::Leave);
+            QCoreApplication::sendEvent(&s.canvas(), &event);
+        };
+        enter({100, 100});
+        panel->view()->setFocus();
+        leave(); // as where a menu opens
+        enter({100, 100});
+        QVERIFY(panel->view()->hasFocus());
+        leave();
+        enter({150, 100});
+        QVERIFY(s.canvas().hasFocus());
+    }
+
+    /// The menu of the row with the frame, wherever in the list that is: a group's has mode and opacity.
+    void theMenuOfARowIsReachedByKeys()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        for (double y : {150.0, 200.0, 250.0})
+            s.paintLine({200, y}, {400, y});
+        s.editor().document().setSelection({{1}, {}});
+        s.editor().push(groupSelection(s.editor().document(), "low"), "group");
+        s.editor().document().setSelection({});
+        s.editor().laterChanges().flush();
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        auto *dock = s.window.findChild<QDockWidget *>("strokesDock");
+        dock->show();
+        dock->raise();
+        panel->view()->setFocus();
+        panel->view()->setCurrentIndex(panel->view()->model()->index(2, 0));
+        QApplication::processEvents();
+        const auto inMenu = [&](const std::function<void(QWidget &)> &act) {
+            bool any = false;
+            QTimer::singleShot(0, &s.window, [&] {
+                if (QWidget *menu = QApplication::activePopupWidget()) {
+                    any = true;
+                    act(*menu);
+                }
+                while (QWidget *left = QApplication::activePopupWidget())
+                    left->close();
+            });
+            s.use(Command::CanvasMenu);
+            s.window.activateWindow(); // not every platform goes back from a menu by itself
+            return any && QTest::qWaitForWindowActive(&s.window);
+        };
+        const auto group = [&] { return s.painting().groups.front(); };
+        QVERIFY(inMenu([](QWidget &menu) { QTest::keyClick(&menu, Qt::Key_H); }));
+        QVERIFY(!group().visible);
+        QTest::keyClick(panel->view(), Qt::Key_Down);
+        QTest::keyClick(panel->view(), Qt::Key_F2);
+        auto *name = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+        QVERIFY(name && panel->view()->isAncestorOf(name));
+        QTest::keyClicks(name, "apple");
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(group().name, QString("apple"));
+        QVERIFY(panel->view()->hasFocus());
+        QVERIFY(inMenu([](QWidget &menu) { QTest::keyClick(&menu, Qt::Key_O); }));
+        QVERIFY(group().visible);
+        QVERIFY(inMenu([](QWidget &menu) {
+            QTest::keyClick(&menu, Qt::Key_M);
+            QWidget *modes = QApplication::activePopupWidget();
+            QVERIFY(modes && modes != &menu);
+            QTest::keyClick(modes, Qt::Key_Down);
+            QTest::keyClick(modes, Qt::Key_Return);
+        }));
+        QVERIFY(group().blend != BlendMode::Normal);
+        QVERIFY(panel->view()->hasFocus());
+        QVERIFY(inMenu([](QWidget &menu) { QTest::keyClick(&menu, Qt::Key_P); }));
+        auto *field = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+        QVERIFY(field && panel->view()->isAncestorOf(field));
+        QTest::keyClicks(field, "50");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(group().opacity, 0.5f);
+        QTRY_VERIFY(panel->view()->hasFocus());
+        QVERIFY(inMenu([](QWidget &menu) { QTest::keyClick(&menu, Qt::Key_P); }));
+        QTest::keyClicks(QApplication::focusWidget(), "20");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(panel->view()->hasFocus());
+        QCOMPARE(group().opacity, 0.5f);
+        QTest::keyClick(panel->view(), Qt::Key_Up);
+        QCOMPARE(panel->view()->currentIndex().row(), 1);
+        QTest::keyClick(panel->view(), Qt::Key_Escape);
+        QVERIFY(s.canvas().hasFocus());
+    }
+
     void theListGoesOnFromWhatAnUndoSelects()
     {
         WaveSession s;
