@@ -248,16 +248,16 @@ std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most)
 ColourSummary summaryOf(const ColourParts &parts, bool coloured)
 {
     struct Count {
+        Colour colour;
         std::size_t segments = 0, first = 0;
     };
-    std::map<Colour, Count, ByChannels> counts;
+    std::vector<Count> counts;
     ColourSummary summary;
     std::size_t seen = 0, bounding = 0;
-    auto last = counts.end(); // Neighbours mostly have one colour, which is then not looked up again.
     const auto add = [&](const Colour &colour, std::size_t times) {
-        if (last == counts.end() || last->first != colour)
-            last = counts.emplace(colour, Count{0, seen}).first;
-        last->second.segments += times;
+        if (counts.empty() || counts.back().colour != colour) // Neighbours mostly have one colour.
+            counts.push_back({colour, 0, seen});
+        counts.back().segments += times;
         seen += times;
     };
     for (const ColourPart &part : parts) {
@@ -280,21 +280,30 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
     summary.onlyFills = summary.segments == 0;
     if (summary.onlyFills)
         summary.segments = bounding;
-    const auto rank = [coloured](const auto &entry) {
-        const auto &[colour, count] = entry;
-        return std::tuple(!(coloured && isGrey(colour)), count.segments, std::size_t(-1) - count.first);
+    // Those of one colour become one: a table of many colours would take longer.
+    std::ranges::stable_sort(counts, ByChannels(), &Count::colour);
+    std::size_t kept = 0;
+    for (const Count &count : counts) {
+        if (kept > 0 && counts[kept - 1].colour == count.colour)
+            counts[kept - 1].segments += count.segments;
+        else
+            counts[kept++] = count;
+    }
+    counts.resize(kept);
+    const auto rank = [coloured](const Count &count) {
+        return std::tuple(!(coloured && isGrey(count.colour)), count.segments, std::size_t(-1) - count.first);
     };
     summary.strokes = parts.size();
-    const Colour usual = summary.usual = std::ranges::max_element(counts, {}, rank)->first;
+    const Colour usual = summary.usual = std::ranges::max_element(counts, {}, rank)->colour;
     std::size_t most = 0;
-    for (const auto &[colour, count] : counts) {
+    for (const auto &[colour, segments, first] : counts) {
         const std::array<bool, 4> differ{colour.red != usual.red, colour.yellow != usual.yellow,
                                          colour.blue != usual.blue, colour.opacity != usual.opacity};
         for (std::size_t i = 0; i < differ.size(); ++i)
             summary.differ[i] = summary.differ[i] || differ[i];
-        if (samePaint(colour, usual) || count.segments <= most)
+        if (samePaint(colour, usual) || segments <= most)
             continue;
-        most = count.segments;
+        most = segments;
         summary.other = colour;
         summary.several = true;
     }

@@ -68,7 +68,8 @@ public:
     {
         if (!find(id)) {
             m_next = m_ids.size();
-            m_places[id] = m_next;
+            if (!m_places.empty())
+                m_places[id] = m_next;
             m_ids.push_back(id);
             m_strokes.emplace_back();
         }
@@ -86,6 +87,13 @@ private:
     {
         if (m_next < m_ids.size() && m_ids[m_next] == id)
             return true;
+        // Where blocks went past each other there are few such places, which are found without a table.
+        if (m_searched < mostSearched) {
+            ++m_searched;
+            const auto it = std::ranges::find(m_ids, id);
+            m_next = it == m_ids.end() ? m_next : std::size_t(it - m_ids.begin());
+            return it != m_ids.end();
+        }
         if (m_places.empty())
             for (std::size_t i = 0; i < m_ids.size(); ++i)
                 m_places.emplace(m_ids[i], i);
@@ -98,7 +106,9 @@ private:
 
     std::vector<StrokePtr> m_strokes;
     std::vector<StrokeId> m_ids;
-    std::unordered_map<StrokeId, std::size_t> m_places; ///< made when a stroke is looked up first
+    static constexpr int mostSearched = 8;
+    int m_searched = 0;
+    std::unordered_map<StrokeId, std::size_t> m_places; ///< made when more strokes are looked up
     std::size_t m_next = 0;                             ///< behind the one that was found last
 };
 
@@ -116,21 +126,29 @@ void swapStrokesAndOrder(Painting &painting, Edit &edit)
                                     std::make_reverse_iterator(a), stays)
                           .first.base();
     const auto first = std::size_t(b - before.begin()), last = std::size_t(bEnd - before.begin());
-    const std::vector<StrokePtr> above(strokes.cbegin() + std::ptrdiff_t(last), strokes.cend());
-
     StrokesById there(
         std::vector<StrokePtr>(strokes.cbegin() + std::ptrdiff_t(first), strokes.cbegin() + std::ptrdiff_t(last)));
     for (auto &[id, state] : edit.strokes)
         there.swap(id, state);
-    strokes.resize(first);
-    for (std::size_t i = first; i < after.size() - above.size(); ++i) {
+    const std::size_t end = after.size() - (before.size() - last);
+    const auto taken = [&](std::size_t i) {
         StrokePtr stroke = there.take(after[i]);
         Q_ASSERT_X(stroke, "Document::exchange", "the order names a stroke that is not there, or names it twice");
-        if (stroke)
-            strokes.push_back(std::move(stroke));
+        return stroke;
+    };
+    if (end == last) { // What lies above them stays where it is.
+        for (std::size_t i = first; i < end; ++i)
+            if (StrokePtr stroke = taken(i))
+                strokes[i] = std::move(stroke);
+    } else {
+        const std::vector<StrokePtr> above(strokes.cbegin() + std::ptrdiff_t(last), strokes.cend());
+        strokes.resize(first);
+        for (std::size_t i = first; i < end; ++i)
+            if (StrokePtr stroke = taken(i))
+                strokes.push_back(std::move(stroke));
+        for (const StrokePtr &stroke : above)
+            strokes.push_back(stroke);
     }
-    for (const StrokePtr &stroke : above)
-        strokes.push_back(stroke);
     Q_ASSERT_X(there.isEmpty(), "Document::exchange", "the order leaves out a stroke");
     edit.order.reset();
     edit.places = orderDifference(after, before);

@@ -12,9 +12,27 @@ namespace {
 using Ids = std::span<const StrokeId>;
 constexpr std::size_t none = ~std::size_t(0);
 
+/// Where only one block went past another: how many of `after` stood behind the others in `before`; else 0.
+std::size_t blockMoved(Ids before, Ids after)
+{
+    if (before.empty() || before.size() != after.size())
+        return 0;
+    const auto middle = std::ranges::find(before, after.front());
+    const auto size = std::size_t(before.end() - middle);
+    const bool is = std::equal(middle, before.end(), after.begin()) &&
+                    std::equal(before.begin(), middle, after.begin() + std::ptrdiff_t(size));
+    return is ? size : 0;
+}
+
 /// Which elements of `after` belong to a longest sequence that rises in `before` (patience sorting).
 std::vector<bool> staying(Ids before, Ids after)
 {
+    if (const std::size_t size = blockMoved(before, after); size > 0) {
+        const bool isShorter = 2 * size < after.size();
+        std::vector<bool> stays(after.size(), isShorter);
+        std::fill_n(stays.begin(), size, !isShorter);
+        return stays;
+    }
     std::unordered_map<StrokeId, std::size_t> old;
     old.reserve(before.size());
     for (std::size_t i = 0; i < before.size(); ++i)

@@ -84,8 +84,8 @@ struct Stage {
     void follow()
     {
         editor().laterChanges().flush();
-        QCoreApplication::sendPostedEvents();
-        view().viewport()->repaint();
+        view().viewport()->update();
+        QCoreApplication::sendPostedEvents(); // they are painted once
     }
     void settle()
     {

@@ -3,6 +3,8 @@
 #include <QDataStream>
 #include <QIODevice>
 
+#include <unordered_set>
+
 namespace suffuse {
 
 namespace {
@@ -13,8 +15,9 @@ quint64 numberOf(const void *source)
 }
 
 /// The order of all strokes when some are put in their new place.
-std::vector<StrokeId> orderWith(const Painting &painting, const std::set<StrokeId> &strokes, StrokeId before)
+std::vector<StrokeId> orderWith(const Painting &painting, const std::set<StrokeId> &some, StrokeId before)
 {
+    const std::unordered_set<StrokeId> strokes(some.begin(), some.end()); // All others are looked for in it.
     std::vector<StrokeId> order, moved;
     order.reserve(painting.strokes.size());
     std::optional<std::size_t> place;
@@ -69,9 +72,6 @@ DraggedRows DraggedRows::movable(const StrokesTree &tree) const
     return result;
 }
 
-DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<StrokeId> &moved)
-{
-    const StrokesTree::Node *target = &onto;
 namespace {
 
 /// The lowest stroke of a node, in the order of painting, that stays where it is; 0: none.
@@ -87,6 +87,9 @@ StrokeId lowestStaying(const StrokesTree::Node &node, const std::set<StrokeId> &
 
 } // namespace
 
+DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<StrokeId> &moved)
+{
+    const StrokesTree::Node *target = &onto;
     if (target->stroke) { // What is dropped onto a stroke goes just above it.
         row = target->row;
         target = target->parent;
