@@ -7601,6 +7601,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>%1 is out of range: more than 0 and up to %2 is possible.</source>
         <translation>%1 liegt außerhalb des Bereichs: Möglich ist mehr als 0 und bis %2.</translation>
     </message>
+    <message>
+        <source>%1 is the most that is possible.</source>
+        <translation>Mehr als %1 ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>%1 is the least that is possible.</source>
+        <translation>Weniger als %1 ist nicht möglich.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>

@@ -7548,6 +7548,14 @@ Arrow keys work too.</source>
         <source>%1 is out of range: more than 0 and up to %2 is possible.</source>
         <translation>%1 超出范围：允许大于 0 且不超过 %2。</translation>
     </message>
+    <message>
+        <source>%1 is the most that is possible.</source>
+        <translation>最大为 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is the least that is possible.</source>
+        <translation>最小为 %1。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>

@@ -217,11 +217,11 @@ void TimelinePointer::retimeTo(QPointF at, const TimelineAxes &axes)
     m_viewport.update();
 }
 
-void TimelinePointer::endRetiming()
+void TimelinePointer::endRetiming(bool isKept)
 {
     m_retiming->commit();
     forget();
-    emit retimingEnded();
+    emit retimingEnded(isKept);
     emit dragged({});
 }
 
@@ -235,7 +235,7 @@ void TimelinePointer::giveUp()
 {
     if (m_retiming) {
         m_retiming->giveUp();
-        endRetiming();
+        endRetiming(false);
     } else if (m_drag == Drag::Band) {
         m_editor.document().setSelection(m_selectionBefore);
     } else if (m_drag == Drag::Scrub) {
@@ -250,7 +250,7 @@ bool TimelinePointer::release(const QMouseEvent &event)
     if (event.button() != (m_drag == Drag::Pan ? Qt::MiddleButton : Qt::LeftButton))
         return false;
     if (m_retiming)
-        endRetiming();
+        endRetiming(true);
     m_drag = Drag::None;
     m_viewport.update();
     return true;

@@ -57,7 +57,7 @@ signals:
     /// The view is to be scrolled by so many logical pixels.
     void panned(QPointF by);
     /// Retiming is over, so lanes may change.
-    void retimingEnded();
+    void retimingEnded(bool isKept);
 
 private:
     enum class Part { None, Ruler, Body, Begin, End };
@@ -75,7 +75,7 @@ private:
     void scrubTo(double x, const TimelineAxes &axes);
     void beginRetiming(const TimelineAxes &axes);
     void retimeTo(QPointF at, const TimelineAxes &axes);
-    void endRetiming();
+    void endRetiming(bool isKept);
 
     Editor &m_editor;
     Playback &m_playback;

@@ -53,10 +53,11 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     });
     connect(&m_pointer, &TimelinePointer::dragged, this, &TimelineView::dragged);
     connect(&m_pointer, &TimelinePointer::panned, this, &TimelineView::pan);
-    connect(&m_pointer, &TimelinePointer::retimingEnded, this, [this] {
+    connect(&m_pointer, &TimelinePointer::retimingEnded, this, [this](bool isKept) {
         m_stale = true;
         refresh();
-        revealSelected();
+        if (isKept) // else the bars are where they were, and so is the view
+            revealSelected();
     });
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelineView::timeChanged);
     connect(&editor.clock(), &PaintingClock::pastChanged, viewport(), qOverload<>(&QWidget::update));

@@ -152,7 +152,8 @@ void NumberField::stepBy(double steps)
     const double next = byFactors ? *m_value * std::pow(1.1, *m_value > 0 ? up : -up) : *m_value + up * step;
     const double value = std::clamp(next, m_minimum, m_maximum);
     if (value == *m_value)
-        return;
+        return complain((steps > 0 ? tr("%1 is the most that is possible.") : tr("%1 is the least that is possible."))
+                            .arg(inWords(value)));
     m_value = value;
     show(value);
     complain({});

@@ -87,6 +87,29 @@ private slots:
         QCOMPARE(segment.wetness, 0.6f);
         QVERIFY(!refused.isEmpty() && !refused.last().first().toString().isEmpty());
     }
+
+    /// A step beyond the end says what the end is, and one back is taken.
+    void aStepBeyondTheEndSaysSo()
+    {
+        NumberField field;
+        field.setRange(0, 1);
+        field.setStep(0.5);
+        field.setValue(0.75);
+        QSignalSpy refused(&field, &NumberField::refused), stepped(&field, &NumberField::stepped);
+        const auto said = [&] { return refused.isEmpty() ? QString() : refused.last().first().toString(); };
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.value(), std::optional(1.0));
+        QCOMPARE(said(), QString());
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(int(stepped.size()), 1);
+        QVERIFY(said().startsWith("1 ") && said().contains("most"));
+        for (int i = 0; i < 2; ++i) {
+            QTest::keyClick(&field, Qt::Key_Down);
+            QCOMPARE(said(), QString());
+        }
+        QTest::keyClick(&field, Qt::Key_Down);
+        QVERIFY(said().startsWith("0 ") && said().contains("least"));
+    }
 };
 
 QTEST_MAIN(TestNumberRows)

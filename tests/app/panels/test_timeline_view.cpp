@@ -244,6 +244,39 @@ private slots:
         QVERIFY(isSeen());
     }
 
+    /// Where the drag of a bar that is seen in part is given up, the view stays where it was.
+    void aDragThatIsGivenUpScrollsNothing()
+    {
+        StrokeList strokes;
+        for (int i = 0; i < 14; ++i)
+            strokes.push_back(drawnAt(StrokeId(1 + i), second, {200, 200.0 + 10 * i}, {600, 200.0 + 10 * i}));
+        Timed s(strokes);
+        QScrollBar &bar = *s.view().verticalScrollBar();
+        QVERIFY(bar.maximum() > 40);
+        bar.setValue(20);
+        const int height = s.view().viewport()->height();
+        const auto isCut = [&](const StrokePtr &stroke) {
+            const QRectF rect = s.view().drawnRect(stroke->id);
+            return rect.top() + 3 < height && rect.bottom() > height;
+        };
+        StrokeId id = 0; // of the bar across the lower edge
+        for (int value = 20; value < 40 && id == 0; ++value) {
+            bar.setValue(value);
+            for (const StrokePtr &stroke : s.painting().strokes)
+                id = isCut(stroke) ? stroke->id : id;
+        }
+        QVERIFY(id != 0);
+        const int before = bar.value();
+        const QPoint at(s.middleOf(id).x(), int(s.view().drawnRect(id).top()) + 2);
+        s.press(at);
+        s.moveTo(at + QPoint(20, 0));
+        s.moveTo(at + QPoint(40, 0));
+        QTest::keyClick(&s.view(), Qt::Key_Escape);
+        s.release(at + QPoint(40, 0));
+        QCOMPARE(s.steps(), 0);
+        QCOMPARE(bar.value(), before);
+    }
+
     void draggedEndsStretch()
     {
         Timed s;
