@@ -574,6 +574,37 @@ private slots:
         QCOMPARE(s.window.statusBar()->currentMessage(), QString());
     }
 
+    /// While a list that drops down is closed, a letter may have been meant for the canvas. Once it is open, it
+    /// chooses.
+    void lettersChooseInAnOpenList()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.paintLine({200, 150}, {400, 150});
+        s.use(Command::SelectAll);
+        s.editor().push(groupSelection(s.editor().document(), "group"), "group");
+        auto *dock = s.window.findChild<QDockWidget *>("inspectorDock");
+        dock->show();
+        dock->raise();
+        s.editor().laterChanges().flush();
+        QApplication::processEvents();
+        QComboBox *modes = nullptr;
+        for (QComboBox *combo : dock->findChildren<QComboBox *>())
+            if (combo->findText("Multiply") >= 0 && combo->isVisible())
+                modes = combo;
+        QVERIFY(modes);
+        const auto mode = [&] { return s.painting().groups.front().blend; };
+        modes->setFocus();
+        QTest::keyClick(modes, 'm');
+        QCOMPARE(mode(), BlendMode::Normal);
+        QVERIFY(!s.window.statusBar()->currentMessage().isEmpty());
+        QTest::keyClick(modes, Qt::Key_Space);
+        QTRY_VERIFY(modes->view()->isVisible());
+        QTest::keyClick(modes->view(), 'm');
+        QTest::keyClick(modes->view(), Qt::Key_Return);
+        QTRY_COMPARE(mode(), BlendMode::Multiply);
+    }
+
     void returnTakesTheToolOfItsButton()
     {
         WaveSession s;
