@@ -21,11 +21,13 @@ template <class Level>
 class LevelStack {
 public:
     static constexpr int most = std::numeric_limits<Level>::max();
+    static constexpr double driftUnits = 64; ///< parts of a level
     /// Where a group's layer is further from the picture, in levels, it is baked: 1/255, and 1/8192 in 16 bits.
     static constexpr double farOff = sizeof(Level) == 1 ? 1.5 : 8;
 
     LevelStack(int width, int height)
-        : m_width(width), m_height(height), m_composite(pixels() * 3), m_exact(pixels() * 3), m_layer(pixels() * 4)
+        : m_width(width), m_height(height), m_composite(pixels() * 3), m_drift(pixels() * 3), m_exact(pixels() * 3),
+          m_layer(pixels() * 4)
     {}
 
     /// Begins a layer: what is stored from now on is the picture with it.
@@ -40,11 +42,11 @@ public:
     void paint(const PixelRect &rect, const float *rgba, int stride)
     {
         forEach(rect, rgba, stride, [&](std::size_t at, int x, int y, const float *to) {
-            Level *layer = &m_layer[at * 4], *below = &m_composite[at * 3], *exact = &m_exact[at * 3];
-            if (cover(to, below, layer))
-                touch(x, y);
+            Level *exact = &m_exact[at * 3];
             for (int c = 0; c < 3; ++c)
                 exact[c] = toLevel(to[c]);
+            if (cover(at))
+                touch(x, y);
         });
     }
     /// Takes pixels of the picture with a layer of a group, whose own pixels are there.
@@ -76,17 +78,17 @@ public:
     {
         LayerPut how{mode, opacity, true, {1, 1, 1}};
         std::vector<Level> before;
+        std::vector<std::int8_t> drift;
         bool near = true;
         const PixelRect r = touched();
         for (int y = r.y; y < r.y + r.height; ++y)
             for (int x = r.x; x < r.x + r.width; ++x) {
                 const std::size_t at = place(x, y);
-                Level *layer = &m_layer[at * 4];
-                if (layer[3] == 0)
+                if (m_layer[at * 4 + 3] == 0)
                     continue;
-                Level *below = &m_composite[at * 3];
-                before.insert(before.end(), below, below + 3);
-                near = near && fit(how, layer, below, &m_exact[at * 3]);
+                before.insert(before.end(), &m_composite[at * 3], &m_composite[at * 3] + 3);
+                drift.insert(drift.end(), &m_drift[at * 3], &m_drift[at * 3] + 3);
+                near = near && fit(how, at);
             }
         if (near)
             return true;
@@ -94,7 +96,8 @@ public:
         for (int y = r.y; y < r.y + r.height; ++y)
             for (int x = r.x; x < r.x + r.width; ++x)
                 if (const std::size_t at = place(x, y); m_layer[at * 4 + 3] != 0 && i < before.size())
-                    std::copy_n(&before[i], 3, &m_composite[at * 3]), i += 3;
+                    std::copy_n(&before[i], 3, &m_composite[at * 3]), std::copy_n(&drift[i], 3, &m_drift[at * 3]),
+                        i += 3;
         return false;
     }
     /// Makes the layer of a group one of Paint.
@@ -102,13 +105,8 @@ public:
     {
         const PixelRect r = touched();
         for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x) {
-                const std::size_t at = place(x, y);
-                float to[3];
-                for (int c = 0; c < 3; ++c)
-                    to[c] = float(m_exact[at * 3 + std::size_t(c)]) / most;
-                cover(to, &m_composite[at * 3], &m_layer[at * 4]);
-            }
+            for (int x = r.x; x < r.x + r.width; ++x)
+                cover(place(x, y));
     }
 
     LevelPixels layer() const
@@ -132,7 +130,8 @@ public:
     {
         int greatest = 0;
         for (std::size_t i = 0; i < m_exact.size(); ++i)
-            greatest = std::max(greatest, std::abs(int(m_exact[i]) - int(m_composite[i])));
+            for (const double made : {double(m_composite[i]), smooth(i)})
+                greatest = std::max(greatest, std::abs(int(m_exact[i]) - int(std::lround(made))));
         return double(greatest) / most;
     }
 
@@ -177,80 +176,107 @@ private:
                      rgba + (std::size_t(y) * std::size_t(stride) + std::size_t(x)) * 4);
     }
 
-    /// Finds what makes the levels nearest to `to` of `below` by source-over, and does that. Since whole levels are
-    /// aimed at, it hardly matters whether a program rounds after each layer. Returns false if nothing is to be done.
-    bool cover(const float *to, Level *below, Level *layer) const
+    /// What programs that round nothing between the layers have in a channel, levels.
+    double smooth(std::size_t i) const { return double(m_composite[i]) + double(m_drift[i]) / driftUnits; }
+    void setBelow(std::size_t i, double rounded, double smooth)
     {
-        double a = m_bare ? most : 0;
-        int difference[3];
-        for (int c = 0; c < 3; ++c) {
-            const int base = m_bare ? 0 : below[c];
-            difference[c] = toLevel(to[c]) - base;
-            if (difference[c] > 0)
-                a = std::max(a, double(difference[c]) / (most - base) * most);
-            else if (difference[c] < 0)
-                a = std::max(a, double(-difference[c]) / base * most);
+        m_composite[i] = Level(std::lround(std::clamp(rounded, 0.0, double(most))));
+        m_drift[i] =
+            std::int8_t(std::lround(std::clamp((smooth - double(m_composite[i])) * driftUnits, -127.0, 127.0)));
+    }
+
+    /// Finds what makes the picture's levels of what lies below by source-over, and does that. Programs that round
+    /// after each layer get exactly them. What the others have is within the same levels as far as the layer's colour
+    /// has room for it, so that their errors do not add up. Returns false if nothing is to be done.
+    bool cover(std::size_t at)
+    {
+        const std::size_t first = at * 3;
+        Level *layer = &m_layer[at * 4];
+        double a = m_bare ? most : 0, base[3], rough[3], to[3];
+        bool differs = m_bare;
+        for (std::size_t c = 0; c < 3; ++c) {
+            base[c] = m_bare ? 0 : double(m_composite[first + c]), rough[c] = m_bare ? 0 : smooth(first + c);
+            to[c] = double(m_exact[first + c]);
+            differs = differs || to[c] != base[c];
+            const double close = std::clamp(rough[c], to[c] - 0.5, to[c] + 0.5);
+            a = std::max({a, leastOpacity(base[c], to[c]), leastOpacity(rough[c], close)});
         }
-        if (a == 0) {
+        if (!differs) {
             std::fill_n(layer, 4, Level(0));
             return false;
         }
         const double alpha = std::clamp(std::ceil(a - 1e-9), 1.0, double(most));
         layer[3] = Level(alpha);
-        for (int c = 0; c < 3; ++c) {
-            const double base = m_bare ? 0 : below[c];
-            layer[c] = Level(std::lround(std::clamp(base + double(difference[c]) * most / alpha, 0.0, double(most))));
-            below[c] = Level(std::lround((layer[c] * alpha + base * (most - alpha)) / most));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double rounded = base[c] + (to[c] - base[c]) * most / alpha, room = 0.49 * most / alpha;
+            const double wanted = rough[c] + (to[c] - rough[c]) * most / alpha;
+            const double colour = std::clamp(wanted, rounded - room, rounded + room);
+            layer[c] = Level(std::lround(std::clamp(colour, 0.0, double(most))));
+            const auto over = [&](double below) { return (layer[c] * alpha + below * (most - alpha)) / most; };
+            setBelow(first + c, over(base[c]), over(rough[c]));
         }
         return true;
     }
 
-    static void blend(const LayerPut &how, const Level *layer, const Level *below, float *out)
+    /// The least opacity, in levels, of a colour that makes one value of another by source-over.
+    static double leastOpacity(double from, double to)
+    {
+        return to > from ? (to - from) / (most - from) * most : to < from ? (from - to) / from * most : 0;
+    }
+
+    static void blend(const LayerPut &how, const Level *layer, const double *below, double *out)
     {
         constexpr float scale = 1.0f / float(most);
+        const auto unit = [](double level) { return float(std::clamp(level, 0.0, double(most))) * scale; };
         const math::Triple<float> colour{float(layer[0]) * scale, float(layer[1]) * scale, float(layer[2]) * scale};
-        const math::RgbPixel<float> ground{{float(below[0]) * scale, float(below[1]) * scale, float(below[2]) * scale},
-                                           1};
+        const math::RgbPixel<float> ground{{unit(below[0]), unit(below[1]), unit(below[2])}, 1};
         const auto put = math::putStraight(how, float(layer[3]) * scale * how.opacity, colour, ground);
-        std::copy_n(put.rgb, 3, out);
+        std::transform(put.rgb, put.rgb + 3, out, [](float value) { return double(value) * most; });
     }
 
     /// Puts one pixel, and moves the layer's levels a little where that helps. Returns false if it is still far off.
-    static bool fit(const LayerPut &how, Level *layer, Level *below, const Level *exact)
+    bool fit(const LayerPut &how, std::size_t at)
     {
-        float put[3];
-        blend(how, layer, below, put);
+        Level *layer = &m_layer[at * 4];
+        const std::size_t first = at * 3;
+        double below[3], rough[3], put[3], roughPut[3];
+        for (std::size_t c = 0; c < 3; ++c)
+            below[c] = double(m_composite[first + c]), rough[c] = smooth(first + c);
+        const auto blendBoth = [&] { blend(how, layer, below, put), blend(how, layer, rough, roughPut); };
+        blendBoth();
         bool near = true;
-        for (int c = 0; c < 3; ++c) {
-            const auto error = [&] { return std::abs(double(put[c]) * most - double(exact[c])); };
-            const Level first = layer[c];
-            Level best = first;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double exact = double(m_exact[first + c]);
+            const auto error = [&] { return std::max(std::abs(put[c] - exact), std::abs(roughPut[c] - exact)); };
+            const Level start = layer[c];
+            Level best = start;
             double least = error();
             for (int step = 1; step <= 3 && least > 0.5; ++step)
                 for (int sign : {-1, 1}) {
-                    const int moved = int(first) + sign * step;
+                    const int moved = int(start) + sign * step;
                     if (moved < 0 || moved > most)
                         continue;
                     layer[c] = Level(moved);
-                    blend(how, layer, below, put);
+                    blendBoth();
                     if (error() < least)
                         least = error(), best = layer[c];
                 }
             layer[c] = best;
             near = near && least < farOff;
         }
-        blend(how, layer, below, put);
-        for (int c = 0; c < 3; ++c)
-            below[c] = toLevel(put[c]);
+        blendBoth();
+        for (std::size_t c = 0; c < 3; ++c)
+            setBelow(first + c, put[c], roughPut[c]);
         return near;
     }
 
     int m_width, m_height;
-    Pixels<Level> m_composite; ///< what the layers so far make, RGB
-    Pixels<Level> m_exact;     ///< the picture, RGB
-    Pixels<Level> m_layer;     ///< the layer in hand, straight RGBA
-    bool m_bare = false;       ///< whether it is the lowest one, which is opaque
-    std::vector<Span> m_rows;  ///< what of it is covered
+    Pixels<Level> m_composite;   ///< what the layers so far make where each result is rounded, RGB
+    Pixels<std::int8_t> m_drift; ///< what they make where none is, less that: in parts of a level
+    Pixels<Level> m_exact;       ///< the picture, RGB
+    Pixels<Level> m_layer;       ///< the layer in hand, straight RGBA
+    bool m_bare = false;         ///< whether it is the lowest one, which is opaque
+    std::vector<Span> m_rows;    ///< what of it is covered
 };
 
 /// Hands pixels on to a stack.
@@ -309,6 +335,8 @@ private:
         m_stack.begin(bare);
         PlannedLayer layer = planned;
         layer.upTo = layer.alone = nullptr;
+        if (m_request.wholeOpacities)
+            layer.opacity = std::round(layer.opacity * 255) / 255;
         if (planned.alone)
             if (Result<void> drawn = render(m_groups, planned.alone, m_own); !drawn)
                 return drawn;

@@ -41,6 +41,8 @@ struct LayeredRequest {
     Microseconds time = 0;
     View view;
     int bits = 8; ///< of a channel: 8 or 16
+    /// Whether opacities of layers become whole 255ths. What that changes of the picture is mended in the pixels.
+    bool wholeOpacities = false;
     const std::atomic<bool> *cancel = nullptr;
     std::function<void(std::size_t done, std::size_t layers)> progress; ///< called after each layer
 };
