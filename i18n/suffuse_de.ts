@@ -906,8 +906,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>-o %1: Wiederhergestellt wird ein Gemälde: bitte einen Namen mit der Endung .suffuse oder .json angeben. suffuse-cli render zeichnet es dann</translation>
     </message>
     <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its layers; -: standard output.</source>
-        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm; .ora: seine Ebenen; -: Standardausgabe.</translation>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora or .psd: its layers; -: standard output.</source>
+        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm; .ora oder .psd: seine Ebenen; -: Standardausgabe.</translation>
     </message>
     <message>
         <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
@@ -5665,8 +5665,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers.</source>
-        <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm, oder ora mit Ebenen.</translation>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora or psd with layers.</source>
+        <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm, oder ora oder psd mit Ebenen.</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -5775,6 +5775,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Pictures are written here. File ▸ Export Drawing writes SVG.</source>
         <translation>Hier entstehen Bilder. SVG schreibt Datei ▸ Zeichnung exportieren.</translation>
+    </message>
+    <message>
+        <source>Photoshop (layers)</source>
+        <translation>Photoshop (Ebenen)</translation>
     </message>
     <message>
         <source>OpenRaster (layers)</source>
@@ -5952,12 +5956,12 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::FileOpening</name>
     <message>
-        <source>OpenRaster pictures with layers (*.ora)</source>
-        <translation>OpenRaster-Bilder mit Ebenen (*.ora)</translation>
+        <source>Pictures with layers (*.ora *.psd)</source>
+        <translation>Bilder mit Ebenen (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6105,6 +6109,47 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::Files</name>
+    <message numerus="yes">
+        <source>%n adjustment or fill layer(s)</source>
+        <translation>
+            <numerusform>%n Einstellungs- oder Füllebene</numerusform>
+            <numerusform>%n Einstellungs- oder Füllebenen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the effects of %n layer(s)</source>
+        <translation>
+            <numerusform>die Effekte von %n Ebene</numerusform>
+            <numerusform>die Effekte von %n Ebenen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mask(s) of %n group(s)</source>
+        <translation>
+            <numerusform>die Maske von %n Gruppe</numerusform>
+            <numerusform>die Masken von %n Gruppen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This Photoshop file is damaged.</source>
+        <translation>Diese Photoshop-Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Photoshop picture</source>
+        <translation>Photoshop-Bild</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Photoshop files over 30,000 pixels a side (PSB) are not read. Save it as PSD.</source>
+        <translation>Photoshop-Dateien mit über 30.000 Pixeln je Seite (PSB) werden nicht gelesen. Speichern Sie sie als PSD.</translation>
+    </message>
+    <message>
+        <source>Only Photoshop files in RGB or grey of 8 or 16 bits are read. Convert it to RGB.</source>
+        <translation>Nur Photoshop-Dateien in RGB oder Grau mit 8 oder 16 Bit werden gelesen. Wandeln Sie sie in RGB um.</translation>
+    </message>
     <message numerus="yes">
         <source>%n layer(s) whose picture is missing, damaged or too large</source>
         <translation>
@@ -10777,6 +10822,14 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>LayeredFile</name>
+    <message>
+        <source>%1: Photoshop files have at most 2 GB. Choose a smaller size, or OpenRaster.</source>
+        <translation>%1: Photoshop-Dateien haben höchstens 2 GB. Wählen Sie eine kleinere Größe oder OpenRaster.</translation>
+    </message>
+    <message>
+        <source>%1: Photoshop files have at most %2 pixels a side. Choose a smaller size, or OpenRaster.</source>
+        <translation>%1: Photoshop-Dateien haben höchstens %2 Pixel je Seite. Wählen Sie eine kleinere Größe oder OpenRaster.</translation>
+    </message>
     <message>
         <source>Background</source>
         <translation>Hintergrund</translation>

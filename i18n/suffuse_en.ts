@@ -168,6 +168,27 @@
 <context>
     <name>suffuse::Files</name>
     <message numerus="yes">
+        <source>%n adjustment or fill layer(s)</source>
+        <translation>
+            <numerusform>%n adjustment or fill layer</numerusform>
+            <numerusform>%n adjustment or fill layers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the effects of %n layer(s)</source>
+        <translation>
+            <numerusform>the effects of %n layer</numerusform>
+            <numerusform>the effects of %n layers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mask(s) of %n group(s)</source>
+        <translation>
+            <numerusform>the mask of %n group</numerusform>
+            <numerusform>the masks of %n groups</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n layer(s) whose picture is missing, damaged or too large</source>
         <translation>
             <numerusform>%n layer whose picture is missing, damaged or too large</numerusform>

@@ -900,8 +900,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>-o %1：恢复的是一幅画作：请给出以 .suffuse 或 .json 结尾的名称，然后用 suffuse-cli render 绘制</translation>
     </message>
     <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its layers; -: standard output.</source>
-        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm；.ora：其图层；-：标准输出。</translation>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora or .psd: its layers; -: standard output.</source>
+        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm；.ora 或 .psd：其图层；-：标准输出。</translation>
     </message>
     <message>
         <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
@@ -5644,8 +5644,8 @@ Arrow keys work too.</source>
         <translation>文件</translation>
     </message>
     <message>
-        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers.</source>
-        <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm，或带图层的 ora。</translation>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora or psd with layers.</source>
+        <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm，或带图层的 ora 或 psd。</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -5754,6 +5754,10 @@ Arrow keys work too.</source>
     <message>
         <source>Pictures are written here. File ▸ Export Drawing writes SVG.</source>
         <translation>此处导出图片。SVG 由“文件 ▸ 导出图形”写入。</translation>
+    </message>
+    <message>
+        <source>Photoshop (layers)</source>
+        <translation>Photoshop（图层）</translation>
     </message>
     <message>
         <source>OpenRaster (layers)</source>
@@ -5931,12 +5935,12 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::FileOpening</name>
     <message>
-        <source>OpenRaster pictures with layers (*.ora)</source>
-        <translation>带图层的 OpenRaster 图片 (*.ora)</translation>
+        <source>Pictures with layers (*.ora *.psd)</source>
+        <translation>带图层的图片 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6084,6 +6088,44 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::Files</name>
+    <message numerus="yes">
+        <source>%n adjustment or fill layer(s)</source>
+        <translation>
+            <numerusform>%n 个调整或填充图层</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the effects of %n layer(s)</source>
+        <translation>
+            <numerusform>%n 个图层的效果</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the mask(s) of %n group(s)</source>
+        <translation>
+            <numerusform>%n 个组的蒙版</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This Photoshop file is damaged.</source>
+        <translation>此 Photoshop 文件已损坏。</translation>
+    </message>
+    <message>
+        <source>Photoshop picture</source>
+        <translation>Photoshop 图片</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Photoshop files over 30,000 pixels a side (PSB) are not read. Save it as PSD.</source>
+        <translation>不读取每边超过 30,000 像素的 Photoshop 文件 (PSB)。请另存为 PSD。</translation>
+    </message>
+    <message>
+        <source>Only Photoshop files in RGB or grey of 8 or 16 bits are read. Convert it to RGB.</source>
+        <translation>只读取 8 位或 16 位的 RGB 或灰度 Photoshop 文件。请将其转换为 RGB。</translation>
+    </message>
     <message numerus="yes">
         <source>%n layer(s) whose picture is missing, damaged or too large</source>
         <translation>
@@ -10716,6 +10758,14 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>LayeredFile</name>
+    <message>
+        <source>%1: Photoshop files have at most 2 GB. Choose a smaller size, or OpenRaster.</source>
+        <translation>%1：Photoshop 文件最大为 2 GB。请选择较小的尺寸，或使用 OpenRaster。</translation>
+    </message>
+    <message>
+        <source>%1: Photoshop files have at most %2 pixels a side. Choose a smaller size, or OpenRaster.</source>
+        <translation>%1：Photoshop 文件每边最多 %2 像素。请选择较小的尺寸，或使用 OpenRaster。</translation>
+    </message>
     <message>
         <source>Background</source>
         <translation>背景</translation>

@@ -51,6 +51,8 @@ const char *idOf(FileFormat format)
         return "svg";
     case FileFormat::OpenRaster:
         return "openraster";
+    case FileFormat::Photoshop:
+        return "photoshop";
     case FileFormat::Unknown:
         break;
     }

@@ -2,7 +2,7 @@
 #include "app/cli/progress.h"
 #include "render/backends.h"
 #include "render/image_io/image_io.h"
-#include "render/layered/ora_file.h"
+#include "render/layered/layered_file.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -20,8 +20,8 @@ namespace {
 void addOptions(CommandLine &line)
 {
     line.add({"o", "output"},
-             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora: its "
-                                                "layers; -: standard output."),
+             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora or .psd: "
+                                                "its layers; -: standard output."),
              "OUT");
     line.add({"format"},
              QCoreApplication::translate("Cli", "With -o -: png, tiff, exr, jpg, webp or pfm (default: png)."),
@@ -265,7 +265,7 @@ int renderLayers(const CommandLine &line, RendererOptions options)
     if (!renderer || !groups)
         return fail(renderer ? groups.error() : renderer.error());
     try {
-        const Result<LayeredStats> written = writeOpenRaster(out, request, **renderer, **groups);
+        const Result<LayeredStats> written = writeLayered(out, request, **renderer, **groups);
         if (!written)
             return fail(written.error());
         if (written->baked > 0)
@@ -293,7 +293,7 @@ int renderCommand(const QStringList &arguments)
         return *code;
     if (line.value("output").isEmpty())
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
-    if (isOpenRaster(line.value("output"))) {
+    if (layeredFormatFor(line.value("output")) != LayeredFormat::None) {
         const Result<RendererOptions> renderer = rendererOptions(line);
         return renderer ? renderLayers(line, *renderer) : failUsage("render", renderer.error());
     }

@@ -7,6 +7,7 @@
 #include "model/formats/ora/ora_layers.h"
 #include "model/formats/ora/ora_parts.h"
 #include "model/formats/picture_links.h"
+#include "model/formats/psd/psd_layers.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg/svg_embedding.h"
 #include "model/formats/svg/svg_painting.h"
@@ -201,6 +202,8 @@ FileFormat detectFormat(const QByteArray &bytes)
         return FileFormat::OpenRaster;
     if (isGzip(bytes)) // Of what is packed, only drawings are read.
         return packedFormat(bytes) == FileFormat::Svg ? FileFormat::Svg : FileFormat::Unknown;
+    if (psd::isPsd(bytes))
+        return FileFormat::Photoshop;
     const FileFormat format = formatOfText(bytes);
     // Whatever has happened to the start of a document, its whole parts are to be found.
     return format == FileFormat::Unknown && hasAnyChunk(bytes) ? FileFormat::Suffuse : format;
@@ -235,6 +238,8 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("SVG drawing");
     case FileFormat::OpenRaster:
         return FileMessages::tr("OpenRaster picture");
+    case FileFormat::Photoshop:
+        return FileMessages::tr("Photoshop picture");
     case FileFormat::Unknown:
         break;
     }
@@ -308,6 +313,10 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         return readDrawing(bytes, fileName, brush, leftOut);
     case FileFormat::OpenRaster:
         return readOpenRaster(bytes, fileName, leftOut);
+    case FileFormat::Photoshop: {
+        Result<Painting> layers = psd::readLayers(bytes, leftOut);
+        return layers ? std::move(layers) : Result<Painting>(fileError(fileName, layers.error()));
+    }
     case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;

@@ -24,7 +24,8 @@ enum class FileFormat {
     MyPaintEvents,
     DiffusionCurves,
     Svg,
-    OpenRaster
+    OpenRaster,
+    Photoshop
 };
 
 /// The format by the first bytes, never by the name.

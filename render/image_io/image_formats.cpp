@@ -160,6 +160,16 @@ QString problemOf(ImageFormat format, const ImageOptions &options, int width, in
     return {};
 }
 
+Result<QByteArray> srgbIccProfile()
+{
+    const Result<ImageModule> &module = writingModule(ImageFormat::Tiff, 0);
+    if (!module)
+        return Error{module.error()};
+    std::size_t size = 0;
+    const char *bytes = module->profile ? module->profile(&size) : nullptr;
+    return bytes ? QByteArray(bytes, qsizetype(size)) : QByteArray();
+}
+
 QString imageModuleProblem()
 {
     for (const Result<ImageModule> &module : {readingModule(ImageFormat::WebP), readingModule(ImageFormat::Png)})

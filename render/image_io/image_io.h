@@ -114,6 +114,9 @@ struct ImageRows {
 /// Does what `readImage` does, without keeping the picture.
 Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows);
 
+/// The ICC profile of sRGB, by which other programs know what the values of a file mean. It is always the same.
+Result<QByteArray> srgbIccProfile();
+
 /// Empty if the modules can be loaded. Otherwise it says why not, with the remedy.
 QString imageModuleProblem();
 

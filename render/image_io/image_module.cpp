@@ -40,6 +40,7 @@ Result<ImageModule> load(const QString &name)
     module.read = reinterpret_cast<ImageModuleReadFunction>(library.resolve("suffuse_image_read"));
     module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
     module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
+    module.profile = reinterpret_cast<ImageModuleProfileFunction>(library.resolve("suffuse_image_profile"));
     if (!version || version() != imageModuleVersion || !module.write || !module.read)
         return problem(QCoreApplication::translate("ImageModule", "is of another version of Suffuse"));
     return module;

@@ -8,12 +8,14 @@ namespace suffuse {
 
 class FileReplacement;
 
-/// The functions of an image module. All are set, except those for films, which only the small module has.
+/// The functions of an image module. All are set, except those for films and profiles, which only the small
+/// module has.
 struct ImageModule {
     ImageModuleWriteFunction write = nullptr;
     ImageModuleReadFunction read = nullptr;
     ImageModuleFilmAddFunction filmAdd = nullptr;
     ImageModuleFilmEndFunction filmEnd = nullptr;
+    ImageModuleProfileFunction profile = nullptr;
 };
 
 /// There are two modules: a small one for formats that are written often, which loads at once, and OpenImageIO, which

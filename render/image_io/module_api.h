@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number. Raise it with every change below.
-inline constexpr int imageModuleVersion = 4;
+inline constexpr int imageModuleVersion = 5;
 
 /// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -62,8 +62,8 @@ struct ImageModuleFilm {
 };
 
 /// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
-/// `suffuse_image_read`, and in the small module `suffuse_image_film_add` and `suffuse_image_film_end`. All except the
-/// first return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
+/// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end` and
+/// `suffuse_image_profile`. Those that return a bool return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
@@ -74,5 +74,7 @@ using ImageModuleFilmAddFunction = bool (*)(ImageModuleFilm *film, const std::ui
 /// any case.
 using ImageModuleFilmEndFunction = bool (*)(ImageModuleFilm *film, const ImageModuleFile *file,
                                             std::int64_t milliseconds, char *error, std::size_t size);
+/// The ICC profile of sRGB, which lives as long as the module; null if there is no memory for it.
+using ImageModuleProfileFunction = const char *(*)(std::size_t *size);
 
 } // namespace suffuse

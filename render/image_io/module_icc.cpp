@@ -34,3 +34,13 @@ const std::string &srgbProfile()
 }
 
 } // namespace suffuse
+
+extern "C" __attribute__((visibility("default"))) const char *suffuse_image_profile(std::size_t *size)
+{
+    try {
+        *size = suffuse::srgbProfile().size();
+        return suffuse::srgbProfile().data();
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
+}

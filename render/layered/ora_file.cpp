@@ -183,11 +183,6 @@ private:
 
 } // namespace
 
-bool isOpenRaster(const QString &path)
-{
-    return path.endsWith(QLatin1String(".ora"), Qt::CaseInsensitive);
-}
-
 Result<LayeredStats> writeOpenRaster(const QString &path, const LayeredRequest &request, Renderer &renderer,
                                      Renderer &groups)
 {

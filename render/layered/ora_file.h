@@ -7,9 +7,6 @@
 
 namespace suffuse {
 
-/// Whether a path ends in ".ora".
-bool isOpenRaster(const QString &path);
-
 /// Writes the layers, the picture and the painting itself, which `readDocument` gives back bit by bit. The target is
 /// replaced when all is on disk, or left as it was. Errors name the file and the remedy.
 Result<LayeredStats> writeOpenRaster(const QString &path, const LayeredRequest &request, Renderer &renderer,

@@ -6,7 +6,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
 #include "app/widgets/look/section.h"
-#include "render/layered/ora_file.h"
+#include "render/layered/layered_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -37,12 +37,23 @@ QString endingOf(const QString &path)
     return path.section(QLatin1Char('.'), -1);
 }
 
-/// What the list of formats has for OpenRaster, beside formats of pictures.
-constexpr int openRaster = -1;
-
+/// What the list of formats has for a path: the format of a picture, or that of a layered file below 0.
 int formatChoiceFor(const QString &path)
 {
-    return isOpenRaster(path) ? openRaster : int(imageFormatForPath(path));
+    const LayeredFormat layered = layeredFormatFor(path);
+    return layered == LayeredFormat::None ? int(imageFormatForPath(path)) : -int(layered);
+}
+
+QString formatTitle(int choice)
+{
+    switch (choice) {
+    case -int(LayeredFormat::OpenRaster):
+        return ExportDialog::tr("OpenRaster (layers)");
+    case -int(LayeredFormat::Photoshop):
+        return ExportDialog::tr("Photoshop (layers)");
+    default:
+        return nameOf(ImageFormat(choice));
+    }
 }
 
 QString depthTitle(ImageDepth depth)
@@ -86,7 +97,7 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
     m_presets = new PresetRow(
         grid, 0, [this] { return settings(); }, m_form);
     connect(m_presets, &PresetRow::chosen, this, &ExportDialog::takePreset);
-    addFile(1, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora with layers."));
+    addFile(1, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora or psd with layers."));
     addFormat();
     m_area = new AreaRow(grid, 3, m_editor, shown, m_form);
     m_size = new SizeRow(grid, 5, maxSideOf(ImageFormat::Png), m_form);
@@ -113,7 +124,7 @@ void ExportDialog::addFormat()
     m_format = new QComboBox(m_form);
     for (const QString &ending : exportEndings())
         if (const int format = formatChoiceFor('.' + ending); m_format->findData(format) < 0)
-            m_format->addItem(format == openRaster ? tr("OpenRaster (layers)") : nameOf(ImageFormat(format)), format);
+            m_format->addItem(formatTitle(format), format);
     m_format->setPlaceholderText(tr("No picture format"));
     addField(2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
     connect(m_format, &QComboBox::activated, this, [this] {
@@ -219,7 +230,7 @@ void ExportDialog::pathChanged()
             m_depth->setCurrentIndex(m_depth->findData(int(usualDepth(format))));
     }
     // The background of a layered file is a layer that can be hidden.
-    m_transparent->setEnabled(format != ImageFormat::Jpeg && !isOpenRaster(m_path->text()));
+    m_transparent->setEnabled(format != ImageFormat::Jpeg && layeredFormatFor(m_path->text()) == LayeredFormat::None);
 }
 
 ImageOptions ExportDialog::imageOptions() const

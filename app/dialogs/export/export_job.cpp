@@ -1,7 +1,7 @@
 #include "app/dialogs/export/export_job.h"
 
 #include "render/backends.h"
-#include "render/layered/ora_file.h"
+#include "render/layered/layered_file.h"
 
 #include <functional>
 #include <new>
@@ -80,7 +80,7 @@ Result<void> ExportJob::work(const ExportOrder &order)
     auto renderer = makeRenderer({.backend = Backend::Auto, .threads = order.threads});
     if (!renderer)
         return Error{renderer.error()};
-    if (isOpenRaster(order.path))
+    if (layeredFormatFor(order.path) != LayeredFormat::None)
         return workOnLayers(order, **renderer);
     RenderRequest request;
     request.painting = withoutDrafts(order.painting);
@@ -114,7 +114,7 @@ Result<void> ExportJob::workOnLayers(const ExportOrder &order, Renderer &rendere
     request.bits = order.image.depth == ImageDepth::Bits16 ? 16 : 8;
     request.cancel = &m_cancel;
     request.progress = [this](std::size_t done, std::size_t layers) { show(int(1000 * done / (layers + 1))); };
-    const Result<LayeredStats> written = writeOpenRaster(order.path, request, renderer, **groups);
+    const Result<LayeredStats> written = writeLayered(order.path, request, renderer, **groups);
     return written ? Result<void>() : Error{written.error()};
 }
 

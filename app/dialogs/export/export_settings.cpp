@@ -2,7 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "render/layered/ora_file.h"
+#include "render/layered/layered_file.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -64,12 +64,12 @@ ImageOptions ExportSettings::image() const
 
 QStringList exportEndings()
 {
-    return imageEndings() << QStringLiteral("ora");
+    return imageEndings() << QStringLiteral("ora") << QStringLiteral("psd");
 }
 
 ImageFormat pixelFormatFor(const QString &path)
 {
-    return isOpenRaster(path) ? ImageFormat::Png : imageFormatForPath(path);
+    return layeredFormatFor(path) != LayeredFormat::None ? ImageFormat::Png : imageFormatForPath(path);
 }
 
 bool ExportSettings::writesAs(const ExportSettings &other) const
@@ -80,7 +80,7 @@ bool ExportSettings::writesAs(const ExportSettings &other) const
         same.numbers = numbers;
     if (moment != MomentRow::Choice::Time)
         same.time = time;
-    return same == *this && format() == other.format() && isOpenRaster(path) == isOpenRaster(other.path);
+    return same == *this && format() == other.format() && layeredFormatFor(path) == layeredFormatFor(other.path);
 }
 
 QJsonObject ExportSettings::toJson() const

@@ -12,7 +12,7 @@ class QJsonObject;
 
 namespace suffuse {
 
-/// The endings of files that can be exported: pictures, and OpenRaster.
+/// The endings of files that can be exported: pictures, and layered files.
 QStringList exportEndings();
 /// The format of the pixels by a path's ending: of OpenRaster, whose layers are PNG files, that; Unknown for other
 /// ones.
