@@ -353,7 +353,7 @@ void CanvasInput::enter(const QPointF &position)
 {
     m_pointerInside = true;
     m_hand.enter(devicePixels(m_canvas, position));
-    // It is as if the pointer came where a menu closes that was opened by a key, elsewhere.
+    // It is as if the pointer came where a menu closes that was opened by a key elsewhere, and covered the canvas.
     const QPoint at = m_canvas.mapToGlobal(position).toPoint();
     if (const auto left = std::exchange(m_leftAt, std::nullopt); left && (at - *left).manhattanLength() <= 1)
         return;
@@ -367,7 +367,9 @@ void CanvasInput::enter(const QPointF &position)
 void CanvasInput::leave()
 {
     m_pointerInside = false;
-    m_leftAt = QCursor::pos();
+    m_leftAt.reset();
+    if (const QPoint at = QCursor::pos(); m_canvas.rect().contains(m_canvas.mapFromGlobal(at)))
+        m_leftAt = at; // It has not moved: something covers the canvas.
     m_hand.leave();
     emit pointerLeft();
 }

@@ -101,9 +101,9 @@ private:
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
     bool m_pointerInside = false;
-    std::optional<QPoint> m_leftAt; ///< where the pointer was on the screen when it left
-    int m_busy = 0; ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed
-    quint64 m_pressStamp = 0;     ///< milliseconds of the device's clock
+    std::optional<QPoint> m_leftAt; ///< where the pointer rests on the screen, though it was said to leave
+    int m_busy = 0;           ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed
+    quint64 m_pressStamp = 0; ///< milliseconds of the device's clock
     Microseconds m_pressTime = 0; ///< the document time of the press
 };
 
