@@ -5630,8 +5630,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist gesperrt.</translation>
     </message>
     <message>
-        <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>Eine Füllung wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
+        <translation>Es wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6099,8 +6099,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>„%1“ ist in einem anderen Fenster geöffnet. Bitte einen anderen Namen wählen oder zuerst jenes Fenster schließen.</translation>
     </message>
     <message>
-        <source>“%1” has the lines and areas, for other programs.</source>
-        <translation>„%1“ enthält die Linien und Flächen, für andere Programme.</translation>
+        <source>“%1” has plain lines and areas, for other programs. Export Drawing keeps soft and dark edges.</source>
+        <translation>„%1“ enthält schlichte Linien und Flächen, für andere Programme. „Zeichnung exportieren“ behält weiche und dunkle Ränder.</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -9613,6 +9613,10 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::TimelinePanel</name>
+    <message>
+        <source>%1 is out of range: 0.1 to 1000 times is possible.</source>
+        <translation>%1 liegt außerhalb des Bereichs: Möglich ist das 0,1- bis 1000-Fache.</translation>
+    </message>
     <message>
         <source>The moment that is shown, and the end, when all has dried</source>
         <translation>Der gezeigte Zeitpunkt und das Ende, wenn alles getrocknet ist</translation>

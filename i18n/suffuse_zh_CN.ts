@@ -5609,8 +5609,8 @@ Arrow keys work too.</source>
         <translation>未擦除任何内容：圆下的笔画已锁定。</translation>
     </message>
     <message>
-        <source>A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>填充已被切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
+        <translation>已切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6078,8 +6078,8 @@ Arrow keys work too.</source>
         <translation>“%1”已在另一个窗口中打开。请换个名称，或先关闭那个窗口。</translation>
     </message>
     <message>
-        <source>“%1” has the lines and areas, for other programs.</source>
-        <translation>“%1”包含线条和区域，供其他程序使用。</translation>
+        <source>“%1” has plain lines and areas, for other programs. Export Drawing keeps soft and dark edges.</source>
+        <translation>“%1”包含简单的线条和区域，供其他程序使用。“导出图形”可保留柔边和深色边缘。</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -9550,6 +9550,10 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::TimelinePanel</name>
+    <message>
+        <source>%1 is out of range: 0.1 to 1000 times is possible.</source>
+        <translation>%1 超出范围：可为 0.1 到 1000 倍。</translation>
+    </message>
     <message>
         <source>The moment that is shown, and the end, when all has dried</source>
         <translation>当前所示的时刻，以及全部干透的结尾</translation>

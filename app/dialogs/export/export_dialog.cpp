@@ -141,7 +141,7 @@ void ExportDialog::addFormat()
 ExportSettings ExportDialog::settings() const
 {
     ExportSettings s;
-    s.path = QFileInfo(m_path->text()).absoluteFilePath();
+    s.path = QFileInfo(fullPath()).absoluteFilePath();
     s.depth = ImageDepth(m_depth->currentData().toInt());
     s.quality = m_quality->value();
     s.transparent = imageOptions().alpha;
@@ -213,11 +213,22 @@ void ExportDialog::browse()
         withEnding(path, {pictures}, pictures.endings.contains(before) ? before : pictures.endings.front()));
 }
 
+QString ExportDialog::fullPath() const
+{
+    const QString path = m_path->text();
+    const QFileInfo file(path);
+    const bool isWhole = pixelFormatFor(path) != ImageFormat::Unknown || file.fileName().isEmpty() ||
+                         file.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0;
+    return isWhole || m_ending.isEmpty() ? path : path + '.' + m_ending;
+}
+
 void ExportDialog::pathChanged()
 {
-    const ImageFormat format = pixelFormatFor(m_path->text());
+    if (pixelFormatFor(m_path->text()) != ImageFormat::Unknown)
+        m_ending = QFileInfo(m_path->text()).suffix();
+    const ImageFormat format = pixelFormatFor(fullPath());
     m_hint->showHint({});
-    m_format->setCurrentIndex(m_format->findData(formatChoiceFor(m_path->text())));
+    m_format->setCurrentIndex(m_format->findData(formatChoiceFor(fullPath())));
     m_quality->setEnabled(hasQuality(format));
     if (format != ImageFormat::Unknown)
         m_size->setLargestSide(maxSideOf(format));
@@ -230,7 +241,7 @@ void ExportDialog::pathChanged()
             m_depth->setCurrentIndex(m_depth->findData(int(usualDepth(format))));
     }
     // The background of a layered file is a layer that can be hidden.
-    m_transparent->setEnabled(format != ImageFormat::Jpeg && layeredFormatFor(m_path->text()) == LayeredFormat::None);
+    m_transparent->setEnabled(format != ImageFormat::Jpeg && layeredFormatFor(fullPath()) == LayeredFormat::None);
 }
 
 ImageOptions ExportDialog::imageOptions() const
@@ -245,6 +256,7 @@ ImageOptions ExportDialog::imageOptions() const
 
 void ExportDialog::startExport()
 {
+    m_path->setText(fullPath());
     const QFileInfo target(m_path->text());
     const ImageFormat format = pixelFormatFor(m_path->text());
     const int width = widthBox()->value();

@@ -50,6 +50,8 @@ private:
     void takeArea(const ExportSettings &settings);
     void takePreset(const ExportSettings &settings);
     void startExport() override;
+    /// The path as it is written: with the ending of the chosen format, if it has none of its own.
+    QString fullPath() const;
     void stop() override { m_job.cancel(); }
     void remember() override;
     ImageOptions imageOptions() const;
@@ -58,6 +60,7 @@ private:
     ExportJob m_job;
     PresetRow *m_presets = nullptr;
     QComboBox *m_format = nullptr;
+    QString m_ending; ///< the last one that chose a format: a name without any gets it
     AreaRow *m_area = nullptr;
     SizeRow *m_size = nullptr;
     QLabel *m_limits = nullptr;

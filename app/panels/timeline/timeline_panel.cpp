@@ -8,6 +8,8 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/row_scroll.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/arithmetic.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/time_text.h"
 
 #include <QComboBox>
@@ -68,6 +70,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     m_speedField = new EntryField(m_speed);
     m_speed->setLineEdit(m_speedField); // which makes it editable
     m_speed->setInsertPolicy(QComboBox::NoInsert);
+    m_speed->setCompleter(nullptr); // A number that is typed means itself, not a listed one that begins so.
     for (const double speed : speeds)
         m_speed->addItem(speedText(speed));
     m_speed->setAccessibleName(tr("Speed"));
@@ -169,15 +172,17 @@ void TimelinePanel::showState()
 
 void TimelinePanel::takeSpeed(const QString &text)
 {
-    QString number = text.trimmed();
-    while (!number.isEmpty() && !number.back().isDigit())
-        number.chop(1);
-    bool ok = false;
-    double speed = QLocale().toDouble(number, &ok);
-    if (!ok)
-        speed = number.toDouble(&ok);
-    if (ok && speed > 0)
-        m_playback.setSpeed(speed);
+    const QString times(QChar(0xd7));
+    QString typed = text.trimmed();
+    if (typed.endsWith(times) || typed.endsWith(QLatin1Char('x'), Qt::CaseInsensitive))
+        typed.chop(1);
+    const std::optional<double> speed = evaluateArithmetic(typed, m_playback.speed());
+    const bool isPossible = speed && *speed >= Playback::slowest && *speed <= Playback::fastest;
+    if (isPossible)
+        m_playback.setSpeed(*speed);
+    m_what->setText(!speed       ? NumberField::whyUnread(typed, times)
+                    : isPossible ? QString()
+                                 : tr("%1 is out of range: 0.1 to 1000 times is possible.").arg(speedText(*speed)));
     showState();
 }
 

@@ -24,6 +24,8 @@ public:
 
     TimelineView *view() const { return m_view; }
     QComboBox *speed() const { return m_speed; }
+    /// What is dragged, or why a speed was refused.
+    QLabel *what() const { return m_what; }
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -4,7 +4,7 @@
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
-#include "model/paint/fill_density.h"
+#include "model/paint/seen_paint.h"
 #include "model/paint/style_function.h"
 #include "undo/node_edits.h"
 
@@ -37,31 +37,18 @@ QCursor softCursor(double dpr)
     return QCursor(picture);
 }
 
-/// The coverage of a stroke's dry fill.
-class FillCoverage {
-public:
-    explicit FillCoverage(const Stroke &stroke)
-        : m_origin(stroke.origin), m_style(stroke.style), m_density(stroke, stroke.fill->driesAt())
-    {}
-    double operator()(Point point) const { return densityFunction(m_style, m_density(point - m_origin).density); }
-
-private:
-    Point m_origin;
-    Style m_style;
-    DensityOfFill m_density;
-};
-
-/// Whether a fill was cut along the path, and still covers the middle of the gap by more than half of what it did.
-bool closesGap(const Stroke &before, const Stroke &now, const std::vector<PenSample> &path)
+/// Whether a stroke was cut along the path, and still covers the middle of the gap by more than half of what it did.
+/// `dry`: when all paint is.
+bool closesGap(const Stroke &before, const Stroke &now, const std::vector<PenSample> &path, Microseconds dry)
 {
-    if (!before.fill || !now.fill || before == now)
+    if (before == now)
         return false;
-    const FillCoverage was(before), is(now);
+    const PaintSight was(before, dry), is(now, dry);
     double covered = 0, left = 0;
     const std::size_t step = std::max<std::size_t>(path.size() / mostLookedAt, 1);
     for (std::size_t i = 0; i < path.size(); i += step) {
-        covered += was(path[i].position);
-        left += is(path[i].position);
+        covered += was.at(path[i].position).opacity;
+        left += is.at(path[i].position).opacity;
     }
     return covered > 0 && left > 0.5 * covered;
 }
@@ -79,6 +66,10 @@ EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent)
     connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.selection || change.reset)
             followSelection();
+    });
+    connect(&m_canvas, &CanvasWidget::modifiersChanged, this, [this] {
+        if (m_canvas.tool() == this && !isBusy())
+            followModifiers(m_canvas.modifiers());
     });
 }
 
@@ -140,7 +131,7 @@ void EraserTool::setChoice(const EraserChoice &choice)
         m_fields->show(choice);
     say({});
     if (!isBusy())
-        setMode(choice.mode);
+        followModifiers(m_canvas.modifiers());
     emit hintChanged();
 }
 
@@ -154,6 +145,11 @@ void EraserTool::setMode(EraserMode mode)
     emit hintChanged();
 }
 
+void EraserTool::followModifiers(Qt::KeyboardModifiers held)
+{
+    setMode(held & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
+}
+
 void EraserTool::stepOpacity(int steps)
 {
     EraserChoice choice = m_choice;
@@ -165,13 +161,13 @@ void EraserTool::stepOpacity(int steps)
 void EraserTool::hover(const PointerEvent &event)
 {
     SizedTool::hover(event);
-    setMode(event.modifiers & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
+    followModifiers(event.modifiers);
 }
 
 void EraserTool::press(const PointerEvent &event)
 {
     say({});
-    setMode(event.modifiers & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
+    followModifiers(event.modifiers);
     m_gesture = m_editor.begin(tr("Erase"));
     const Document &document = m_editor.document();
     m_began = m_editor.clock().time();
@@ -312,8 +308,8 @@ QString EraserTool::whyNoGap() const
     const Painting &painting = *m_editor.document().painting();
     for (const StrokeId id : m_cut) {
         const StrokePtr now = painting.find(id), before = m_before->find(id);
-        if (now && before && closesGap(*before, *now, m_samples))
-            return tr("A fill was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes "
+        if (now && before && closesGap(*before, *now, m_samples, painting.end()))
+            return tr("It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes "
                       "its paint away.");
     }
     return {};

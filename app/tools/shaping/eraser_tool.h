@@ -37,6 +37,7 @@ public:
 
 private:
     void setMode(EraserMode mode);
+    void followModifiers(Qt::KeyboardModifiers held);
     void followSelection();
     void liftTo(const PointerEvent &event);
     void showLifted();
@@ -46,7 +47,7 @@ private:
     void finish();
     /// Why the last drag took nothing.
     QString whyNothing() const;
-    /// Why no gap is seen where fills were cut; empty if one is.
+    /// Why no gap is seen where strokes were cut; empty if one is.
     QString whyNoGap() const;
 
     QPointer<QWidget> m_options;

@@ -145,7 +145,9 @@ void FileSaving::writeDrawing(const QString &path)
             startSavingCopy();
         return;
     }
-    const QString said = tr("“%1” has the lines and areas, for other programs.").arg(QFileInfo(path).fileName());
+    const QString said =
+        tr("“%1” has plain lines and areas, for other programs. Export Drawing keeps soft and dark edges.")
+            .arg(QFileInfo(path).fileName());
     m_window.statusBar()->showMessage(joinedSentences({withDraft(said), leftOutOf(svg)}), shownMs);
 }
 

@@ -290,6 +290,21 @@ private slots:
         QVERIFY(std::set<float>(written.rgb.begin(), written.rgb.end()).size() > 10); // there is paint in it
     }
 
+    void aNameWithoutEndingGetsThatOfTheFormat()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.path()->setText(m_folder->filePath("first.pfm"));
+        const int format = dialog.format()->currentIndex();
+        dialog.path()->setText(m_folder->filePath("no ending v1.0"));
+        QCOMPARE(dialog.format()->currentIndex(), format);
+        dialog.widthBox()->setValue(16);
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        QCOMPARE(pfmIn(m_folder->filePath("no ending v1.0.pfm")).width, 16);
+    }
+
     void exportKeepsTheScaleForAnotherArea()
     {
         Bench bench(0);

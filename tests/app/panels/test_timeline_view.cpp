@@ -504,8 +504,18 @@ private slots:
         QCOMPARE(s.playback().speed(), 12.5);
         enter("nonsense");
         QCOMPARE(s.playback().speed(), 12.5);
-        enter("0.001");
-        QCOMPARE(s.playback().speed(), Playback::slowest);
+        QVERIFY(s.panel->what()->text().startsWith("“nonsense”"));
+        enter("50%"); // no number of times
+        QCOMPARE(s.playback().speed(), 12.5);
+        QVERIFY(!s.panel->what()->text().isEmpty());
+        enter("0,5");
+        QCOMPARE(s.playback().speed(), 0.5);
+        QCOMPARE(s.panel->what()->text(), QString());
+        for (const char *beyond : {"0.001", "0", "2000"}) {
+            enter(beyond);
+            QCOMPARE(s.playback().speed(), 0.5);
+            QVERIFY(s.panel->what()->text().contains("out of range"));
+        }
     }
 
     void barsShareLanes()

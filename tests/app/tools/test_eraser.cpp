@@ -149,8 +149,39 @@ private slots:
             s.advance(5'000'000);
             s.erase({500, 60}, {500, 340}, Qt::ShiftModifier);
             QVERIFY(s.stroke(id) != square);
-            QCOMPARE(s.hint().startsWith("A fill was cut, but hardly a gap is seen"), soft);
+            QCOMPARE(s.hint().startsWith("It was cut, but hardly a gap is seen"), soft);
         }
+    }
+
+    /// The same of strokes that spread further than the cut is wide.
+    void aCutThatASoftStrokeClosesIsSaid()
+    {
+        for (const double spread : {90.0, 4.0}) {
+            EraserSession s;
+            const StrokeId id = s.editor().document().takeStrokeId();
+            Stroke line = strokeAlong(outlineOf({}, {300, 150}, {700, 152}), Brush(), id, 0);
+            for (Segment &segment : line.segments) {
+                segment.maxAge = 1, segment.diffusion = float(0.25 * spread * spread);
+                segment.density = float(3 * spread);
+            }
+            s.editor().push(addStrokes(s.editor().document(), {std::make_shared<const Stroke>(line)}, false), "line");
+            s.advance(5'000'000);
+            s.erase({500, 100}, {500, 200}, Qt::ShiftModifier);
+            QVERIFY(s.stroke(id) != line);
+            QCOMPARE(s.hint().startsWith("It was cut, but hardly a gap is seen"), spread > 20);
+        }
+    }
+
+    /// What Shift does is said as soon as it is held, and no longer.
+    void theHintFollowsShift()
+    {
+        EraserSession s;
+        s.canvas().setFocus();
+        QVERIFY(s.hint().startsWith("Lift"));
+        QTest::keyPress(&s.canvas(), Qt::Key_Shift);
+        QVERIFY2(s.hint().startsWith("Cut"), qPrintable(s.hint()));
+        QTest::keyRelease(&s.canvas(), Qt::Key_Shift);
+        QVERIFY2(s.hint().startsWith("Lift"), qPrintable(s.hint()));
     }
 
     void escapeAndUndoGiveItUp()
