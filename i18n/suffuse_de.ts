@@ -7107,10 +7107,6 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Opacity of the group</source>
         <translation>Deckkraft der Gruppe</translation>
     </message>
-    <message>
-        <source>“%1” is no number.</source>
-        <translation>„%1“ ist keine Zahl.</translation>
-    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>

@@ -7060,10 +7060,6 @@ Arrow keys work too.</source>
         <source>Opacity of the group</source>
         <translation>组的不透明度</translation>
     </message>
-    <message>
-        <source>“%1” is no number.</source>
-        <translation>“%1”不是数字。</translation>
-    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>

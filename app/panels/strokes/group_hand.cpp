@@ -3,9 +3,9 @@
 #include "app/panels/strokes/group_cells.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/entry_field.h"
-#include "app/widgets/numbers/arithmetic.h"
 #include "app/widgets/numbers/blend_modes.h"
 #include "app/widgets/numbers/display.h"
+#include "app/widgets/numbers/number_field.h"
 #include "undo/group_edits.h"
 
 #include <QApplication>
@@ -61,30 +61,28 @@ void GroupHand::fillModes(QMenu &menu, GroupId group)
 void GroupHand::typeOpacity(const QModelIndex &row, const Group &group, const GroupCells &cells)
 {
     constexpr int fieldWidth = 64;
-    auto *field = new EntryField(m_view.viewport());
+    auto *field = new NumberField(m_view.viewport());
     field->setObjectName("groupOpacity");
     field->setAccessibleName(tr("Opacity of the group"));
     field->setAlignment(Qt::AlignRight);
     QRect place = cells.opacity;
     place.setLeft(std::min(place.left(), place.right() + 1 - fieldWidth));
     field->setGeometry(place);
-    field->showText(shareDisplay().text(double(group.opacity)));
+    field->setDisplay(shareDisplay());
+    field->setRange(0, 1);
+    field->setValue(double(group.opacity));
     field->selectAll();
-    connect(field, &EntryField::typed, this, [this, id = group.id](const QString &text) {
-        const Group *present = m_editor.document().painting()->findGroup(id);
-        if (!present)
-            return;
-        const Display display = shareDisplay();
-        if (const auto value = evaluateArithmetic(text, display.toShown(double(present->opacity)), display.unit))
-            setOpacity(id, display.toValue(*value), nullptr);
-        else
-            emit said(tr("“%1” is no number.").arg(text));
+    connect(field, &NumberField::entered, this,
+            [this, id = group.id](double value) { setOpacity(id, value, nullptr); });
+    connect(field, &NumberField::refused, this, [this](const QString &why) {
+        if (!why.isEmpty())
+            emit said(why);
     });
     connect(field, &QLineEdit::editingFinished, this, [this, field] { close(*field); });
     field->installEventFilter(this);
     connect(m_view.model(), &QAbstractItemModel::layoutChanged, field, &QObject::deleteLater);
     m_view.scrollTo(row);
-    field->show();
+    field->setVisible(true);
     field->setFocus(Qt::MouseFocusReason);
 }
 

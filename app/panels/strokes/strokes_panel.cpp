@@ -137,6 +137,19 @@ void StrokesPanel::showLayer()
                             ? tr("The layer comes into the list with the first stroke that is painted.")
                             : tr("What is painted goes into this group. A click beside all rows: on top of "
                                  "all again."));
+    // A layer that has come gets its row after this.
+    QMetaObject::invokeMethod(this, &StrokesPanel::showRowOfLayer, Qt::QueuedConnection);
+}
+
+void StrokesPanel::showRowOfLayer()
+{
+    const StrokesTree::Node *node = m_model->tree().nodeOfGroup(m_editor.layer().group());
+    const QModelIndex row = node ? m_filter->mapFromSource(m_model->indexOf(node)) : QModelIndex();
+    for (QModelIndex above = row.parent(); above.isValid(); above = above.parent())
+        if (!m_view->isExpanded(above)) // Groups that are closed stay closed.
+            return;
+    if (row.isValid())
+        m_view->scrollTo(row);
 }
 
 void StrokesPanel::chooseLayer(const QModelIndex &index)

@@ -79,6 +79,7 @@ private:
     void search(const QString &text);
     void showWhetherFound();
     void showLayer();
+    void showRowOfLayer();
     /// What is painted goes to where a row is: into the group, or into the one that the stroke is in.
     void chooseLayer(const QModelIndex &index);
     /// Moves the focus from the search to the first row that was found.

@@ -114,6 +114,7 @@ QDockWidget *Docks::makeTimeline()
 {
     auto *panel = new TimelinePanel(m_place.open.editor, m_place.open.playback, m_place.commands);
     QDockWidget *dock = add("timelineDock", tr("Timeline"), panel, CommandScope::Timeline);
+    panel->addAction(&m_place.commands[Command::Delete]); // Its bars are strokes, and are selected as such.
     m_place.window.addDockWidget(Qt::BottomDockWidgetArea, dock);
     return dock;
 }

@@ -88,6 +88,35 @@ private slots:
         QCOMPARE(bench.editor.layer().group(), GroupId(0));
     }
 
+    /// The row of the layer is brought into sight, where it is not in a group that is closed.
+    void theLayersRowIsShown()
+    {
+        Layered bench;
+        std::vector<StrokePtr> many;
+        for (int i = 0; i < 60; ++i) {
+            Stroke copy = bench.stroke(5);
+            copy.id = bench.editor.document().takeStrokeId();
+            many.push_back(std::make_shared<const Stroke>(std::move(copy)));
+        }
+        bench.editor.push(addStrokes(bench.editor.document(), std::move(many), false), "many");
+        bench.editor.laterChanges().flush();
+        LayersDock dock(bench.editor);
+        const QModelIndex group = dock.view()
+                                      .model()
+                                      ->match(dock.view().model()->index(0, 0), StrokesModel::GroupIdRole,
+                                              QVariant::fromValue<qulonglong>(1), 1, Qt::MatchExactly)
+                                      .value(0);
+        QVERIFY(group.isValid());
+        dock.view().scrollTo(dock.view().model()->index(0, 0));
+        const auto isSeen = [&] {
+            return dock.view().viewport()->rect().contains(dock.view().visualRect(group).center());
+        };
+        QVERIFY(!isSeen());
+        bench.editor.layer().choose(1);
+        QTRY_VERIFY(isSeen());
+        QVERIFY(!dock.view().isExpanded(group));
+    }
+
     /// It stands out, whatever is selected: other rows look selected in a weaker way.
     void theLayersRowStandsOut()
     {
@@ -358,6 +387,22 @@ private slots:
         QCOMPARE(bench.editor.document().painting()->groups[0].opacity, 0.35f);
         QCOMPARE(bench.steps(), steps + 1);
         QTRY_VERIFY(!dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"));
+        const auto enter = [&](const QString &text) {
+            QLineEdit *again = field();
+            QTest::keyClicks(again, text);
+            QTest::keyClick(again, Qt::Key_Return);
+            QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return bench.editor.document().painting()->groups[0].opacity;
+        };
+        QCOMPARE(enter("60%"), 0.6f); // as the cell writes it
+        QCOMPARE(enter("2*20"), 0.4f);
+        QCOMPARE(int(said.count()), 0);
+        QCOMPARE(enter("130"), 0.4f);
+        QVERIFY(said.last().at(0).toString().contains("out of range"));
+        QCOMPARE(enter("abc"), 0.4f);
+        QVERIFY(said.last().at(0).toString().startsWith("“abc”"));
+        QCOMPARE(enter("35"), 0.35f);
+        said.clear();
         bench.editor.push(setGroupLocked(bench.editor.document(), 1, true), "lock");
         QLineEdit *locked = field();
         QTest::keyClicks(locked, "50");

@@ -195,6 +195,13 @@ private slots:
         QTest::keyClick(tree, Qt::Key_Delete);
         QVERIFY(s.painting().strokes.empty());
         s.editor().undoStack().undo();
+        for (QWidget *widget : focusableIn(*s.window.findChild<QDockWidget *>("timelineDock")))
+            if (widget->inherits("suffuse::TimelineView")) {
+                widget->setFocus();
+                QTest::keyClick(widget, Qt::Key_Delete); // The bar is the selected stroke.
+            }
+        QVERIFY(s.painting().strokes.empty());
+        s.editor().undoStack().undo();
         auto *search = strokes->findChild<QLineEdit *>(); // but here it deletes letters
         search->setFocus();
         search->setText("a");
