@@ -40,6 +40,8 @@ LETTERS = {
     "8": ["1.5,3.5 .3,5 1.5,6.5 2.7,5 1.5,3.5 0,1.7 1.5,0 3,1.7 1.5,3.5"],
     "9": ["2.8,5 1.4,3.2 .2,4.8 1.4,6.5 2.8,5 2.4,2 1,0"],
     ".": [".2,.3"], ",": [".3,.4 0,-.9"], "=": ["0,3.6 2.6,3.6", "0,1.8 2.6,1.8"], "-": ["0,2.4 2,2.4"],
+    "/": ["0,-.6 2.2,6.6"], "²": [".1,5.9 .8,6.6 1.4,5.9 .9,4.8 0,3.7", "0,3.7 1.5,3.7"],
+    "%": ["0,0 3,6.5", ".1,5.3 .8,6.3 1.5,5.3 .8,4.3 .1,5.3", "1.6,1.1 2.3,2.1 3,1.1 2.3,.1 1.6,1.1"],
     "φ": ["1.7,6 1.7,-2", "1.7,4 0,2 1.7,0 3.4,2 1.7,4"],
     "ω": [".8,4 0,1.6 1,0 2,1.4", "2,2.6 2,1.4 3,0 4,1.6 3.2,4"],
     "β": ["0,-2 0,4.6 1.4,6.4 2.6,5 1,3.6", "1,3.6 3,2.2 1.6,0 0,.8"],
@@ -105,12 +107,12 @@ def spread_of(paper_diffusion):
 
 
 def diffusion(index):
-    y = row(index, "D", "0.001 to 0.005")
+    y = row(index, "D", "u²/s")
     for k in range(5):
         x, length = cell(k, 5)
-        s = spread_of(0.001 * (k + 1))
-        stroke("D", swash(x, y - 16, length, 22), 0.55 * s, 1.5 * spread_of(0.001) / s, INDIGO, feather(1.2, 1.1))
-        write(f"{0.001 * (k + 1):.3f}", x + 0.3 * length, y + 100, 2.6)
+        s = 0.55 * spread_of(0.001 * (k + 1))
+        stroke("D", swash(x, y - 16, length, 22), s, 0.825 * spread_of(0.001) / s, INDIGO, feather(1.2, 1.1))
+        write(f"{s * s / 4:.0f}", x + 0.38 * length, y + 100, 2.6)  # as the inspector shows it
 
 
 def granulation(index):
@@ -118,7 +120,7 @@ def granulation(index):
     for k, omega in enumerate((0, 0.1, 0.2, 0.3, 0.5)):
         x, length = cell(k, 5)
         stroke("ω", swash(x, y - 14, length, 22), 34, 1.25, TEAL, uniform(0.06), granulation=omega)
-        write(f"{omega:g}", x + 0.42 * length, y + 100, 2.6)
+        write(f"{100 * (1 - omega):.0f} %", x + 0.34 * length, y + 100, 2.6)  # as the inspector shows it
 
 
 def styles(index):
