@@ -25,8 +25,12 @@ void PathCoverage::clear()
 void PathCoverage::add(const Cubic &curve)
 {
     const Rect box = curve.controlBox();
-    if (box.bottom <= m_top || box.top >= m_top + m_height || box.left >= m_width)
+    if (box.bottom <= m_top || box.top >= m_top + m_height)
         return;
+    if (box.left >= m_width) { // What lies within may go on up to it.
+        m_last = m_width;
+        return;
+    }
     m_first = std::min(m_first, std::max(0, int(std::floor(std::max(box.left, 0.0)))));
     m_last = std::max(m_last, std::clamp(int(std::ceil(std::clamp(box.right, 0.0, double(m_width)))) + 1, 1, m_width));
     const Point a = curve.p[0] - 2 * curve.p[1] + curve.p[2], b = curve.p[1] - 2 * curve.p[2] + curve.p[3];

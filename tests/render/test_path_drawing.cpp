@@ -141,6 +141,22 @@ private slots:
         QVERIFY(std::abs(area - std::numbers::pi * r * r) < 0.1);
     }
 
+    void shapesMayBeWiderThanTheWindow()
+    {
+        PathCoverage coverage(40, 0, 30);
+        const auto line = [&](Point a, Point b) { coverage.add({{a, a, b, b}}); };
+        const Point corners[] = {{-10, -10}, {60, -10}, {60, 50}, {-10, 50}};
+        for (std::size_t k = 0; k < 4; ++k)
+            line(corners[k], corners[(k + 1) % 4]);
+        QCOMPARE(coverage.first(), 0);
+        QCOMPARE(coverage.last(), 40);
+        std::vector<float> row;
+        for (int y = 0; y < 30; ++y) {
+            coverage.takeRow(y, row);
+            QVERIFY(std::ranges::all_of(row, [](float value) { return value > 0.9999f; }));
+        }
+    }
+
     void bandsLookLikeTheStroke_data()
     {
         QTest::addColumn<int>("kind");
