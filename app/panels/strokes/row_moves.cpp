@@ -2,14 +2,20 @@
 
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
-#include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace suffuse {
 
 namespace {
+
+/// The panel's words, without knowing the panel.
+struct RowMoves {
+    Q_DECLARE_TR_FUNCTIONS(suffuse::StrokesPanel)
+};
 
 /// Where rows go: above a row of a group, or of none.
 struct Gap {
@@ -57,14 +63,14 @@ QString moveRows(StrokesView &view, StrokesModel &model, const StrokesFilter &fi
     if (rows.isEmpty() && (view.currentIndex().flags() & Qt::ItemIsDragEnabled))
         rows << filter.mapToSource(view.currentIndex().siblingAtColumn(StrokesModel::NameColumn));
     if (rows.isEmpty())
-        return StrokesPanel::tr("Select rows to move them.");
+        return RowMoves::tr("Select rows to move them.");
     const auto [top, bottom] = std::ranges::minmax_element(rows, {}, placeOf);
     const Gap gap = up ? gapAbove(view, model, filter, *top) : gapBelow(view, model, filter, *bottom);
     if (gap.row < 0)
-        return up ? StrokesPanel::tr("Nothing changes: this is on top already.")
-                  : StrokesPanel::tr("Nothing changes: this is at the bottom already.");
+        return up ? RowMoves::tr("Nothing changes: this is on top already.")
+                  : RowMoves::tr("Nothing changes: this is at the bottom already.");
     return model.move(rows, gap.parent, gap.row) ? QString()
-                                                 : StrokesPanel::tr("Nothing changes: locked strokes stay in place.");
+                                                 : RowMoves::tr("Nothing changes: locked strokes stay in place.");
 }
 
 } // namespace suffuse
