@@ -217,8 +217,10 @@ QString ExportDialog::fullPath() const
 {
     const QString path = m_path->text();
     const QFileInfo file(path);
-    const bool isWhole = pixelFormatFor(path) != ImageFormat::Unknown || file.fileName().isEmpty() ||
-                         file.suffix().compare(QLatin1String("svg"), Qt::CaseInsensitive) == 0;
+    const QString suffix = file.suffix();
+    // ".doc" asks for another format, while "edited 1.0" has no ending.
+    const bool asks = !suffix.isEmpty() && std::ranges::all_of(suffix, [](QChar c) { return c.isLetter(); });
+    const bool isWhole = pixelFormatFor(path) != ImageFormat::Unknown || file.fileName().isEmpty() || asks;
     return isWhole || m_ending.isEmpty() ? path : path + '.' + m_ending;
 }
 

@@ -190,9 +190,11 @@ private slots:
         choose("WebP");
         QCOMPARE(dialog.path()->text(), QString("b/a 1.0.webp"));
         QVERIFY(dialog.quality()->isEnabled());
-        dialog.path()->setText("edited 1.0");
+        dialog.path()->setText("edited.doc");
         QCOMPARE(dialog.format()->currentIndex(), -1);
         QVERIFY(!dialog.format()->placeholderText().isEmpty());
+        dialog.path()->setText("edited 1.0"); // It has no ending, so the format stays.
+        QCOMPARE(dialog.format()->currentText(), QString("WebP"));
         choose("PNG");
         QCOMPARE(dialog.path()->text(), QString("edited 1.0.png"));
     }
