@@ -8,6 +8,7 @@
 #include "app/widgets/numbers/number_field.h"
 #include "undo/group_edits.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -38,6 +39,7 @@ void GroupHand::fillModes(QMenu &menu, GroupId group)
     const Group *present = m_editor.document().painting()->findGroup(group);
     QComboBox all;
     addBlendModes(all);
+    auto *oneOf = new QActionGroup(&menu);
     for (int i = 0; i < all.count() && present; ++i) {
         if (!all.itemData(i).isValid()) {
             menu.addSeparator();
@@ -53,6 +55,7 @@ void GroupHand::fillModes(QMenu &menu, GroupId group)
         });
         action->setToolTip(all.itemData(i, Qt::ToolTipRole).toString());
         action->setCheckable(true);
+        oneOf->addAction(action);
         action->setChecked(present->blend == mode);
     }
     menu.setToolTipsVisible(true);

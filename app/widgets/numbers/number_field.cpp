@@ -109,6 +109,11 @@ QString NumberField::rangeHint(double value) const
 void NumberField::take(const QString &typedText)
 {
     const QString unit = m_display.unit.trimmed();
+    if (typedText.trimmed().isEmpty()) { // Nothing is meant by it.
+        show(m_value);
+        complain({});
+        return;
+    }
     if (!m_value && isRelative(typedText, unit) && evaluateArithmetic(typedText, 1.0, unit)) {
         show(m_value);
         complain({});
