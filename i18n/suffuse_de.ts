@@ -1078,6 +1078,18 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Drawing</source>
         <translation>Zeichnen</translation>
     </message>
+    <message>
+        <source>ICC profile of RGB colours that the file has (default: sRGB).</source>
+        <translation>ICC-Profil für RGB-Farben, das die Datei hat (Vorgabe: sRGB).</translation>
+    </message>
+    <message>
+        <source>--profile %1: cannot be read; give an ICC profile</source>
+        <translation>--profile %1: nicht lesbar; ein ICC-Profil angeben</translation>
+    </message>
+    <message>
+        <source>--profile %1: %2; give an ICC profile of RGB colours</source>
+        <translation>--profile %1: %2; ein ICC-Profil für RGB-Farben angeben</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1513,6 +1525,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>A picture of %1 × %2 pixels is too large: at most %3 million pixels can be drawn. Choose a smaller size.</source>
         <translation>Ein Bild von %1 × %2 Pixeln ist zu groß: höchstens %3 Millionen Pixel können gezeichnet werden. Bitte eine kleinere Größe wählen.</translation>
     </message>
+    <message>
+        <source>%1 cannot hold a colour profile. Use PNG, TIFF, JPEG or WebP, or export in sRGB.</source>
+        <translation>%1 kann kein Farbprofil enthalten. PNG, TIFF, JPEG oder WebP wählen oder in sRGB exportieren.</translation>
+    </message>
 </context>
 <context>
     <name>ImageModule</name>
@@ -1565,6 +1581,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
         <translation>%1: %2 konnte nicht geschrieben werden (%3). Bitte ein anderes Format oder eine andere Farbtiefe wählen.</translation>
+    </message>
+    <message>
+        <source>%1: the colour profile cannot be used: %2. Choose another one.</source>
+        <translation>%1: Das Farbprofil kann nicht benutzt werden: %2. Ein anderes wählen.</translation>
     </message>
 </context>
 <context>

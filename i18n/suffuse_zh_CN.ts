@@ -1071,6 +1071,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Drawing</source>
         <translation>正在绘制</translation>
     </message>
+    <message>
+        <source>ICC profile of RGB colours that the file has (default: sRGB).</source>
+        <translation>文件所用的 RGB 颜色 ICC 配置文件（默认：sRGB）。</translation>
+    </message>
+    <message>
+        <source>--profile %1: cannot be read; give an ICC profile</source>
+        <translation>--profile %1：无法读取；请给出 ICC 配置文件</translation>
+    </message>
+    <message>
+        <source>--profile %1: %2; give an ICC profile of RGB colours</source>
+        <translation>--profile %1：%2；请给出 RGB 颜色的 ICC 配置文件</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1499,6 +1511,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>A picture of %1 × %2 pixels is too large: at most %3 million pixels can be drawn. Choose a smaller size.</source>
         <translation>%1 × %2 像素的图片过大：最多可绘制 %3 百万像素。请选择较小的尺寸。</translation>
     </message>
+    <message>
+        <source>%1 cannot hold a colour profile. Use PNG, TIFF, JPEG or WebP, or export in sRGB.</source>
+        <translation>%1 不能包含颜色配置文件。请用 PNG、TIFF、JPEG 或 WebP，或以 sRGB 导出。</translation>
+    </message>
 </context>
 <context>
     <name>ImageModule</name>
@@ -1551,6 +1567,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
         <translation>%1：未能写入 %2（%3）。请选择其他格式或位深。</translation>
+    </message>
+    <message>
+        <source>%1: the colour profile cannot be used: %2. Choose another one.</source>
+        <translation>%1：无法使用该颜色配置文件：%2。请选择另一个。</translation>
     </message>
 </context>
 <context>

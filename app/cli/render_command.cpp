@@ -1,11 +1,13 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "render/backends.h"
+#include "render/image_io/colour_conversion.h"
 #include "render/image_io/image_io.h"
 #include "render/layered/layered_file.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QFile>
 
 #include <cmath>
 #include <map>
@@ -42,6 +44,9 @@ void addOptions(CommandLine &line)
     line.add({"dpi"},
              QCoreApplication::translate("Cli", "Pixels an inch, as the file says it (default: it says nothing)."),
              "N");
+    line.add({"profile"},
+             QCoreApplication::translate("Cli", "ICC profile of RGB colours that the file has (default: sRGB)."),
+             "FILE");
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
     line.add({"devices"},
              QCoreApplication::translate("Cli", "With CUDA: GPUs that share the picture, all or a number (default 1)."),
@@ -103,8 +108,24 @@ Result<void> takeNumbers(const CommandLine &line, ImageFormat format, ImageOptio
     return {};
 }
 
-/// Depth, alpha, quality and resolution as asked; errors are usage errors. Sizes are checked later, when they are
-/// known.
+/// --profile.
+Result<void> takeProfile(const CommandLine &line, ImageOptions &image)
+{
+    if (!line.isSet("profile"))
+        return {};
+    const QString path = line.value("profile");
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > largestProfile)
+        return Error{QCoreApplication::translate("Cli", "--profile %1: cannot be read; give an ICC profile").arg(path)};
+    image.profile = file.readAll();
+    if (const auto usable = ColourConversion::between({{}, image.profile, {}}); !usable)
+        return Error{QCoreApplication::translate("Cli", "--profile %1: %2; give an ICC profile of RGB colours")
+                         .arg(path, usable.error())};
+    return {};
+}
+
+/// Depth, alpha, quality, resolution and profile as asked; errors are usage errors. Sizes are checked later, when they
+/// are known.
 Result<ImageOptions> imageOptions(const CommandLine &line, ImageFormat format)
 {
     ImageOptions out;
@@ -120,6 +141,8 @@ Result<ImageOptions> imageOptions(const CommandLine &line, ImageFormat format)
                 QCoreApplication::translate("Cli", "--depth %1: give 8, 16, half or float").arg(line.value("depth"))};
         out.depth = depth->second;
     }
+    if (const Result<void> taken = takeProfile(line, out); !taken)
+        return Error{taken.error()};
     const QString problem = problemOf(format, out, 1, 1);
     if (!problem.isEmpty())
         return Error{QStringLiteral("%1: %2").arg(line.value("output"), problem)};
@@ -226,7 +249,7 @@ Result<int> bitsOfLayers(const CommandLine &line)
     const QString depth = line.isSet("depth") ? line.value("depth") : QStringLiteral("8");
     if (depth != QLatin1String("8") && depth != QLatin1String("16"))
         return Error{QCoreApplication::translate("Cli", "--depth %1: layers have 8 or 16 bits").arg(depth)};
-    for (const char *option : {"format", "quality", "dpi", "stats"})
+    for (const char *option : {"format", "quality", "dpi", "profile", "stats"})
         if (line.isSet(QLatin1String(option)))
             warn(QCoreApplication::translate("Cli", "--%1 is ignored: it is not for layered files")
                      .arg(QLatin1String(option)));

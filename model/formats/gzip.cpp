@@ -11,17 +11,10 @@ namespace {
 constexpr int gzipWindow = MAX_WBITS + 16; // with gzip's header
 constexpr qsizetype gzipStep = 1 << 18;
 
-} // namespace
-
-bool isGzip(const QByteArray &bytes)
-{
-    return bytes.startsWith("\x1f\x8b");
-}
-
-Result<QByteArray> unpackedGzip(const QByteArray &bytes, qint64 most, bool begins)
+Result<QByteArray> unpacked(const QByteArray &bytes, int window, qint64 most, bool begins)
 {
     z_stream stream{};
-    if (inflateInit2(&stream, gzipWindow) != Z_OK)
+    if (inflateInit2(&stream, window) != Z_OK)
         return Error{FileMessages::tr("there is not enough memory")};
     QByteArray out;
     stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.constData()));
@@ -43,6 +36,23 @@ Result<QByteArray> unpackedGzip(const QByteArray &bytes, qint64 most, bool begin
     if (code == Z_OK && out.size() >= most)
         return Error{FileMessages::tr("is too large once it is unpacked")};
     return Error{FileMessages::tr("is damaged: it cannot be unpacked")};
+}
+
+} // namespace
+
+bool isGzip(const QByteArray &bytes)
+{
+    return bytes.startsWith("\x1f\x8b");
+}
+
+Result<QByteArray> unpackedGzip(const QByteArray &bytes, qint64 most, bool begins)
+{
+    return unpacked(bytes, gzipWindow, most, begins);
+}
+
+Result<QByteArray> unpackedZlib(const QByteArray &bytes, qint64 most)
+{
+    return unpacked(bytes, MAX_WBITS, most, false);
 }
 
 QByteArray packedGzip(const QByteArray &bytes, const std::atomic<bool> *cancel)

@@ -52,6 +52,21 @@ inline std::optional<JpegSegment> nextJpegSegment(const QByteArray &bytes, qsize
     return {};
 }
 
+/// The content of the first chunk of a type, from `at` on, in a file of chunks as PNG's (from 8) and WebP's (from 12)
+/// are: each has a length of four bytes and a type, in either order. Empty if there is none.
+inline QByteArray chunkOf(const QByteArray &bytes, qsizetype at, const QByteArray &type)
+{
+    const bool riff = bytes.startsWith("RIFF");
+    const FileNumbers numbers{bytes, riff};
+    while (at + 8 <= bytes.size()) {
+        const qsizetype length = qsizetype(numbers.at(quint64(at) + (riff ? 4 : 0), 4));
+        if (bytes.mid(at + (riff ? 0 : 4), 4) == type)
+            return bytes.mid(at + 8, length);
+        at += riff ? 8 + length + length % 2 : 12 + length; // In PNG a checksum follows.
+    }
+    return {};
+}
+
 /// The entries of the first directory of a TIFF file, of BigTIFF or of Exif data.
 struct TiffDirectory {
     bool big = false;

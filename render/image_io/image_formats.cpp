@@ -18,6 +18,7 @@ struct FormatRow {
     bool alpha;
     bool quality;
     bool resolution;
+    bool profile;
     int maxSide;
 };
 
@@ -25,12 +26,12 @@ const std::vector<FormatRow> &formats()
 {
     using enum ImageDepth;
     static const std::vector<FormatRow> rows = {
-        {ImageFormat::Png, "PNG", {"png"}, {Bits8, Bits16}, true, false, true, 1 << 20},
-        {ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, {Bits8, Bits16, Half, Float}, true, false, true, 1 << 20},
-        {ImageFormat::Exr, "EXR", {"exr"}, {Half, Float}, true, false, true, 1 << 20},
-        {ImageFormat::Jpeg, "JPEG", {"jpg", "jpeg"}, {Bits8}, false, true, true, 65500},
-        {ImageFormat::WebP, "WebP", {"webp"}, {Bits8}, true, true, false, 16383},
-        {ImageFormat::Pfm, "PFM", {"pfm"}, {Float}, false, false, false, 1 << 20},
+        {ImageFormat::Png, "PNG", {"png"}, {Bits8, Bits16}, true, false, true, true, 1 << 20},
+        {ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, {Bits8, Bits16, Half, Float}, true, false, true, true, 1 << 20},
+        {ImageFormat::Exr, "EXR", {"exr"}, {Half, Float}, true, false, true, false, 1 << 20},
+        {ImageFormat::Jpeg, "JPEG", {"jpg", "jpeg"}, {Bits8}, false, true, true, true, 65500},
+        {ImageFormat::WebP, "WebP", {"webp"}, {Bits8}, true, true, false, true, 16383},
+        {ImageFormat::Pfm, "PFM", {"pfm"}, {Float}, false, false, false, false, 1 << 20},
     };
     return rows;
 }
@@ -111,6 +112,12 @@ bool hasResolution(ImageFormat format)
     return row && row->resolution;
 }
 
+bool hasProfile(ImageFormat format)
+{
+    const FormatRow *row = rowOf(format);
+    return row && row->profile;
+}
+
 bool hasQuality(ImageFormat format)
 {
     const FormatRow *row = rowOf(format);
@@ -138,6 +145,10 @@ QString problemOf(ImageFormat format, const ImageOptions &options, int width, in
         return QCoreApplication::translate("ImageFormat", "%1 cannot hold depth %2. Choose %3, or another format.")
             .arg(nameOf(format), nameOf(depth), have.join(QStringLiteral(", ")));
     }
+    if (!options.profile.isEmpty() && !row->profile)
+        return QCoreApplication::translate(
+                   "ImageFormat", "%1 cannot hold a colour profile. Use PNG, TIFF, JPEG or WebP, or export in sRGB.")
+            .arg(nameOf(format));
     if (options.alpha && !row->alpha)
         return QCoreApplication::translate(
                    "ImageFormat",

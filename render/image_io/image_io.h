@@ -26,7 +26,9 @@ struct ImageOptions {
     std::optional<ImageDepth> depth; ///< no value: the usual depth of the format (`usualDepth`)
     bool alpha = false;              ///< whether there are four channels instead of three
     int quality = 92;                ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
-    double dpi = 0;                  ///< pixels an inch, 1 … 10,000, if the format can say it; 0: not said
+    /// The ICC profile of the colours that are written, and that the file says (`hasProfile`); empty: sRGB.
+    QByteArray profile;
+    double dpi = 0; ///< pixels an inch, 1 … 10,000, if the format can say it; 0: not said
     /// whether a PNG of 8 bits is written in a quarter of the time, a fifteenth larger
     bool quick = false;
     const std::atomic<bool> *cancel = nullptr; ///< when it becomes true, writing stops soon and leaves nothing behind
@@ -45,6 +47,8 @@ ImageDepth usualDepth(ImageFormat format);
 QStringList imageEndings();
 /// Whether files of a format can say how many pixels an inch has.
 bool hasResolution(ImageFormat format);
+/// Whether files of a format can say in which ICC profile their colours are.
+bool hasProfile(ImageFormat format);
 /// Whether `ImageOptions::quality` has a meaning for a format.
 bool hasQuality(ImageFormat format);
 
@@ -85,7 +89,9 @@ inline constexpr int maxImageSide = 16384;
 inline constexpr qint64 maxImagePixels = qint64(1) << 26;
 
 /// Decodes PNG, JPEG, TIFF, EXR or WebP to sRGB-encoded values in [0, 1] (NaN becomes 0) with straight alpha, upright
-/// as the file's Exif data say. `name` is used in messages. It may be called on any thread.
+/// as the file's Exif data say. Colours are converted from the file's ICC profile (relative colorimetric, with black
+/// points); without one, and where its profile is sRGB to half a 255th, its values are taken as they are. `name` is
+/// used in messages. It may be called on any thread.
 Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name);
 
 /// Pixels of an image that follow each other: pixel i lies at (x + i·dx, y + i·dy). (dx, dy) is a step along a row or a

@@ -41,6 +41,9 @@ Result<ImageModule> load(const QString &name)
     module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
     module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
     module.profile = reinterpret_cast<ImageModuleProfileFunction>(library.resolve("suffuse_image_profile"));
+    module.coloursOpen = reinterpret_cast<ImageModuleColoursOpenFunction>(library.resolve("suffuse_colours_open"));
+    module.coloursApply = reinterpret_cast<ImageModuleColoursApplyFunction>(library.resolve("suffuse_colours_apply"));
+    module.coloursClose = reinterpret_cast<ImageModuleColoursCloseFunction>(library.resolve("suffuse_colours_close"));
     if (!version || version() != imageModuleVersion || !module.write || !module.read)
         return problem(QCoreApplication::translate("ImageModule", "is of another version of Suffuse"));
     return module;
@@ -72,6 +75,11 @@ const Result<ImageModule> &writingModule(ImageFormat format, qint64 bytes)
 {
     const bool isLarge = format == ImageFormat::Exr || (format == ImageFormat::Png && bytes > mostPngBytes);
     return isLarge ? largeModule() : smallModule();
+}
+
+const Result<ImageModule> &colourModule()
+{
+    return smallModule();
 }
 
 ImageModuleFile moduleFile(FileReplacement &file)

@@ -8,7 +8,7 @@ namespace suffuse {
 
 class FileReplacement;
 
-/// The functions of an image module. All are set, except those for films and profiles, which only the small
+/// The functions of an image module. All are set, except those for films and colours, which only the small
 /// module has.
 struct ImageModule {
     ImageModuleWriteFunction write = nullptr;
@@ -16,6 +16,9 @@ struct ImageModule {
     ImageModuleFilmAddFunction filmAdd = nullptr;
     ImageModuleFilmEndFunction filmEnd = nullptr;
     ImageModuleProfileFunction profile = nullptr;
+    ImageModuleColoursOpenFunction coloursOpen = nullptr;
+    ImageModuleColoursApplyFunction coloursApply = nullptr;
+    ImageModuleColoursCloseFunction coloursClose = nullptr;
 };
 
 /// There are two modules: a small one for formats that are written often, which loads at once, and OpenImageIO, which
@@ -25,6 +28,9 @@ struct ImageModule {
 const Result<ImageModule> &readingModule(ImageFormat format);
 /// `bytes` is the size of the picture's pixels in the file before they are packed.
 const Result<ImageModule> &writingModule(ImageFormat format, qint64 bytes);
+
+/// The module that knows colour profiles.
+const Result<ImageModule> &colourModule();
 
 /// The file as modules see it.
 ImageModuleFile moduleFile(FileReplacement &file);

@@ -1,4 +1,6 @@
+#include "render/image_io/colour_conversion.h"
 #include "render/image_io/declared_size.h"
+#include "render/image_io/embedded_profile.h"
 #include "render/image_io/image_io.h"
 #include "render/image_io/image_module.h"
 #include "render/image_io/orientation.h"
@@ -18,6 +20,7 @@ namespace {
 struct RowConverter {
     const ImageRows &rows;
     Orientation orientation;
+    ColourConversion colours; ///< from the profile of the file
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -35,9 +38,19 @@ struct RowConverter {
     {
         for (int x = 0; x < width; ++x)
             pixel(values + std::size_t(x) * channels, rgba.data() + std::size_t(x) * 4);
+        convert();
         ImageRun run = orientation.run(y, width, height);
         run.rgba = rgba.data();
         rows.row(run);
+    }
+    /// A profile for grey says nothing of pixels that have colours.
+    void convert()
+    {
+        if (colours.changesNothing() || (colours.isFromGrey() && channels > 2))
+            return;
+        colours.apply(rgba.data(), std::size_t(width));
+        for (float &v : rgba)
+            v = v > 0 ? std::min(v, 1.0f) : 0; // NaN becomes 0, too.
     }
     void pixel(const float *v, float *out) const
     {
@@ -56,6 +69,17 @@ struct RowConverter {
         }
     }
 };
+
+/// What makes sRGB of the colours of a file. A profile that is broken, or for other colours than red, green and blue,
+/// is as none.
+ColourConversion conversionOf(const QByteArray &bytes, ImageFormat format)
+{
+    const QByteArray profile = embeddedProfile(bytes, format);
+    if (profile.isEmpty())
+        return {};
+    const Result<ColourConversion> conversion = ColourConversion::between({profile, {}, {}});
+    return conversion ? *conversion : ColourConversion();
+}
 
 Error tooLarge(const QString &name)
 {
@@ -81,7 +105,7 @@ Result<void> readImageRows(const QByteArray &bytes, const QString &name, const I
     if (!module)
         return Error{QCoreApplication::translate("ImageReader", "%1: cannot read %2: %3.")
                          .arg(name, nameOf(format), module.error())};
-    RowConverter converter{rows, orientationOf(bytes, format), 0, 0, 0, false, false, {}};
+    RowConverter converter{rows, orientationOf(bytes, format), conversionOf(bytes, format), 0, 0, 0, false, false, {}};
     ImageModuleRead job{};
     job.format = imageModuleName(format);
     const QByteArray pixels = withoutMetadata(bytes, format);

@@ -1,3 +1,4 @@
+#include "render/image_io/colour_conversion.h"
 #include "render/image_io/file_replacement.h"
 #include "render/image_io/image_io.h"
 #include "render/image_io/image_module.h"
@@ -17,8 +18,8 @@ namespace {
 /// Hands out the rows of the picture as the format stores them.
 class RowSource {
 public:
-    RowSource(const PictureRows &picture, const ImageOptions &options, ImageFormat format)
-        : m_picture(picture), m_options(options), m_linear(format == ImageFormat::Exr),
+    RowSource(const PictureRows &picture, const ImageOptions &options, ImageFormat format, ColourConversion colours)
+        : m_picture(picture), m_options(options), m_colours(std::move(colours)), m_linear(format == ImageFormat::Exr),
           m_values(std::size_t(picture.width) * channels())
     {}
 
@@ -32,7 +33,7 @@ public:
             m_cancelled = true;
             return nullptr;
         }
-        const float *from = m_picture.row(y);
+        const float *from = converted(m_picture.row(y));
         float *to = m_values.data();
         for (int x = 0; x < m_picture.width; ++x, from += 4, to += channels())
             pixel(from, to);
@@ -42,6 +43,17 @@ public:
     }
 
 private:
+    /// The pixels of a row in the colours that are written.
+    const float *converted(const float *row)
+    {
+        if (m_colours.changesNothing())
+            return row;
+        m_converted.assign(row, row + std::size_t(m_picture.width) * 4);
+        m_colours.apply(m_converted.data(), std::size_t(m_picture.width));
+        for (float &v : m_converted)
+            v = v > 0 ? std::min(v, 1.0f) : 0;
+        return m_converted.data();
+    }
     void pixel(const float *from, float *to) const
     {
         for (int c = 0; c < 3; ++c)
@@ -56,10 +68,11 @@ private:
 
     const PictureRows &m_picture;
     const ImageOptions &m_options;
+    ColourConversion m_colours;
     bool m_linear;
     bool m_cancelled = false;
     int m_done = 0;
-    std::vector<float> m_values;
+    std::vector<float> m_values, m_converted;
 };
 
 /// A file that is an array of bytes.
@@ -124,6 +137,8 @@ QString writeThroughModule(const ImageModule &module, const ImageModuleFile &fil
     job.quality = std::clamp(options.quality, 1, 100);
     job.quick = options.quick;
     job.dpi = hasResolution(format) && options.dpi > 0 ? std::clamp(options.dpi, 1.0, 10'000.0) : 0;
+    job.profile = options.profile.isEmpty() ? nullptr : options.profile.constData();
+    job.profileSize = std::size_t(options.profile.size());
     job.context = &source;
     job.row = [](void *c, int y) { return static_cast<RowSource *>(c)->row(y); };
     std::array<char, 512> error{};
@@ -149,6 +164,7 @@ struct Writing {
     const PictureRows &picture;
     const ImageOptions &options;
     const ImageModule *module = nullptr; ///< null for PFM
+    ColourConversion colours{};          ///< to the profile that is asked for
 
     /// Checks whether the picture can be written at all. It loads the module.
     Result<void> prepare()
@@ -163,6 +179,14 @@ struct Writing {
             return Error{QCoreApplication::translate("ImageWriter", "%1: cannot write %2: %3.")
                              .arg(name, nameOf(format), found.error())};
         module = &*found;
+        if (options.profile.isEmpty())
+            return {};
+        const Result<ColourConversion> conversion = ColourConversion::between({{}, options.profile, {}});
+        if (!conversion)
+            return Error{QCoreApplication::translate("ImageWriter",
+                                                     "%1: the colour profile cannot be used: %2. Choose another one.")
+                             .arg(name, conversion.error())};
+        colours = *conversion;
         return {};
     }
 
@@ -170,7 +194,7 @@ struct Writing {
     template <typename Problem>
     Result<void> write(const ImageModuleFile &file, const Problem &fileProblem) const
     {
-        RowSource source(picture, options, format);
+        RowSource source(picture, options, format, colours);
         QString failure;
         if (module)
             failure = writeThroughModule(*module, file, source, format, picture, options);

@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number. Raise it with every change below.
-inline constexpr int imageModuleVersion = 5;
+inline constexpr int imageModuleVersion = 6;
 
 /// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -34,6 +34,9 @@ struct ImageModuleWrite {
     int quality; ///< 1 … 100
     bool quick;  ///< whether a PNG of 8 bits is compressed less
     double dpi;  ///< pixels an inch; 0: not said
+    /// the ICC profile that says what the values mean; null: they are sRGB. EXR has none.
+    const void *profile;
+    std::size_t profileSize;
     void *context;
     /// returns width·channels floats, which are valid until the next call; null: stop
     const float *(*row)(void *context, int y);
@@ -61,9 +64,26 @@ struct ImageModuleFilm {
     void *work;         ///< belongs to the module; null at first and after the end
 };
 
+/// What colours are to become: those of one ICC profile colours of another one, and on the way, if that is asked for,
+/// what a third one can show of them. A profile without bytes is sRGB.
+struct ImageModuleColours {
+    const void *from;
+    std::size_t fromSize;
+    const void *to;
+    std::size_t toSize;
+    const void *proof; ///< null: none
+    std::size_t proofSize;
+    int intent;       ///< of ICC: 0 perceptual, 1 relative colorimetric, 2 saturation, 3 absolute colorimetric
+    bool blackPoints; ///< whether the darkest colour of one becomes the darkest of the other
+    bool marksGamut;  ///< whether colours that `proof` has not are marked: their channels become -1
+    bool isGrey;      ///< set by the module: whether `from` is for grey, of which the first channel is taken
+    bool isSame;      ///< set by the module: whether no channel changes by half of a 255th (and nothing is marked)
+};
+
 /// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
-/// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end` and
-/// `suffuse_image_profile`. Those that return a bool return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
+/// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end`,
+/// `suffuse_image_profile`, `suffuse_colours_open`, `suffuse_colours_apply` and `suffuse_colours_close`. Those that
+/// return a bool return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
@@ -76,5 +96,10 @@ using ImageModuleFilmEndFunction = bool (*)(ImageModuleFilm *film, const ImageMo
                                             std::int64_t milliseconds, char *error, std::size_t size);
 /// The ICC profile of sRGB, which lives as long as the module; null if there is no memory for it.
 using ImageModuleProfileFunction = const char *(*)(std::size_t *size);
+/// Prepares a conversion, which is closed in the end; null, with a message, if a profile cannot be used so.
+using ImageModuleColoursOpenFunction = void *(*)(ImageModuleColours *colours, char *error, std::size_t size);
+/// Converts pixels of four floats in place; the fourth one, alpha, stays. Several threads may do so at once.
+using ImageModuleColoursApplyFunction = void (*)(void *conversion, float *rgba, std::size_t pixels);
+using ImageModuleColoursCloseFunction = void (*)(void *conversion);
 
 } // namespace suffuse

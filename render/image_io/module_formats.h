@@ -5,11 +5,19 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace suffuse {
 
 /// An ICC profile of sRGB (version 4, parametric curves), which always has the same bytes.
 const std::string &srgbProfile();
+
+/// The profile of the colours of a picture that is written.
+inline std::string_view profileOf(const ImageModuleWrite &job)
+{
+    return job.profile ? std::string_view(static_cast<const char *>(job.profile), job.profileSize)
+                       : std::string_view(srgbProfile());
+}
 
 /// Appends a number with the highest byte first, as in PNG.
 inline void put32(std::string &out, std::uint32_t v)

@@ -78,8 +78,8 @@ bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite
     jpeg_start_compress(&jpeg, TRUE);
     constexpr char software[] = "Suffuse " SUFFUSE_VERSION;
     jpeg_write_marker(&jpeg, JPEG_COM, reinterpret_cast<const JOCTET *>(software), sizeof software - 1);
-    jpeg_write_icc_profile(&jpeg, reinterpret_cast<const JOCTET *>(srgbProfile().data()),
-                           unsigned(srgbProfile().size()));
+    const std::string_view profile = profileOf(job);
+    jpeg_write_icc_profile(&jpeg, reinterpret_cast<const JOCTET *>(profile.data()), unsigned(profile.size()));
     for (int y = 0; y < job.height && file.whole; ++y) {
         const float *from = job.row(job.context, y);
         if (!from) {

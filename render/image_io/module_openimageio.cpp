@@ -39,6 +39,8 @@ ImageSpec specOf(const ImageModuleWrite &job)
         spec.attribute("oiio:UnassociatedAlpha", 1);
     if (format == "openexr")
         spec.attribute("compression", "zip");
+    if (job.profile)
+        spec.attribute("ICCProfile", TypeDesc(TypeDesc::UINT8, int(job.profileSize)), job.profile);
     if (job.dpi > 0) {
         spec.attribute("XResolution", float(job.dpi));
         spec.attribute("YResolution", float(job.dpi));

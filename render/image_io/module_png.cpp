@@ -111,23 +111,47 @@ std::string numbers(std::initializer_list<std::uint32_t> values)
     return out;
 }
 
-/// Writes what comes before the pixels: that they are sRGB and, for readers that do not know that chunk, gamma and
-/// primaries.
-void putHead(Chunks &out, const ImageModuleWrite &job)
+/// Says what the values mean: by the profile, or that they are sRGB and, for readers that do not know that chunk, by
+/// gamma and primaries. Returns false if there is not enough memory.
+bool putColours(Chunks &out, const ImageModuleWrite &job)
 {
-    constexpr char rgb = 2, rgba = 6, absoluteColorimetric = 3, metre = 1;
+    constexpr char absoluteColorimetric = 3;
+    if (!job.profile) {
+        out.chunk("gAMA", numbers({45455}));
+        out.chunk("sRGB", {absoluteColorimetric});
+        out.chunk("cHRM", numbers({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
+        return true;
+    }
+    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor *)> compressor(
+        libdeflate_alloc_compressor(6), libdeflate_free_compressor);
+    if (!compressor)
+        return false;
+    constexpr char name[] = "ICC profile\0"; // its name, a zero, and the number of zlib's packing
+    std::string chunk(name, sizeof name);
+    const std::size_t head = chunk.size();
+    chunk.resize(head + libdeflate_zlib_compress_bound(compressor.get(), job.profileSize));
+    chunk.resize(head + libdeflate_zlib_compress(compressor.get(), job.profile, job.profileSize, chunk.data() + head,
+                                                 chunk.size() - head));
+    out.chunk("iCCP", chunk);
+    return true;
+}
+
+/// Writes what comes before the pixels. Returns false if there is not enough memory.
+bool putHead(Chunks &out, const ImageModuleWrite &job)
+{
+    constexpr char rgb = 2, rgba = 6, metre = 1;
     const char layout[] = {char(job.depth == ModuleBits16 ? 16 : 8), job.channels == 4 ? rgba : rgb, 0, 0, 0};
     constexpr char software[] = "Software\0Suffuse " SUFFUSE_VERSION;
     out.put("\x89PNG\r\n\x1a\n", 8);
     out.chunk("IHDR", numbers({std::uint32_t(job.width), std::uint32_t(job.height)}) + std::string(layout, 5));
-    out.chunk("gAMA", numbers({45455}));
-    out.chunk("sRGB", {absoluteColorimetric});
-    out.chunk("cHRM", numbers({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
+    if (!putColours(out, job))
+        return false;
     if (job.dpi > 0) {
         const auto perMetre = std::uint32_t(std::lround(job.dpi / 0.0254));
         out.chunk("pHYs", numbers({perMetre, perMetre}) + metre);
     }
     out.chunk("tEXt", std::string(software, sizeof software - 1));
+    return true;
 }
 
 /// Writes the pixels. Returns false if there is not enough memory.
@@ -155,8 +179,7 @@ bool writePng(const ImageModuleWrite &job, char *error, std::size_t size)
     if (rows.empty())
         return fail(error, size, "stopped");
     Chunks out(job.file);
-    putHead(out, job);
-    if (!putPixels(out, rows, job))
+    if (!putHead(out, job) || !putPixels(out, rows, job))
         return fail(error, size, "there is not enough memory");
     out.chunk("IEND", {});
     return out.isWhole() || fail(error, size, "the file could not be written");

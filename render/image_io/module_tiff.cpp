@@ -107,7 +107,8 @@ void describe(TIFF *tiff, const ImageModuleWrite &job, std::uint32_t stripRows)
         TIFFSetField(tiff, TIFFTAG_XRESOLUTION, job.dpi);
         TIFFSetField(tiff, TIFFTAG_YRESOLUTION, job.dpi);
     }
-    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(srgbProfile().size()), srgbProfile().data());
+    const std::string_view profile = profileOf(job);
+    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(profile.size()), profile.data());
 }
 
 template <typename Value, typename Convert>

@@ -2,6 +2,7 @@
 #include "render/image_io/module_webp_pixels.h"
 
 #include <webp/decode.h>
+#include <webp/mux.h>
 
 #include <vector>
 
@@ -21,6 +22,20 @@ bool configure(WebPConfig &config, int quality)
     config.lossless = 1;
     config.quality = 70;
     return true;
+}
+
+/// Writes the picture with a profile beside it. Returns false if it cannot be put there or written.
+bool writeWithProfile(const WebPMemoryWriter &picture, const ImageModuleWrite &job)
+{
+    const WebPData pixels{picture.mem, picture.size};
+    const WebPData profile{static_cast<const std::uint8_t *>(job.profile), job.profileSize};
+    const std::unique_ptr<WebPMux, void (*)(WebPMux *)> mux(WebPMuxNew(), WebPMuxDelete);
+    WebPData whole{};
+    const std::unique_ptr<WebPData, void (*)(WebPData *)> owner(&whole, WebPDataClear);
+    return mux && WebPMuxSetImage(mux.get(), &pixels, 0) == WEBP_MUX_OK &&
+           WebPMuxSetChunk(mux.get(), "ICCP", &profile, 0) == WEBP_MUX_OK &&
+           WebPMuxAssemble(mux.get(), &whole) == WEBP_MUX_OK &&
+           job.file.write(job.file.context, whole.bytes, whole.size, 0) == whole.size;
 }
 
 } // namespace
@@ -68,8 +83,9 @@ bool writeWebP(const ImageModuleWrite &job, char *error, std::size_t size)
         encodeWebP({pixels.data(), stride, job.width, job.height, job.channels}, job.quality, error, size);
     if (!bytes)
         return false;
-    return job.file.write(job.file.context, bytes->mem, bytes->size, 0) == bytes->size ||
-           fail(error, size, "the file could not be written");
+    const bool written = job.profile ? writeWithProfile(*bytes, job)
+                                     : job.file.write(job.file.context, bytes->mem, bytes->size, 0) == bytes->size;
+    return written || fail(error, size, "the file could not be written");
 }
 
 bool readWebP(const ImageModuleRead &job, char *error, std::size_t size)

@@ -41,20 +41,6 @@ QByteArray exifOfJpeg(const QByteArray &bytes)
     return {};
 }
 
-/// A chunk of a type in a file of chunks from `at` on, each with a length of four bytes and a type, in either order.
-QByteArray chunkOf(const QByteArray &bytes, qsizetype at, const QByteArray &type)
-{
-    const bool riff = bytes.startsWith("RIFF");
-    const FileNumbers numbers{bytes, riff};
-    while (at + 8 <= bytes.size()) {
-        const qsizetype length = qsizetype(numbers.at(quint64(at) + (riff ? 4 : 0), 4));
-        if (bytes.mid(at + (riff ? 0 : 4), 4) == type)
-            return bytes.mid(at + 8, length);
-        at += riff ? 8 + length + length % 2 : 12 + length; // In PNG a checksum follows.
-    }
-    return {};
-}
-
 } // namespace
 
 ImageRun Orientation::run(int y, int width, int height) const

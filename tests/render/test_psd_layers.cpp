@@ -6,6 +6,7 @@
 #include "model/formats/psd/pack_bits.h"
 #include "model/formats/psd/psd_channels.h"
 #include "model/formats/psd/psd_layers.h"
+#include "render/image_io/embedded_profile.h"
 #include "render/layered/psd_file.h"
 #include "render/scene/picture.h"
 #include "tests/trials.h"
@@ -46,7 +47,8 @@ QByteArray divider(quint32 kind, const char *mode)
     return block("lsct", out + "8BIM" + mode);
 }
 
-QByteArray fileOf(const std::vector<OtherLayer> &layers, quint16 bits = 8, quint16 mode = 3)
+QByteArray fileOf(const std::vector<OtherLayer> &layers, quint16 bits = 8, quint16 mode = 3,
+                  const QByteArray &resources = {})
 {
     QByteArray records, pixels;
     QDataStream r(&records, QIODevice::WriteOnly), p(&pixels, QIODevice::WriteOnly);
@@ -76,7 +78,8 @@ QByteArray fileOf(const std::vector<OtherLayer> &layers, quint16 bits = 8, quint
     raw(stream, "8BPS");
     stream << quint16(1);
     raw(stream, QByteArray(6, '\0'));
-    stream << quint16(3) << quint32(8) << quint32(10) << bits << mode << quint32(0) << quint32(0);
+    stream << quint16(3) << quint32(8) << quint32(10) << bits << mode << quint32(0) << quint32(resources.size());
+    raw(stream, resources);
     const QByteArray content = records + pixels;
     stream << quint32(content.size() + 8) << quint32(content.size());
     raw(stream, content);
@@ -272,6 +275,33 @@ private slots:
         QCOMPARE(read->painting.strokes.size(), std::size_t(1));
         QCOMPARE(read->painting.strokes[0]->picture->width, 10u);
         QCOMPARE(read->painting.strokes[0]->picture->height, 8u);
+    }
+
+    /// The profile of the file is that of each layer's image, wherever it stands among the resources.
+    void profile()
+    {
+        const auto resource = [](quint16 id, const QByteArray &name, const QByteArray &content) {
+            QByteArray out("8BIM");
+            QDataStream stream(&out, QIODevice::WriteOnly | QIODevice::Append);
+            stream << id << quint8(name.size());
+            out += name + QByteArray((name.size() + 1) % 2, '\0');
+            QDataStream rest(&out, QIODevice::WriteOnly | QIODevice::Append);
+            rest << quint32(content.size());
+            return out + content + QByteArray(content.size() % 2, '\0');
+        };
+        const QByteArray icc = "what this profile says";
+        const QByteArray resources =
+            resource(1005, "ab", "odd") + resource(1039, "c", icc) + resource(1060, {}, "behind");
+        for (const std::vector<OtherLayer> &layers : {std::vector<OtherLayer>{{.channels = plain(200, 255)}}, {}}) {
+            const Result<LoadedDocument> read = readDocument(fileOf(layers, 8, 3, resources), "p.psd");
+            QVERIFY2(read, qPrintable(read ? QString() : read.error()));
+            QCOMPARE(read->painting.strokes.size(), std::size_t(1));
+            QCOMPARE(embeddedProfile(*read->painting.strokes[0]->picture->image, ImageFormat::Tiff), icc);
+        }
+        const QByteArray torn = resource(1039, {}, icc).left(20);
+        const Result<LoadedDocument> read = readDocument(fileOf({}, 8, 3, torn), "torn.psd");
+        QVERIFY2(read, qPrintable(read ? QString() : read.error()));
+        QVERIFY(embeddedProfile(*read->painting.strokes[0]->picture->image, ImageFormat::Tiff).isEmpty());
     }
 
     void badFiles()

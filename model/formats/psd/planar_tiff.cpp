@@ -13,6 +13,11 @@ public:
 
     void addShorts(quint16 tag, const std::vector<quint16> &values) { add(tag, 3, values); }
     void addLongs(quint16 tag, const std::vector<quint32> &values) { add(tag, 4, values); }
+    void addBytes(quint16 tag, const QByteArray &bytes)
+    {
+        constexpr quint16 undefined = 7;
+        m_entries.push_back({tag, undefined, quint32(bytes.size()), bytes});
+    }
     /// The bytes of the directory, which begins where it was told.
     QByteArray bytes() const
     {
@@ -28,7 +33,7 @@ public:
                 stream.writeRawData(inPlace.constData(), 4);
             } else {
                 stream << quint32(values + beyond.size());
-                beyond += entry.content;
+                beyond += entry.content + QByteArray(entry.content.size() % 2, '\0');
             }
         }
         stream << quint32(0); // no other directory
@@ -90,6 +95,8 @@ QByteArray planarTiff(const PlanarImage &image)
     directory.addShorts(284, {2}); // one channel after another
     if (alpha)
         directory.addShorts(338, {2}); // straight
+    if (!image.profile.isEmpty())
+        directory.addBytes(34675, image.profile);
     return out + directory.bytes();
 }
 

@@ -19,6 +19,7 @@ struct PackedRows {
 struct PlanarImage {
     int width = 0, height = 0;        ///< pixels
     int bits = 8;                     ///< of a channel: 8 or 16, the latter with the highest byte first
+    QByteArray profile;               ///< the ICC profile of its colours; empty: none
     std::vector<PackedRows> channels; ///< grey, or red, green and blue; then, if there is one more, straight alpha
 };
 

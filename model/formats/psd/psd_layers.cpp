@@ -106,7 +106,7 @@ public:
         m_painting.canvas.width = m_width, m_painting.canvas.height = m_height;
         m_painting.canvas.background.opacity = 0; // The file's own lowest layer is its background.
         m_file.skip(m_file.u32());                // a palette
-        m_file.skip(m_file.u32());                // resources
+        m_profile = profileIn(m_file.take(m_file.u32()));
         const QByteArray layers = layersOf(m_file.take(m_file.u32()));
         if (!m_file.ok())
             return damaged();
@@ -130,6 +130,25 @@ public:
 private:
     static constexpr std::size_t deepest = 64;
     static constexpr int mostLayers = 1 << 14;
+
+    /// The ICC profile among the file's resources; empty if there is none. Each layer becomes an image that has it, so
+    /// a very large one is left out.
+    static QByteArray profileIn(const QByteArray &resources)
+    {
+        constexpr int profileId = 1039;
+        constexpr qsizetype most = 1 << 20;
+        Cursor cursor(resources);
+        while (cursor.ok() && cursor.left() >= 12) {
+            cursor.skip(4);
+            const int id = cursor.u16(), name = cursor.u8();
+            cursor.skip(name + (name + 1) % 2);
+            const QByteArray content = cursor.take(cursor.u32());
+            if (id == profileId && cursor.ok())
+                return content.size() <= most ? content : QByteArray();
+            cursor.skip(std::min<qsizetype>(content.size() % 2, cursor.left()));
+        }
+        return {};
+    }
 
     /// The number of layers, their records and their pixels: the first part of the section, or, of 16 bits, a block
     /// behind it. Empty if there are none.
@@ -296,7 +315,7 @@ private:
     {
         constexpr int alpha = -1, mask = -2;
         const ChannelShape shape{record.area.width(), record.area.height(), m_bits};
-        PlanarImage image{shape.width, shape.height, m_bits, {}};
+        PlanarImage image{shape.width, shape.height, m_bits, m_profile, {}};
         for (int id = 0; id < m_colours; ++id) {
             const auto stored = record.stored.find(id);
             const std::optional<PackedRows> rows =
@@ -364,7 +383,7 @@ private:
         const int channels = std::min(m_channels, m_colours + 1);
         if (channels < m_colours)
             return false;
-        PlanarImage image{m_width, m_height, m_bits, {}};
+        PlanarImage image{m_width, m_height, m_bits, m_profile, {}};
         const QByteArray counts =
             packing == Packing::PackBits ? m_file.take(2 * qsizetype(m_height) * m_channels) : QByteArray();
         for (int c = 0; c < channels && m_file.ok(); ++c) {
@@ -398,6 +417,7 @@ private:
 
     Cursor m_file;
     int m_channels = 0, m_width = 0, m_height = 0, m_bits = 8, m_colours = 3;
+    QByteArray m_profile;
     Painting m_painting;
     std::vector<GroupId> m_open;
     int m_missing = 0, m_modes = 0, m_computed = 0, m_effects = 0, m_masks = 0;
