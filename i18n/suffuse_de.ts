@@ -1805,6 +1805,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Zeitlich strecken</translation>
     </message>
     <message>
+        <source>%1, with its erasures</source>
+        <translation>%1, mit den Radierungen</translation>
+    </message>
+    <message>
+        <source>%1; erasures keep their time</source>
+        <translation>%1; Radierungen behalten ihre Zeit</translation>
+    </message>
+    <message>
         <source>Later by %1 s</source>
         <translation>Verschoben um %1 s</translation>
     </message>
@@ -9679,6 +9687,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Dry at %1</source>
         <translation>Trocken bei %1</translation>
+    </message>
+    <message>
+        <source>Erased in part from %1 on</source>
+        <translation>Ab %1 teilweise radiert</translation>
     </message>
     <message>
         <source>Wetted again, dry at %1</source>

@@ -1790,6 +1790,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>在时间上伸缩</translation>
     </message>
     <message>
+        <source>%1, with its erasures</source>
+        <translation>%1，擦除随之移动</translation>
+    </message>
+    <message>
+        <source>%1; erasures keep their time</source>
+        <translation>%1；擦除的时间不变</translation>
+    </message>
+    <message>
         <source>Later by %1 s</source>
         <translation>移动 %1 秒</translation>
     </message>
@@ -9616,6 +9624,10 @@ Arrow keys work too.</source>
     <message>
         <source>Dry at %1</source>
         <translation>干透于 %1</translation>
+    </message>
+    <message>
+        <source>Erased in part from %1 on</source>
+        <translation>自 %1 起被部分擦除</translation>
     </message>
     <message>
         <source>Wetted again, dry at %1</source>

@@ -1,10 +1,12 @@
 #include "app/panels/timeline/retiming.h"
 
 #include "app/session/editor.h"
+#include "model/painting/editable.h"
 #include "undo/time_edits.h"
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse {
@@ -16,12 +18,32 @@ QString signedSeconds(Microseconds t)
     return (t < 0 ? QStringLiteral("−") : QStringLiteral("+")) + QLocale().toString(std::abs(toSeconds(t)), 'f', 3);
 }
 
+bool isErasure(const Segment &segment)
+{
+    return segment.lift;
+}
+
 } // namespace
 
 Retiming::Retiming(Editor &editor, Kind kind, const TimelineBar &held)
     : m_kind(kind), m_held(held), m_before(editor.document().painting()), m_selection(editor.document().selection()),
       m_drawn(drawnSpan(*m_before, m_selection))
-{}
+{
+    const Locks isLocked(m_before->groups);
+    for (const StrokePtr &stroke : m_before->strokes) {
+        if (!m_selection.strokes.contains(stroke->id) || isLocked(*stroke) ||
+            std::ranges::none_of(stroke->segments, isErasure))
+            continue;
+        const auto first = m_selection.segments.lower_bound({stroke->id, 0}),
+                   end = m_selection.segments.lower_bound({stroke->id, int(stroke->segments.size())});
+        const auto isErasureOf = [&](const SegmentRef &ref) {
+            return isErasure(stroke->segments[std::size_t(ref.segment)]);
+        };
+        // Whoever moves nothing but erasures knows it.
+        m_hasErasures = m_hasErasures || first == end || !std::all_of(first, end, isErasureOf);
+        m_movesErasures = m_movesErasures || first == end || std::any_of(first, end, isErasureOf);
+    }
+}
 
 std::optional<Retiming> Retiming::begin(Editor &editor, Kind kind, const TimelineBar &held)
 {
@@ -38,7 +60,15 @@ QString Retiming::moveBy(Microseconds by)
 {
     auto [edit, words] = m_kind == Kind::Shift ? shifted(by) : eases() ? eased(by) : stretched(by);
     m_gesture.show(std::move(edit));
-    return words;
+    return withErasures(words);
+}
+
+/// Erasures have no bar, so words say what becomes of them.
+QString Retiming::withErasures(const QString &words) const
+{
+    return !m_hasErasures                             ? words
+           : m_kind == Kind::Shift && m_movesErasures ? tr("%1, with its erasures").arg(words)
+                                                      : tr("%1; erasures keep their time").arg(words);
 }
 
 std::pair<Edit, QString> Retiming::shifted(Microseconds by) const

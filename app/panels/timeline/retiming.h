@@ -35,13 +35,16 @@ private:
     std::pair<Edit, QString> shifted(Microseconds by) const;
     std::pair<Edit, QString> stretched(Microseconds by) const;
     std::pair<Edit, QString> eased(Microseconds by) const;
+    QString withErasures(const QString &words) const;
     bool eases() const { return m_kind == Kind::EaseBegin || m_kind == Kind::EaseEnd; }
 
     Kind m_kind;
     TimelineBar m_held;
     PaintingPtr m_before;
     Selection m_selection;
-    TimeSpan m_drawn; ///< the time in which the strokes were drawn, before the drag
+    TimeSpan m_drawn;             ///< the time in which the strokes were drawn, before the drag
+    bool m_movesErasures = false; ///< what takes paint away goes along when the selection moves
+    bool m_hasErasures = false;   ///< paint is selected, and something takes some of it away
     Gesture m_gesture;
 };
 

@@ -40,6 +40,18 @@ TimelineBar barOf(const Stroke &stroke)
     return bar;
 }
 
+std::vector<TimeSpan> erasuresOf(const Stroke &stroke)
+{
+    std::vector<TimeSpan> spans;
+    for (const Segment &s : stroke.segments)
+        if (s.lift && s.start)
+            spans.push_back({s.born, s.born});
+        else if (s.lift && !spans.empty())
+            spans.back() = {std::min(spans.back().begin, s.born), std::max(spans.back().end, s.born)};
+    std::ranges::sort(spans, {}, &TimeSpan::begin);
+    return spans;
+}
+
 namespace {
 
 bool sameBirths(const Stroke &a, const Stroke &b)

@@ -25,6 +25,10 @@ struct TimelineBar {
 /// The bar of a stroke.
 TimelineBar barOf(const Stroke &stroke);
 
+/// When softly erasing strokes took paint of this stroke away, in ascending order: a span for each time that the eraser
+/// was at work, from the birth of its first segment to that of its last.
+std::vector<TimeSpan> erasuresOf(const Stroke &stroke);
+
 /// All strokes of a painting as bars in lanes. No bar overlaps another one of its lane. If a few strokes are moved or
 /// stretched, each of them stays in its lane if there is room, and the others stay in any case. One that comes back to
 /// where it was, as undo makes it, comes back into its lane.

@@ -66,6 +66,7 @@ void TimelinePicture::paint(QPainter &painter, const QRect &area, const std::set
     painter.save();
     painter.setClipRect(lanesRect(), Qt::IntersectClip);
     paintLanes(painter, area, dragged);
+    paintErasures(painter, area, dragged);
     if (band) {
         QColor fill = m_palette.color(QPalette::Highlight);
         painter.setPen(fill);
@@ -209,6 +210,37 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
     painter.drawRect(body.adjusted(0.5, 0.5, -0.5, -0.5));
     if (selected)
         paintSelectedRuns(painter, stroke, body);
+}
+
+/// What erases a selected stroke is marked in its lane at its time, dashed as it is on the canvas. Other bars may be
+/// there, so it covers none of them.
+void TimelinePicture::paintErasures(QPainter &painter, const QRect &area, const std::set<StrokeId> *dragged) const
+{
+    const std::set<StrokeId> &selected = m_document.selection().strokes;
+    const StrokeList &strokes = dragged ? m_document.painting()->strokes : m_bars.painting().strokes;
+    const QColor accent = m_palette.color(isDarkTheme() ? QPalette::Link : QPalette::Highlight);
+    for (std::size_t i = 0; !selected.empty() && i < std::min(m_bars.size(), strokes.size()); ++i) {
+        const double top = m_axes.laneTop(m_bars[i].lane);
+        const Stroke &stroke = *strokes[i];
+        if (!selected.contains(stroke.id) || stroke.id != m_bars[i].stroke || top > area.bottom() ||
+            top + TimelineAxes::laneHeight < area.top())
+            continue;
+        double from = m_axes.xOf(barOf(stroke).end);
+        for (const TimeSpan &span : erasuresOf(stroke)) {
+            const QRectF mark(m_axes.xOf(span.begin), top + 3,
+                              std::max(m_axes.xOf(span.end) - m_axes.xOf(span.begin), 5.0),
+                              TimelineAxes::laneHeight - 6);
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(previewPaper(), 3));
+            painter.drawRect(mark);
+            painter.setPen(QPen(accent, 1.5, Qt::DashLine));
+            if (mark.left() > from) // which stroke it belongs to
+                painter.drawLine(QPointF(from, mark.center().y()), QPointF(mark.left(), mark.center().y()));
+            painter.setPen(QPen(accent, 1.5));
+            painter.drawRect(mark);
+            from = std::max(from, mark.right());
+        }
+    }
 }
 
 void TimelinePicture::paintSelectedRuns(QPainter &painter, const Stroke &stroke, const QRectF &rect) const

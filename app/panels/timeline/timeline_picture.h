@@ -41,6 +41,7 @@ private:
     void paintRuler(QPainter &painter, const QRect &area) const;
     void paintLanes(QPainter &painter, const QRect &area, const std::set<StrokeId> *dragged) const;
     void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke, bool isVisible) const;
+    void paintErasures(QPainter &painter, const QRect &area, const std::set<StrokeId> *dragged) const;
     void paintSelectedRuns(QPainter &painter, const Stroke &stroke, const QRectF &rect) const;
     void paintPlayhead(QPainter &painter) const;
 

@@ -127,6 +127,8 @@ QString TimelinePointer::toolTipAt(QPointF at, const TimelineAxes &axes) const
                       tr("Dry at %1").arg(clockText(bar.dry))};
     if (bar.end > bar.dry)
         lines << tr("Wetted again, dry at %1").arg(clockText(bar.end));
+    if (const std::vector<TimeSpan> erasures = erasuresOf(stroke); !erasures.empty())
+        lines << tr("Erased in part from %1 on").arg(clockText(erasures.front().begin));
     if (m_bars.painting().isLocked(stroke))
         lines << tr("Locked");
     return lines.join('\n');

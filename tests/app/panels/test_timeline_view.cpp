@@ -457,6 +457,61 @@ private slots:
         QTRY_VERIFY(shown() != before);
     }
 
+    /// What erases a stroke has no bar. It is marked while the stroke is selected, and words say whether it goes along.
+    void movingABarTellsOfItsErasures()
+    {
+        StrokeList strokes = fourStrokes();
+        auto erased = std::make_shared<Stroke>(*strokes[2]);
+        Segment lift = erased->segments.front();
+        lift.lift = lift.start = true;
+        lift.colour = {};
+        lift.born = 7 * second;
+        erased->segments.push_back(lift);
+        const int erasure = int(erased->segments.size()) - 1;
+        strokes[2] = erased;
+        Timed s(strokes);
+        QCOMPARE(erasuresOf(*erased), (std::vector<TimeSpan>{{7 * second, 7 * second}}));
+        const auto mark = [&](Microseconds at) {
+            const QImage shown = s.view().viewport()->grab().toImage();
+            const QRectF bar = s.view().drawnRect(3);
+            return shown.pixelColor(int(std::lround(s.view().xOf(at))), int(bar.center().y()) + 4);
+        };
+        const QColor ground = mark(7 * second);
+        s.select({3});
+        const QColor marked = mark(7 * second);
+        QVERIFY(marked != ground);
+        const auto said = [&](const QString &part) {
+            return std::ranges::any_of(s.panel->findChildren<QLabel *>(),
+                                       [&](const QLabel *label) { return label->text().contains(part); });
+        };
+        s.press(s.middleOf(3));
+        const QPoint later(int(std::lround(s.view().xOf(5 * second) - s.view().xOf(3 * second))), 0);
+        const QPoint from = s.middleOf(3);
+        s.moveTo(from + later / 2);
+        s.moveTo(from + later);
+        QVERIFY(said("with its erasures"));
+        QVERIFY(mark(s.stroke(3).segments[std::size_t(erasure)].born) != ground);
+        QCOMPARE(mark(7 * second), ground);
+        s.release(from + later);
+        QVERIFY(!said("with its erasures"));
+        s.use(Command::Undo);
+        // A run of its paint moves alone, and so does what is drawn in another time.
+        s.editor().document().setSelection({{3}, {{3, 0}}});
+        s.press(s.middleOf(3));
+        s.moveTo(s.middleOf(3) + QPoint(12, 0));
+        s.moveTo(s.middleOf(3) + QPoint(15, 0));
+        QVERIFY(said("erasures keep their time"));
+        QCOMPARE(s.stroke(3).segments[std::size_t(erasure)].born, 7 * second);
+        s.release(s.middleOf(3));
+        // Where nothing is erased there is nothing to say.
+        s.select({4});
+        s.press(s.middleOf(4));
+        s.moveTo(s.middleOf(4) + QPoint(12, 0));
+        s.moveTo(s.middleOf(4) + QPoint(15, 0));
+        QVERIFY(said("Later by") && !said("erasures"));
+        s.release(s.middleOf(4));
+    }
+
     void lockedBarsStay()
     {
         StrokeList strokes = fourStrokes();
