@@ -35,6 +35,8 @@ constexpr int lowPanel = 110;
 /// Heights of a screen from which on the inspector has a place of its own below the brushes, and the list of strokes
 /// one below the inspector.
 constexpr int mediumScreen = 1000, highScreen = 1300;
+/// Logical pixels of the timeline, with its title and its row of buttons: three lanes on a low screen, seven else.
+constexpr int lowTimeline = 156, highTimeline = 230;
 /// Logical pixels of the column of docks.
 constexpr int columnWidth = 312;
 
@@ -187,7 +189,7 @@ void Docks::shareRoom()
     QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
     const int height = window.screen()->availableSize().height();
     const bool low = height < mediumScreen, high = height >= highScreen;
-    window.resizeDocks({m_timeline}, {low ? 118 : 150}, Qt::Vertical);
+    window.resizeDocks({m_timeline}, {low ? lowTimeline : highTimeline}, Qt::Vertical);
     window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
     if (low)
         window.resizeDocks({colour, brushes}, {332, 308}, Qt::Vertical);

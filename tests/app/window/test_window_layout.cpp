@@ -419,6 +419,18 @@ private slots:
         QVERIFY(seen("strokesDock"));
     }
 
+    /// Whoever opens the timeline sees three lanes whole, and the most of the window is the canvas.
+    void theTimelineShowsLanes()
+    {
+        Session s;
+        s.window.resize(1366, 738);
+        QTest::qWait(50);
+        auto &view = *s.window.findChild<TimelinePanel *>()->view();
+        constexpr double lane = TimelineAxes::laneHeight + TimelineAxes::laneGap;
+        const int lanes = view.viewport()->height() - view.rulerHeight() - 4;
+        QVERIFY2(lanes >= 3 * lane, qPrintable(QString::number(lanes / lane)));
+    }
+
     /// Who asks for a dock that is open behind another one wants to see it; who asks for one that is seen closes it.
     void theMenuBringsDocksToTheFront()
     {
