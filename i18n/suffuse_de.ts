@@ -2997,8 +2997,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 <context>
     <name>suffuse::BrushToolOptions</name>
     <message>
-        <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
+        <source>Width of a dry line at full pressure, in units ([ and ] change it)</source>
+        <translation>Breite einer trockenen Linie bei vollem Druck, in Einheiten ([ und ] ändern sie)</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
@@ -8541,8 +8541,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
+        <source>Width of a dry line at full pressure, in units; sets the diffusion.</source>
+        <translation>Breite einer trockenen Linie bei vollem Druck, in Einheiten; stellt die Diffusion ein.</translation>
     </message>
     <message>
         <source>Flow</source>

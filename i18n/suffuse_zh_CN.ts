@@ -2981,8 +2981,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 <context>
     <name>suffuse::BrushToolOptions</name>
     <message>
-        <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
+        <source>Width of a dry line at full pressure, in units ([ and ] change it)</source>
+        <translation>全压力下干燥线条的宽度，以单位计（[ 和 ] 可更改）</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
@@ -8483,8 +8483,8 @@ Arrow keys work too.</source>
         <translation>大小</translation>
     </message>
     <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
+        <source>Width of a dry line at full pressure, in units; sets the diffusion.</source>
+        <translation>全压力下干燥线条的宽度，以单位计；由此设定扩散。</translation>
     </message>
     <message>
         <source>Flow</source>

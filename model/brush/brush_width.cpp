@@ -2,6 +2,8 @@
 
 #include "model/paint/half_width.h"
 
+#include <algorithm>
+
 namespace suffuse {
 
 double halfWidthOf(const Brush &brush)
@@ -25,6 +27,12 @@ double visibleWidth(const Brush &brush)
 {
     const double half = halfWidthOf(brush);
     return 2 * (half > 0 ? half : brush.spread());
+}
+
+void setVisibleWidth(Brush &brush, double width)
+{
+    constexpr double least = 1e-7, greatest = 1e5;
+    brush.setSpread(std::clamp(brush.spread() * width / visibleWidth(brush), least, greatest));
 }
 
 } // namespace suffuse

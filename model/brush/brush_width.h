@@ -17,5 +17,8 @@ Segment valuesAtFullPressure(const Brush &brush);
 /// The width of a long, straight, dry stroke of the brush where no curve makes it smaller, units. If strokes of the
 /// brush are too thin to have an edge, it is twice the spread. It is in proportion to the spread.
 double visibleWidth(const Brush &brush);
+/// Gives the brush another spread, so that this is its visible width; the peak stays. The spread stays between 1e-7 and
+/// 1e5 units.
+void setVisibleWidth(Brush &brush, double width);
 
 } // namespace suffuse

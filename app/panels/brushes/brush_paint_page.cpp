@@ -2,6 +2,7 @@
 
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/brush/brush_width.h"
 #include "model/paint/style_function.h"
 
 #include <QComboBox>
@@ -74,8 +75,8 @@ BrushPaintPage::BrushPaintPage(QWidget *parent) : BrushPage(parent)
 void BrushPaintPage::addValues(QGridLayout &grid)
 {
     bind(
-        grid, specOf(Quantity::Size), [](const Brush &b) { return b.spread(); },
-        [](Brush &b, double v) { b.setSpread(v); });
+        grid, specOf(Quantity::Size), [](const Brush &b) { return visibleWidth(b); },
+        [](Brush &b, double v) { setVisibleWidth(b, v); });
     bind(
         grid, specOf(Quantity::Flow), [](const Brush &b) { return double(b.peak); },
         [](Brush &b, double v) { b.peak = float(v); });

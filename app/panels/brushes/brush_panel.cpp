@@ -9,6 +9,7 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/brush/brush_width.h"
 
 #include <QApplication>
 #include <QGridLayout>
@@ -169,7 +170,7 @@ void BrushPanel::addFields(QVBoxLayout &column)
     m_flow = new SliderField(specOf(Quantity::Flow), *grid, 1, this);
     m_opacity = new SliderField(specOf(Quantity::Opacity), *grid, 2, this);
     connect(m_size, &SliderField::edited, this,
-            [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
+            [this](double width) { edit([=](Brush &b) { setVisibleWidth(b, width); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
     connect(m_opacity, &SliderField::edited, this,
             [this](double opacity) { edit([=](Brush &b) { b.colour.opacity = float(opacity); }); });
@@ -196,11 +197,11 @@ void BrushPanel::refresh()
     m_title->setText(modified ? tr("%1 (changed)").arg(brushTitle(brush.name)) : brushTitle(brush.name));
     m_reset->setEnabled(modified);
     if (const Brush *preset = BrushLibrary::instance().find(brush.name)) {
-        m_size->setDefaultValue(preset->spread());
+        m_size->setDefaultValue(visibleWidth(*preset));
         m_flow->setDefaultValue(double(preset->peak));
         m_opacity->setDefaultValue(double(preset->colour.opacity));
     }
-    m_size->setValue(brush.spread());
+    m_size->setValue(visibleWidth(brush));
     m_flow->setValue(double(brush.peak));
     m_opacity->setValue(double(brush.colour.opacity));
 }

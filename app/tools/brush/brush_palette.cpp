@@ -13,6 +13,7 @@
 #include "app/widgets/colour/colour_swatch.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/brush/brush_width.h"
 #include "model/colour/colour_shift.h"
 
 #include <QGridLayout>
@@ -141,7 +142,7 @@ QWidget *BrushPalette::makeNumbers()
     m_opacity = new SliderField(specOf(Quantity::Opacity), *grid, 2, part);
     m_zoom = new SliderField(zoomSpec(), *grid, 3, part);
     connect(m_size, &SliderField::edited, this,
-            [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
+            [this](double width) { edit([=](Brush &b) { setVisibleWidth(b, width); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
     connect(m_opacity, &SliderField::editedRelative, this, [this](const ValueMap &map) {
         m_editor.colourTarget().changeEach(
@@ -217,7 +218,7 @@ void BrushPalette::refresh()
     m_whose->setToolTip(m_editor.colourTarget().title());
     if (!m_picking)
         refreshNear();
-    m_size->setValue(brush.spread());
+    m_size->setValue(visibleWidth(brush));
     m_flow->setValue(double(brush.peak));
     m_opacity->setValue(double(colour.opacity));
     m_opacity->setOneOfSeveral(summary.differ[ColourRows::Opacity]);

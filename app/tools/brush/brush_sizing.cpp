@@ -2,6 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/brush/brush_width.h"
 
 #include <QTimerEvent>
 
@@ -61,7 +62,7 @@ void BrushSizing::scaleSize(double factor)
     Brush brush = m_editor.brush();
     brush.setSpread(std::clamp(brush.spread() * factor, leastSpread, greatestSpread));
     m_editor.setBrush(brush);
-    showNote(noteOf(Quantity::Size, brush.spread()), m_drag.has_value());
+    showNote(noteOf(Quantity::Size, visibleWidth(brush)), m_drag.has_value());
 }
 
 void BrushSizing::addOpacity(double difference)

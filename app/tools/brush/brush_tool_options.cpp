@@ -5,6 +5,7 @@
 #include "app/tools/tool_fields.h"
 #include "app/widgets/brush/brush_combo.h"
 #include "app/widgets/numbers/quantity.h"
+#include "model/brush/brush_width.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -17,9 +18,9 @@ BrushToolOptions::BrushToolOptions(Editor &editor) : m_editor(editor)
     QHBoxLayout *row = toolRow(this);
     addPresets(*row);
     FieldSpec size = specOf(Quantity::Size), opacity = specOf(Quantity::Opacity);
-    size.toolTip = tr("How far the paint spreads, in units ([ and ] change it)");
+    size.toolTip = tr("Width of a dry line at full pressure, in units ([ and ] change it)");
     opacity.toolTip = tr("How much the paint covers ({ and } change it)");
-    m_size = addNumber(*row, size, [this](double value) { change([=](Brush &b) { b.setSpread(value); }); });
+    m_size = addNumber(*row, size, [this](double value) { change([=](Brush &b) { setVisibleWidth(b, value); }); });
     m_flow = addNumber(*row, specOf(Quantity::Flow),
                        [this](double value) { change([=](Brush &b) { b.peak = float(value); }); });
     m_opacity =
@@ -84,7 +85,7 @@ void BrushToolOptions::refresh()
 {
     const Brush &brush = m_editor.brush();
     m_presets->setCurrentIndex(m_presets->findData(brush.name));
-    m_size->setValue(brush.spread());
+    m_size->setValue(visibleWidth(brush));
     m_flow->setValue(double(brush.peak));
     m_opacity->setValue(double(brush.colour.opacity));
     m_smoothing->setCurrentIndex(int(brush.stabiliser.kind));

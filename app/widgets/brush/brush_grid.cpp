@@ -3,6 +3,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/brush/brush_pictures.h"
 #include "app/widgets/numbers/display.h"
+#include "model/brush/brush_width.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -143,9 +144,9 @@ void BrushGrid::setPicture(QListWidgetItem *item)
     const Brush *brush = BrushLibrary::instance().find(name);
     if (!brush)
         return;
-    const QString about =
-        tr("%1: size %2, dry after %3")
-            .arg(brushTitle(name), lengthDisplay().text(brush->spread()), timeDisplay().text(double(brush->maxAge)));
+    const QString about = tr("%1: size %2, dry after %3")
+                              .arg(brushTitle(name), lengthDisplay().text(visibleWidth(*brush)),
+                                   timeDisplay().text(double(brush->maxAge)));
     item->setToolTip(
         changed ? about + '\n' + tr("Changed since the program was started; Reload in its menu undoes that") : about);
 }

@@ -1,6 +1,7 @@
 #include "app/widgets/numbers/quantity.h"
 
 #include "model/brush/brush.h"
+#include "model/brush/brush_width.h"
 
 #include <QCoreApplication>
 
@@ -40,8 +41,9 @@ FieldSpec granulationSpec()
 {
     // The stored number is ω, which hides the paper; people think of the grain that they see.
     return {.name = QuantityText::tr("Granulation"),
-            .toolTip = QuantityText::tr("How much of the paper's grain shows: 0 % is smooth, 100 % shows all of it. Files and "
-                                "scripts hold ω, which is 1 where this is 0 %."),
+            .toolTip =
+                QuantityText::tr("How much of the paper's grain shows: 0 % is smooth, 100 % shows all of it. Files and "
+                                 "scripts hold ω, which is 1 where this is 0 %."),
             .display = grainDisplay(),
             .step = 0.01,
             .sliderStep = 0.01};
@@ -81,14 +83,14 @@ FieldSpec angleSpec()
 FieldSpec sizeSpec()
 {
     return {.name = QuantityText::tr("Size"),
-            .toolTip = QuantityText::tr("How far the paint spreads, in units; sets the diffusion."),
+            .toolTip = QuantityText::tr("Width of a dry line at full pressure, in units; sets the diffusion."),
             .display = lengthDisplay(),
             .minimum = 1e-7,
             .maximum = 1e5,
-            .sliderMinimum = 0.5,
-            .sliderMaximum = 300,
+            .sliderMinimum = 1,
+            .sliderMaximum = 600,
             .logarithmic = true,
-            .defaultValue = Brush{}.spread()};
+            .defaultValue = visibleWidth(Brush{})};
 }
 
 FieldSpec flowSpec()
@@ -257,9 +259,10 @@ FieldSpec xiSpec(StyleKind kind, int index)
          {QuantityText::tr("Full at ξ1"), QuantityText::tr("Steepness ξ2"), QStringLiteral("ξ3")},
          {QuantityText::tr("Edge ξ1"), QuantityText::tr("Lightening ξ2"), QuantityText::tr("Strength ξ3")}}};
     const std::array<std::array<QString, 3>, 3> tips{
-        {{QuantityText::tr("Density at which the stroke covers by half."), QuantityText::tr("How gently the edge fades."), unused},
-         {QuantityText::tr("Density from which the stroke covers fully."), QuantityText::tr("How steeply coverage grows with density."),
-          unused},
+        {{QuantityText::tr("Density at which the stroke covers by half."),
+          QuantityText::tr("How gently the edge fades."), unused},
+         {QuantityText::tr("Density from which the stroke covers fully."),
+          QuantityText::tr("How steeply coverage grows with density."), unused},
          {QuantityText::tr("Density at which the dark rim stands."),
           QuantityText::tr("How much the inside is lighter than the rim; at most 1.26·ξ1."),
           QuantityText::tr("Coverage far inside the stroke.")}}};

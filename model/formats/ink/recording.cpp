@@ -38,7 +38,7 @@ void takeWidths(const std::vector<double> &widths, Brush &brush, std::vector<Pen
     const double most = widths.size() == samples.size() && !widths.empty() ? *std::ranges::max_element(widths) : 0;
     if (!(most > 0))
         return;
-    brush.setSpread(std::clamp(brush.spread() * most / visibleWidth(brush), 1e-3, 1e5));
+    setVisibleWidth(brush, most);
     brush.tip = {};
     brush.taper = {};
     for (const BrushInput input : {BrushInput::Pressure, BrushInput::Tilt, BrushInput::Speed, BrushInput::Distance,

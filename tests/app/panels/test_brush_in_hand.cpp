@@ -224,6 +224,41 @@ private slots:
         QCOMPARE(s.editor().undoStack().count(), 0);
     }
 
+    /// The number that is typed is the width that is painted, whatever the brush's style and flow make of its spread.
+    void sizeIsTheWidthThatIsPainted()
+    {
+        for (const char *name : {"flat-marker", "soft-airbrush", "watercolour-edge"}) {
+            Session s;
+            Brush brush = *findBrush(name);
+            brush.dynamics.clear();
+            brush.taper = {};
+            brush.jitter = {};
+            brush.stabiliser = {};
+            brush.granulation = 1;
+            brush.colour = {0, 0, 0.5f, 1};
+            s.editor().setBrush(brush);
+            auto *size = s.canvas().tool()->options()->findChild<NumberField *>();
+            QCOMPARE(size->accessibleName(), QString("Size"));
+            emit size->entered(40);
+            QVERIFY(size->value() && std::abs(*size->value() - 40) < 1e-4);
+            s.paintLine({200, 300}, {700, 300});
+            s.dry();
+            const QImage picture = s.canvas().picture();
+            const Point middle = s.canvas().view().toPixels({450, 300});
+            const auto darkness = [&](int y) { return 255 - qRed(picture.pixel(int(middle.x), y)); };
+            int deepest = 0, first = picture.height(), last = 0; // between dark edges paint may be pale
+            for (int y = 0; y < picture.height(); ++y)
+                deepest = std::max(deepest, darkness(y));
+            for (int y = 0; y < picture.height(); ++y)
+                if (2 * darkness(y) > deepest) {
+                    first = std::min(first, y);
+                    last = y;
+                }
+            const double width = (last + 1 - first) / s.canvas().view().scale;
+            QVERIFY2(std::abs(width - 40) < 3, qPrintable(QString("%1: %2").arg(name).arg(width)));
+        }
+    }
+
     void optionsRowFollowsTheBrush()
     {
         Session s;

@@ -6,6 +6,7 @@
 #include "app/widgets/brush/brush_grid.h"
 #include "app/widgets/brush/brush_preview.h"
 #include "app/widgets/numbers/slider_field.h"
+#include "model/brush/brush_width.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 
@@ -19,7 +20,6 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QToolButton>
-
 
 using namespace suffuse;
 
@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(bench.editor.brush().colour.opacity, preset.colour.opacity);
         QVERIFY(!panel.resetButton()->isEnabled());
         type(*panel.size()->number(), "40");
-        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+        QVERIFY(std::abs(visibleWidth(bench.editor.brush()) - 40) < 1e-3);
         QCOMPARE(bench.editor.brush().peak, preset.peak);
         QVERIFY(panel.resetButton()->isEnabled());
         QTest::mouseClick(panel.resetButton(), Qt::LeftButton);
@@ -183,11 +183,11 @@ private slots:
         QVERIFY(isMarked(marker) && !isMarked(pencil));
         bench.editor.setColour({0.1f, 0.2f, 0.3f, 1});
         panel.list()->setCurrentItem(panel.itemOf(marker.name));
-        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+        QVERIFY(std::abs(visibleWidth(bench.editor.brush()) - 40) < 1e-3);
         QCOMPARE(bench.editor.brush().colour.blue, 0.3f); // the colour belongs to the hand
         // The key of the brush in hand does not change it.
         BrushLibrary::instance().use(bench.editor, marker.name);
-        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+        QVERIFY(std::abs(visibleWidth(bench.editor.brush()) - 40) < 1e-3);
 
         QAction *reload = nullptr;
         emit panel.menu()->aboutToShow();

@@ -10,6 +10,7 @@
 #include "app/widgets/brush/brush_pictures.h"
 #include "app/widgets/colour/colour_chips.h"
 #include "app/widgets/numbers/slider_field.h"
+#include "model/brush/brush_width.h"
 #include "model/brush/stroke_builder.h"
 #include "tests/app/crossing.h"
 
@@ -102,7 +103,7 @@ private slots:
         if (!palette.isOpen()) // Return closes it when the number is taken
             s.key(Qt::Key_Q);
         enter(*palette.size()->number(), "31");
-        QVERIFY(std::abs(s.editor().brush().spread() - 31) < 1e-4);
+        QVERIFY(std::abs(visibleWidth(s.editor().brush()) - 31) < 1e-4);
         QVERIFY(!palette.isOpen());
     }
 
