@@ -1083,10 +1083,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>ICC-Profil für RGB-Farben, das die Datei hat (Vorgabe: sRGB).</translation>
     </message>
     <message>
-        <source>--profile %1: cannot be read; give an ICC profile</source>
-        <translation>--profile %1: nicht lesbar; ein ICC-Profil angeben</translation>
-    </message>
-    <message>
         <source>--profile %1: %2; give an ICC profile of RGB colours</source>
         <translation>--profile %1: %2; ein ICC-Profil für RGB-Farben angeben</translation>
     </message>
@@ -5377,6 +5373,34 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>Genaue Umrisse und Bänder der Farbe für Inkscape, Plotter und Browser (SVG)</translation>
     </message>
+    <message>
+        <source>Soft Proof</source>
+        <translation>Farbprüfung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Y</source>
+        <translation>Ctrl+Shift+Y</translation>
+    </message>
+    <message>
+        <source>Shows the colours that are left on another device, as a press, by its profile</source>
+        <translation>Zeigt nach dem Profil eines anderen Geräts, etwa einer Druckmaschine, welche Farben dort bleiben</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;Warning</source>
+        <translation>Farbu&amp;mfangwarnung</translation>
+    </message>
+    <message>
+        <source>Marks the colours that the device of the soft proof does not have</source>
+        <translation>Markiert Farben, die das geprüfte Gerät nicht hat</translation>
+    </message>
+    <message>
+        <source>Soft Proof with Profile…</source>
+        <translation>Farbprüfung mit Profil …</translation>
+    </message>
+    <message>
+        <source>Chooses the profile of the device whose colours are shown</source>
+        <translation>Wählt das Profil des Geräts, dessen Farben gezeigt werden</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -8794,6 +8818,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Processor threads for drawing</source>
         <translation>Prozessor-Threads zum Zeichnen</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
@@ -11107,6 +11135,122 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln Zeile</numerusform>
             <numerusform>%Ln Zeilen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ColourProfile</name>
+    <message>
+        <source>it is no ICC profile of RGB, grey or CMYK</source>
+        <translation>es ist kein ICC-Profil für RGB, Grau oder CMYK</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is too large</source>
+        <translation>%1: nicht lesbar oder zu groß</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Proofing</name>
+    <message>
+        <source>Profile of the Soft Proof</source>
+        <translation>Profil der Farbprüfung</translation>
+    </message>
+    <message>
+        <source>Colours not converted</source>
+        <translation>Farben nicht umgerechnet</translation>
+    </message>
+    <message>
+        <source>Proof: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ChooseProfile</name>
+    <message>
+        <source>Colour profiles</source>
+        <translation>Farbprofile</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPage</name>
+    <message>
+        <source>That of the system</source>
+        <translation>Das des Systems</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>Keines (sRGB)</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Screen profile</source>
+        <translation>Bildschirmprofil</translation>
+    </message>
+    <message>
+        <source>What the screen makes of its numbers. The canvas is converted to it, so that colours look as they were meant.</source>
+        <translation>Was der Bildschirm aus seinen Zahlen macht. Die Leinwand wird darauf umgerechnet, sodass Farben aussehen wie gemeint.</translation>
+    </message>
+    <message>
+        <source>Screen profile file</source>
+        <translation>Profildatei des Bildschirms</translation>
+    </message>
+    <message>
+        <source>Chooses the ICC profile that was measured for this screen</source>
+        <translation>Wählt das ICC-Profil, das für diesen Bildschirm gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Soft proof</source>
+        <translation>Farbprüfung</translation>
+    </message>
+    <message>
+        <source>Chooses the ICC profile of a press or a printer. View ▸ Soft Proof shows the colours that are left there.</source>
+        <translation>Wählt das ICC-Profil einer Druckmaschine oder eines Druckers. Ansicht ▸ Farbprüfung zeigt, welche Farben dort bleiben.</translation>
+    </message>
+    <message>
+        <source>Perceptual</source>
+        <translation>Perzeptiv</translation>
+    </message>
+    <message>
+        <source>Relative colorimetric</source>
+        <translation>Relativ farbmetrisch</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Absolute colorimetric</source>
+        <translation>Absolut farbmetrisch</translation>
+    </message>
+    <message>
+        <source>Rendering intent</source>
+        <translation>Umrechnung</translation>
+    </message>
+    <message>
+        <source>What becomes of colours that the device of the soft proof does not have</source>
+        <translation>Was aus Farben wird, die das geprüfte Gerät nicht hat</translation>
+    </message>
+    <message>
+        <source>Black point compensation</source>
+        <translation>Schwarzpunkt anpassen</translation>
+    </message>
+    <message>
+        <source>The darkest colour becomes the darkest one that the device has</source>
+        <translation>Die dunkelste Farbe wird die dunkelste, die das Gerät hat</translation>
+    </message>
+    <message>
+        <source>Profile of the Screen</source>
+        <translation>Profil des Bildschirms</translation>
+    </message>
+    <message>
+        <source>Profile of the Soft Proof</source>
+        <translation>Profil der Farbprüfung</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
     </message>
 </context>
 </TS>

@@ -1076,10 +1076,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>文件所用的 RGB 颜色 ICC 配置文件（默认：sRGB）。</translation>
     </message>
     <message>
-        <source>--profile %1: cannot be read; give an ICC profile</source>
-        <translation>--profile %1：无法读取；请给出 ICC 配置文件</translation>
-    </message>
-    <message>
         <source>--profile %1: %2; give an ICC profile of RGB colours</source>
         <translation>--profile %1：%2；请给出 RGB 颜色的 ICC 配置文件</translation>
     </message>
@@ -5356,6 +5352,34 @@ Arrow keys work too.</source>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>为 Inkscape、绘图仪和浏览器导出颜料的精确轮廓和条带（SVG）</translation>
     </message>
+    <message>
+        <source>Soft Proof</source>
+        <translation>色彩校样</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Y</source>
+        <translation>Ctrl+Shift+Y</translation>
+    </message>
+    <message>
+        <source>Shows the colours that are left on another device, as a press, by its profile</source>
+        <translation>按其他设备（如印刷机）的配置文件显示在那里还剩下的颜色</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;Warning</source>
+        <translation>色域警告(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Marks the colours that the device of the soft proof does not have</source>
+        <translation>标记校样设备没有的颜色</translation>
+    </message>
+    <message>
+        <source>Soft Proof with Profile…</source>
+        <translation>用配置文件校样…</translation>
+    </message>
+    <message>
+        <source>Chooses the profile of the device whose colours are shown</source>
+        <translation>选择要显示其颜色的设备的配置文件</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -8736,6 +8760,10 @@ Arrow keys work too.</source>
         <source>Processor threads for drawing</source>
         <translation>绘制所用的处理器线程数</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
@@ -11039,6 +11067,122 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%Ln 行</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ColourProfile</name>
+    <message>
+        <source>it is no ICC profile of RGB, grey or CMYK</source>
+        <translation>不是 RGB、灰度或 CMYK 的 ICC 配置文件</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is too large</source>
+        <translation>%1：无法读取，或文件过大</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Proofing</name>
+    <message>
+        <source>Profile of the Soft Proof</source>
+        <translation>校样的配置文件</translation>
+    </message>
+    <message>
+        <source>Colours not converted</source>
+        <translation>颜色未转换</translation>
+    </message>
+    <message>
+        <source>Proof: %1</source>
+        <translation>校样：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ChooseProfile</name>
+    <message>
+        <source>Colour profiles</source>
+        <translation>颜色配置文件</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPage</name>
+    <message>
+        <source>That of the system</source>
+        <translation>系统的配置文件</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>无（sRGB）</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>来自文件</translation>
+    </message>
+    <message>
+        <source>Screen profile</source>
+        <translation>屏幕配置文件</translation>
+    </message>
+    <message>
+        <source>What the screen makes of its numbers. The canvas is converted to it, so that colours look as they were meant.</source>
+        <translation>屏幕如何呈现其数值。画布会据此转换，使颜色看起来符合本意。</translation>
+    </message>
+    <message>
+        <source>Screen profile file</source>
+        <translation>屏幕配置文件的文件</translation>
+    </message>
+    <message>
+        <source>Chooses the ICC profile that was measured for this screen</source>
+        <translation>选择为此屏幕测得的 ICC 配置文件</translation>
+    </message>
+    <message>
+        <source>Soft proof</source>
+        <translation>色彩校样</translation>
+    </message>
+    <message>
+        <source>Chooses the ICC profile of a press or a printer. View ▸ Soft Proof shows the colours that are left there.</source>
+        <translation>选择印刷机或打印机的 ICC 配置文件。视图 ▸ 色彩校样会显示在那里还剩下的颜色。</translation>
+    </message>
+    <message>
+        <source>Perceptual</source>
+        <translation>感知</translation>
+    </message>
+    <message>
+        <source>Relative colorimetric</source>
+        <translation>相对比色</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>饱和度</translation>
+    </message>
+    <message>
+        <source>Absolute colorimetric</source>
+        <translation>绝对比色</translation>
+    </message>
+    <message>
+        <source>Rendering intent</source>
+        <translation>渲染意图</translation>
+    </message>
+    <message>
+        <source>What becomes of colours that the device of the soft proof does not have</source>
+        <translation>校样设备没有的颜色如何处理</translation>
+    </message>
+    <message>
+        <source>Black point compensation</source>
+        <translation>黑点补偿</translation>
+    </message>
+    <message>
+        <source>The darkest colour becomes the darkest one that the device has</source>
+        <translation>最暗的颜色变为该设备最暗的颜色</translation>
+    </message>
+    <message>
+        <source>Profile of the Screen</source>
+        <translation>屏幕的配置文件</translation>
+    </message>
+    <message>
+        <source>Profile of the Soft Proof</source>
+        <translation>校样的配置文件</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
     </message>
 </context>
 </TS>

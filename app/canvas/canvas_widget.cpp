@@ -15,6 +15,7 @@
 #include <QScopeGuard>
 #include <QTabletEvent>
 #include <QWheelEvent>
+#include <QWindow>
 
 namespace suffuse {
 
@@ -38,6 +39,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     setMinimumSize(160, 120);
     setAttribute(Qt::WA_AcceptTouchEvents);
     readPalette();
+    m_screenColours.read(*this);
     m_presenter = makePresenter(*this, this);
     m_repaint.setPresenter(m_presenter);
     connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
@@ -291,6 +293,26 @@ void CanvasWidget::setDeviceFramesWanted(bool wanted, const QString &why)
     emit backendChanged();
 }
 
+void CanvasWidget::readColours()
+{
+    const bool converted = !screenColours().changesNothing();
+    if (!m_screenColours.read(*this))
+        return;
+    if (converted == screenColours().changesNothing()) { // another presenter may be the right one now
+        delete m_presenter->widget();
+        m_worker.setDeviceFramesWanted(false);
+        m_presenterNotice.clear();
+        m_presenter = makePresenter(*this, this);
+        m_repaint.setPresenter(m_presenter);
+        m_presenter->widget()->setGeometry(rect());
+        m_presenter->widget()->lower();
+        m_presenter->widget()->show();
+        scheduleRender();
+    }
+    m_presenter->updateArea(rect());
+    emit coloursChanged();
+}
+
 QString CanvasWidget::backendNotice() const
 {
     QStringList lines{m_rendererNotice, m_presenterNotice};
@@ -424,6 +446,9 @@ void CanvasWidget::changeEvent(QEvent *event)
 void CanvasWidget::showEvent(QShowEvent *event)
 {
     m_editor.laterChanges().setCanvasShown(true);
+    readColours(); // The window is on a screen now.
+    if (const QWindow *handle = window()->windowHandle())
+        connect(handle, &QWindow::screenChanged, this, &CanvasWidget::readColours, Qt::UniqueConnection);
     QWidget::showEvent(event);
 }
 

@@ -10,6 +10,7 @@
 #include "app/canvas/overlay/overlay.h"
 #include "app/canvas/overlay/overlay_repaint.h"
 #include "app/canvas/overlay/shown_selection.h"
+#include "app/canvas/presenters/canvas_colours.h"
 #include "app/canvas/presenters/presenter.h"
 #include "app/canvas/tool.h"
 #include "app/session/frames/frame_thread.h"
@@ -41,6 +42,9 @@ public:
     const QString &backendText() const { return m_backendText; }
     /// Why the CPU draws, and why pictures go through memory, a line for each reason; empty where neither is so.
     QString backendNotice() const;
+    /// Takes the settings of colours, and the screen's profile, as they are now.
+    void readColours();
+    const CanvasColours &colours() const { return m_screenColours; }
     QString presenterName() const { return m_presenter->name(); }
 
     /// Sets the tool in use, which belongs to whoever made it. The tool before it is cancelled.
@@ -151,6 +155,7 @@ signals:
     void pointerLeft();
     void asked(const suffuse::PointerEvent &event); ///< the right button asks what is there
     void framePresented(const suffuse::FrameInfo &frame);
+    void coloursChanged();                       ///< what `colours` says is different
     void backendChanged();                       ///< the text of the backend, or the notice about it, has changed
     void underlayFailed(const QString &problem); ///< the underlay cannot be shown
     void penTurned(bool eraser);                 ///< emitted before the first report of the pen's other end
@@ -182,6 +187,7 @@ private:
     void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
     void setDeviceFramesWanted(bool wanted, const QString &why) override;
     QColor backgroundColour() const override;
+    const ScreenColours &screenColours() const override { return m_screenColours.screen(); }
     std::optional<ShownUnderlay> underlay() const override;
     void paintAround(QPainter &painter) override;
     void paintOverlay(QPainter &painter) override;
@@ -211,6 +217,7 @@ private:
     Editor &m_editor;
     FrameThread m_worker;
     UnderlayLoader m_underlay;
+    CanvasColours m_screenColours;
     Presenter *m_presenter = nullptr;
     CanvasView m_view;
     CanvasInput m_input;

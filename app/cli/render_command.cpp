@@ -7,7 +7,6 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QFile>
 
 #include <cmath>
 #include <map>
@@ -113,14 +112,13 @@ Result<void> takeProfile(const CommandLine &line, ImageOptions &image)
 {
     if (!line.isSet("profile"))
         return {};
-    const QString path = line.value("profile");
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > largestProfile)
-        return Error{QCoreApplication::translate("Cli", "--profile %1: cannot be read; give an ICC profile").arg(path)};
-    image.profile = file.readAll();
+    const Result<QByteArray> profile = readProfile(line.value("profile"));
+    if (!profile)
+        return Error{QStringLiteral("--profile %1").arg(profile.error())};
+    image.profile = *profile;
     if (const auto usable = ColourConversion::between({{}, image.profile, {}}); !usable)
         return Error{QCoreApplication::translate("Cli", "--profile %1: %2; give an ICC profile of RGB colours")
-                         .arg(path, usable.error())};
+                         .arg(line.value("profile"), usable.error())};
     return {};
 }
 

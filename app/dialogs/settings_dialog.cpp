@@ -1,5 +1,6 @@
 #include "app/dialogs/settings_dialog.h"
 
+#include "app/dialogs/colour_page.h"
 #include "app/dialogs/pen_page.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/habits/mnemonics.h"
@@ -54,6 +55,8 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     pages->addTab(general, tr("General"));
     m_pen = new PenPage(settings::penSettings(), brush, this);
     pages->addTab(m_pen, tr("Pen"));
+    m_colours = new ColourPage(settings::colours(), this);
+    pages->addTab(m_colours, tr("Colours"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
@@ -118,6 +121,7 @@ void SettingsDialog::accept()
     settings::setThreads(m_threads->value());
     settings::setBackups(m_backups->value());
     settings::setPenSettings(m_pen->settings());
+    settings::setColours(m_colours->settings());
     settings::store().sync();
     m_needsOtherWindows = builtBy() != before;
     QDialog::accept();

@@ -10,10 +10,11 @@ class QSpinBox;
 
 namespace suffuse {
 
+class ColourPage;
 class PenPage;
 
-/// The settings: language, theme, how pictures are made and come to the screen, backups, and the pen. All of them take
-/// effect at once.
+/// The settings: language, theme, how pictures are made and come to the screen, backups, the pen, and colour profiles.
+/// All of them take effect at once.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
@@ -32,6 +33,7 @@ public:
     QSpinBox *threads() const { return m_threads; }
     QSpinBox *backups() const { return m_backups; }
     PenPage *pen() const { return m_pen; }
+    ColourPage *colours() const { return m_colours; }
 
     void accept() override;
     void reject() override;
@@ -48,6 +50,7 @@ private:
     QSpinBox *m_threads = nullptr;
     QSpinBox *m_backups = nullptr;
     PenPage *m_pen = nullptr;
+    ColourPage *m_colours = nullptr;
     int m_themeBefore = 0;
     bool m_needsOtherWindows = false;
 };

@@ -24,6 +24,7 @@
 #include "app/window/files/pasting.h"
 #include "app/window/free_hand.h"
 #include "app/window/layout/docks.h"
+#include "app/window/layout/proofing.h"
 #include "app/window/layout/side_windows.h"
 #include "app/window/layout/status_line.h"
 #include "app/window/layout/tool_rack.h"
@@ -168,6 +169,7 @@ void MainWindow::makeParts(const Workplace &place)
     new ToolRack(place, *m_toolOptions, m_parts);
     auto *status = new StatusLine(place, m_parts);
     connect(keyboard, &KeyboardFocus::framed, status, &StatusLine::sayWhoHasKeyboard);
+    new Proofing(place, m_parts);
     m_brush = new KeptBrush(m_editor, m_parts);
     m_saving = new FileSaving(place, m_parts);
     auto *restoring = new FileRestoring(place, *m_saving, m_parts);
@@ -294,6 +296,7 @@ void MainWindow::changeSettings()
     if (dialog.exec() != QDialog::Accepted)
         return;
     m_canvas->setPenSettings(settings::penSettings());
+    recolourWindows();
     if (dialog.needsOtherWindows())
         rebuildWindowsSoon(*this); // this is an action of one of them
 }

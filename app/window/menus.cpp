@@ -82,7 +82,8 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
                           {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
                            {RotateLeft, RotateRight, ResetRotation, Mirror},
                            {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond,
-                            ShowUnderlay, UnderlayToLayer}});
+                            ShowUnderlay, UnderlayToLayer},
+                           {SoftProof, GamutWarning, ProofProfile}});
     view->addSeparator();
     QMenu *docks = view->addMenu(Commands::tr("&Docks"));
     for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})

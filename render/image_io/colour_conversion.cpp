@@ -2,9 +2,37 @@
 
 #include "render/image_io/image_module.h"
 
+#include <QCoreApplication>
+#include <QFile>
+
 #include <array>
 
 namespace suffuse {
+
+Result<ProfileName> profileNameOf(const QByteArray &profile)
+{
+    const Result<ImageModule> &module = colourModule();
+    if (!module)
+        return Error{module.error()};
+    std::array<wchar_t, 256> name{};
+    const ImageModuleSpace space =
+        module->coloursName(profile.constData(), std::size_t(profile.size()), name.data(), name.size());
+    if (space == ModuleNoSpace)
+        return Error{QCoreApplication::translate("ColourProfile", "it is no ICC profile of RGB, grey or CMYK")};
+    static_assert(int(ProfileSpace::Rgb) == ModuleRgb && int(ProfileSpace::Cmyk) == ModuleCmyk);
+    return ProfileName{QString::fromWCharArray(name.data()).simplified(), ProfileSpace(space)};
+}
+
+Result<QByteArray> readProfile(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > largestProfile)
+        return Error{QCoreApplication::translate("ColourProfile", "%1: cannot be read, or is too large").arg(path)};
+    const QByteArray bytes = file.readAll();
+    if (const Result<ProfileName> known = profileNameOf(bytes); !known)
+        return Error{QStringLiteral("%1: %2").arg(path, known.error())};
+    return bytes;
+}
 
 Result<ColourConversion> ColourConversion::between(const ColourProfiles &profiles)
 {

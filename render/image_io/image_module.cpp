@@ -41,6 +41,7 @@ Result<ImageModule> load(const QString &name)
     module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
     module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
     module.profile = reinterpret_cast<ImageModuleProfileFunction>(library.resolve("suffuse_image_profile"));
+    module.coloursName = reinterpret_cast<ImageModuleColoursNameFunction>(library.resolve("suffuse_colours_name"));
     module.coloursOpen = reinterpret_cast<ImageModuleColoursOpenFunction>(library.resolve("suffuse_colours_open"));
     module.coloursApply = reinterpret_cast<ImageModuleColoursApplyFunction>(library.resolve("suffuse_colours_apply"));
     module.coloursClose = reinterpret_cast<ImageModuleColoursCloseFunction>(library.resolve("suffuse_colours_close"));

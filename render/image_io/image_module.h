@@ -16,6 +16,7 @@ struct ImageModule {
     ImageModuleFilmAddFunction filmAdd = nullptr;
     ImageModuleFilmEndFunction filmEnd = nullptr;
     ImageModuleProfileFunction profile = nullptr;
+    ImageModuleColoursNameFunction coloursName = nullptr;
     ImageModuleColoursOpenFunction coloursOpen = nullptr;
     ImageModuleColoursApplyFunction coloursApply = nullptr;
     ImageModuleColoursCloseFunction coloursClose = nullptr;

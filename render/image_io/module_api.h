@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number. Raise it with every change below.
-inline constexpr int imageModuleVersion = 6;
+inline constexpr int imageModuleVersion = 7;
 
 /// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -82,8 +82,9 @@ struct ImageModuleColours {
 
 /// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
 /// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end`,
-/// `suffuse_image_profile`, `suffuse_colours_open`, `suffuse_colours_apply` and `suffuse_colours_close`. Those that
-/// return a bool return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
+/// `suffuse_image_profile`, `suffuse_colours_name`, `suffuse_colours_open`, `suffuse_colours_apply` and
+/// `suffuse_colours_close`. Those that return a bool return false if they fail, and put a message (UTF-8, cut to `size`
+/// bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
@@ -96,6 +97,12 @@ using ImageModuleFilmEndFunction = bool (*)(ImageModuleFilm *film, const ImageMo
                                             std::int64_t milliseconds, char *error, std::size_t size);
 /// The ICC profile of sRGB, which lives as long as the module; null if there is no memory for it.
 using ImageModuleProfileFunction = const char *(*)(std::size_t *size);
+/// The colours of a profile.
+enum ImageModuleSpace { ModuleNoSpace, ModuleRgb, ModuleGrey, ModuleCmyk };
+/// Puts what a profile calls itself (at most `size` characters with the zero at its end) into `name`, and returns its
+/// colours: none if it is no profile, or for others.
+using ImageModuleColoursNameFunction = ImageModuleSpace (*)(const void *profile, std::size_t profileSize, wchar_t *name,
+                                                            std::size_t size);
 /// Prepares a conversion, which is closed in the end; null, with a message, if a profile cannot be used so.
 using ImageModuleColoursOpenFunction = void *(*)(ImageModuleColours *colours, char *error, std::size_t size);
 /// Converts pixels of four floats in place; the fourth one, alpha, stays. Several threads may do so at once.

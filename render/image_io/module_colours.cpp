@@ -174,6 +174,27 @@ private:
 } // namespace suffuse
 
 extern "C" {
+__attribute__((visibility("default"))) suffuse::ImageModuleSpace
+suffuse_colours_name(const void *profile, std::size_t profileSize, wchar_t *name, std::size_t size)
+{
+    const suffuse::Profile opened(cmsOpenProfileFromMem(profile, cmsUInt32Number(profileSize)), cmsCloseProfile);
+    if (!opened)
+        return suffuse::ModuleNoSpace;
+    const auto bytes = cmsUInt32Number(size * sizeof(wchar_t));
+    if (cmsGetProfileInfo(opened.get(), cmsInfoDescription, "en", "US", name, bytes) == 0)
+        name[0] = 0;
+    switch (cmsGetColorSpace(opened.get())) {
+    case cmsSigRgbData:
+        return suffuse::ModuleRgb;
+    case cmsSigGrayData:
+        return suffuse::ModuleGrey;
+    case cmsSigCmykData:
+        return suffuse::ModuleCmyk;
+    default:
+        return suffuse::ModuleNoSpace;
+    }
+}
+
 __attribute__((visibility("default"))) void *suffuse_colours_open(suffuse::ImageModuleColours *colours, char *error,
                                                                   std::size_t size)
 {

@@ -118,7 +118,7 @@ const QList<Rule> &rules()
         {"app/canvas/",
          below + QStringList{"app/widgets/", "app/canvas/"},
          widgets + QStringList{"QtOpenGL", "QtOpenGLWidgets"},
-         {"GL"}},
+         {"GL", "xcb"}},
         {"app/tools/", below + QStringList{"app/widgets/", "app/canvas/", "app/tools/"}, widgets, {}},
         {"app/panels/brushes/", below + QStringList{"app/widgets/", "app/panels/brushes/"}, widgets, {}},
         {"app/panels/colour/", below + QStringList{"app/widgets/", "app/panels/colour/"}, widgets, {}},

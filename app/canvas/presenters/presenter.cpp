@@ -51,7 +51,8 @@ Presenter *makePresenter(CanvasContent &content, QWidget *parent)
     QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Presenter)).toLower();
     if (wish.isEmpty() && settings::presenter() != settings::Presenter::Auto)
         wish = settings::presenter() == settings::Presenter::OpenGL ? "opengl" : "raster";
-    if (QGuiApplication::platformName() == "offscreen") // The offscreen platform has no OpenGL.
+    const bool hasOpenGl = QGuiApplication::platformName() != "offscreen";
+    if (!hasOpenGl || !content.screenColours().changesNothing())
         wish = "raster";
     const bool openGl = wish == "opengl" || (wish != "raster" && isHardwareOpenGl());
     return openGl ? makeOpenGlPresenter(content, parent) : makeRasterPresenter(content, parent);

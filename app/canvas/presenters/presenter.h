@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/underlay.h"
+#include "app/session/colour/screen_colours.h"
 #include "app/session/frames/shown_frame.h"
 
 #include <QColor>
@@ -22,6 +23,8 @@ public:
     virtual void setDeviceFramesWanted(bool wanted, const QString &why) = 0;
     /// The colour of what no frame covers yet.
     virtual QColor backgroundColour() const = 0;
+    /// What makes the screen's colours of the picture's.
+    virtual const ScreenColours &screenColours() const = 0;
     /// The underlay, which lies over the picture and below the pasteboard; no value where there is none or it is not
     /// ready.
     virtual std::optional<ShownUnderlay> underlay() const = 0;
@@ -44,7 +47,8 @@ public:
 
 /// Chooses OpenGL where it is hardware, and raster where OpenGL is software or absent, or the platform is offscreen.
 /// Except on the offscreen platform the setting overrides this, and the environment variable
-/// SUFFUSE_PRESENTER=raster|opengl overrides both. The presenter's widget is a child of `parent`.
+/// SUFFUSE_PRESENTER=raster|opengl overrides both. Where colours are converted for the screen it is always raster,
+/// which has the pixels at hand. The presenter's widget is a child of `parent`.
 Presenter *makePresenter(CanvasContent &content, QWidget *parent);
 
 /// Make one of the two kinds, for makePresenter.

@@ -53,11 +53,41 @@ private:
         const int rows = m_content.shownView().rotation == 0 ? 64 : all.height();
         for (int y = all.top(); y <= all.bottom(); y += rows) {
             begin(painter, region & QRect(all.left(), y, all.width(), rows));
-            paintFrame(painter, frame);
-            if (underlay)
-                m_underlay.paint(painter, *underlay, m_content.shownView(), painter.clipBoundingRect().toAlignedRect());
+            const QRect part = painter.clipBoundingRect().toAlignedRect();
+            if (m_content.screenColours().changesNothing())
+                paintColours(painter, frame, underlay, part);
+            else
+                paintConverted(painter, frame, underlay, part);
             m_content.paintAround(painter);
         }
+    }
+
+    /// Paints the picture and what lies over it.
+    void paintColours(QPainter &painter, ShownFrame &frame, const std::optional<ShownUnderlay> &underlay,
+                      const QRect &part)
+    {
+        paintFrame(painter, frame);
+        if (underlay)
+            m_underlay.paint(painter, *underlay, m_content.shownView(), part);
+    }
+
+    /// Paints them in the screen's colours.
+    void paintConverted(QPainter &painter, ShownFrame &frame, const std::optional<ShownUnderlay> &underlay,
+                        const QRect &part)
+    {
+        if (part.isEmpty())
+            return;
+        if (m_converted.width() < part.width() || m_converted.height() < part.height())
+            m_converted = QImage(part.size().expandedTo(m_converted.size()), QImage::Format_RGB32);
+        QPainter colours(&m_converted);
+        colours.translate(-part.topLeft());
+        colours.setClipRect(part);
+        paintColours(colours, frame, underlay, part);
+        colours.end();
+        for (int y = 0; y < part.height(); ++y)
+            m_content.screenColours().convert(reinterpret_cast<std::uint32_t *>(m_converted.scanLine(y)),
+                                              std::size_t(part.width()));
+        painter.drawImage(part.topLeft(), m_converted, QRect({}, part.size()));
     }
 
     void paintFrame(QPainter &painter, ShownFrame &frame)
@@ -82,6 +112,7 @@ private:
 
     CanvasContent &m_content;
     UnderlaySheet m_underlay;
+    QImage m_converted; ///< at least as large as what was painted last
 };
 
 } // namespace
