@@ -5836,6 +5836,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>OpenRaster (layers)</source>
         <translation>OpenRaster (Ebenen)</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>The colour profile that the file has. The painting keeps the one that was chosen from a file.</source>
+        <translation>Das Farbprofil der Datei. Das Bild behält das, das aus einer Datei gewählt wurde.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportJob</name>
@@ -11251,6 +11259,36 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Choose…</source>
         <translation>Wählen …</translation>
+    </message>
+</context>
+<context>
+    <name>FileMessages</name>
+    <message>
+        <source>the colour profile</source>
+        <translation>das Farbprofil</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ProfileBox</name>
+    <message>
+        <source>The painting&apos;s profile</source>
+        <translation>Das Profil des Bildes</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>%1: the profile is too large to be kept in a painting. Choose a smaller one.</source>
+        <translation>%1: Das Profil ist zu groß, um im Bild behalten zu werden. Ein kleineres wählen.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Choose a profile of RGB colours.</source>
+        <translation>%1: %2. Ein Profil für RGB-Farben wählen.</translation>
+    </message>
+    <message>
+        <source>Profile of the Colours</source>
+        <translation>Profil der Farben</translation>
     </message>
 </context>
 </TS>

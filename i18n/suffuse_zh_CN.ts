@@ -5815,6 +5815,14 @@ Arrow keys work too.</source>
         <source>OpenRaster (layers)</source>
         <translation>OpenRaster（图层）</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>The colour profile that the file has. The painting keeps the one that was chosen from a file.</source>
+        <translation>文件所用的颜色配置文件。绘画会保留从文件中选择的那一个。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ExportJob</name>
@@ -11183,6 +11191,36 @@ Arrow keys work too.</source>
     <message>
         <source>Choose…</source>
         <translation>选择…</translation>
+    </message>
+</context>
+<context>
+    <name>FileMessages</name>
+    <message>
+        <source>the colour profile</source>
+        <translation>颜色配置文件</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ProfileBox</name>
+    <message>
+        <source>The painting&apos;s profile</source>
+        <translation>绘画的配置文件</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>来自文件…</translation>
+    </message>
+    <message>
+        <source>%1: the profile is too large to be kept in a painting. Choose a smaller one.</source>
+        <translation>%1：该配置文件太大，无法保存在绘画中。请选择较小的。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Choose a profile of RGB colours.</source>
+        <translation>%1：%2。请选择 RGB 颜色的配置文件。</translation>
+    </message>
+    <message>
+        <source>Profile of the Colours</source>
+        <translation>颜色的配置文件</translation>
     </message>
 </context>
 </TS>

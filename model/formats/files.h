@@ -67,12 +67,17 @@ struct AncillaryChunk {
     friend bool operator==(const AncillaryChunk &, const AncillaryChunk &) = default;
 };
 
+/// The largest colour profile that a document keeps, bytes.
+inline constexpr qsizetype largestKeptProfile = 1 << 20;
+
 /// What a .suffuse file has besides the picture. The text form has none of it.
 struct DocumentExtras {
     QByteArray preview; ///< PNG of at most 256 pixels a side; empty if there is none
     std::optional<WorkspaceState> view;
     /// undo steps as bytes (model/formats/suffuse/suffuse_history.h); empty if there are none
     QByteArray history;
+    /// the ICC profile in which pictures of the painting go out; empty: sRGB
+    QByteArray profile;
     std::vector<AncillaryChunk> unknown; ///< in the order of the file
     friend bool operator==(const DocumentExtras &, const DocumentExtras &) = default;
 };

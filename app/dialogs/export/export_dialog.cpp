@@ -2,6 +2,7 @@
 
 #include "app/dialogs/export/preset_row.h"
 #include "app/dialogs/export/print_rows.h"
+#include "app/dialogs/export/profile_box.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
@@ -115,7 +116,11 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
         m_depth->addItem(depthTitle(depth), int(depth));
     addField(10, tr("Depth"), m_depth, tr("Precision of each colour channel"));
     addQuality(11);
-    addTransparent(12);
+    m_colours = new ProfileBox(m_editor.extras().profile, m_form);
+    addField(12, tr("Colours"), m_colours,
+             tr("The colour profile that the file has. The painting keeps the one that was chosen from a file."));
+    connect(m_colours, &ProfileBox::refused, this, [this](const QString &why) { m_hint->showHint(why); });
+    addTransparent(13);
 }
 
 /// A choice of format changes the ending of the name, and a typed ending changes the choice.
@@ -145,6 +150,7 @@ ExportSettings ExportDialog::settings() const
     s.depth = ImageDepth(m_depth->currentData().toInt());
     s.quality = m_quality->value();
     s.transparent = imageOptions().alpha;
+    s.usesProfile = !m_colours->profile().isEmpty();
     s.dpi = m_print->dpi();
     s.area = m_area->choice();
     s.numbers = m_area->area();
@@ -162,6 +168,7 @@ void ExportDialog::takeFormat(const ExportSettings &settings)
     m_quality->setValue(settings.quality);
     m_transparent->setChecked(settings.transparent);
     m_print->setDpi(settings.dpi);
+    m_colours->chooseKept(settings.usesProfile);
     pathChanged();
 }
 
@@ -232,6 +239,7 @@ void ExportDialog::pathChanged()
     m_hint->showHint({});
     m_format->setCurrentIndex(m_format->findData(formatChoiceFor(fullPath())));
     m_quality->setEnabled(hasQuality(format));
+    m_colours->setEnabled(hasProfile(format) && layeredFormatFor(fullPath()) == LayeredFormat::None);
     if (format != ImageFormat::Unknown)
         m_size->setLargestSide(maxSideOf(format));
     showLimits();
@@ -253,6 +261,8 @@ ImageOptions ExportDialog::imageOptions() const
     options.alpha = m_transparent->isChecked() && m_transparent->isEnabled();
     options.quality = m_quality->value();
     options.dpi = m_print->dpi();
+    if (m_colours->isEnabled())
+        options.profile = m_colours->profile();
     return options;
 }
 
@@ -296,6 +306,7 @@ void ExportDialog::startExport()
 
 void ExportDialog::remember()
 {
+    m_editor.extras().profile = m_colours->kept();
     exports::remember(m_editor.filePath(), settings());
 }
 

@@ -13,6 +13,7 @@ namespace suffuse {
 class Editor;
 class PresetRow;
 class PrintRows;
+class ProfileBox;
 
 /// Exports the painting as a picture: file, area, size, moment, alpha, depth. It begins with the settings of the
 /// painting's last export, else with the format of the last export of any painting.
@@ -38,6 +39,7 @@ public:
     QSpinBox *widthBox() const { return m_size->widthBox(); }
     QSpinBox *heightBox() const { return m_size->heightBox(); }
     QComboBox *depth() const { return m_depth; }
+    ProfileBox *colours() const { return m_colours; }
     bool isExporting() const override { return m_job.isRunning(); }
 
 private:
@@ -67,6 +69,7 @@ private:
     PrintRows *m_print = nullptr;
     MomentRow *m_moment = nullptr;
     QComboBox *m_depth = nullptr;
+    ProfileBox *m_colours = nullptr;
 };
 
 } // namespace suffuse

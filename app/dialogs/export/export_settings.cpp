@@ -52,13 +52,15 @@ const QString documentsGroup = QStringLiteral("exports"), presetsGroup = QString
 
 } // namespace
 
-ImageOptions ExportSettings::image() const
+ImageOptions ExportSettings::image(const QByteArray &profile) const
 {
     ImageOptions options;
     options.depth = depth;
     options.alpha = transparent;
     options.quality = quality;
     options.dpi = dpi;
+    if (usesProfile && hasProfile(format()))
+        options.profile = profile;
     return options;
 }
 
@@ -89,6 +91,7 @@ QJsonObject ExportSettings::toJson() const
             {"depth", nameOf(depth)},
             {"quality", quality},
             {"transparent", transparent},
+            {"usesProfile", usesProfile},
             {"dpi", dpi},
             {"area", int(area)},
             {"numbers", QJsonArray{numbers.left, numbers.top, numbers.right, numbers.bottom}},
@@ -107,6 +110,7 @@ std::optional<ExportSettings> ExportSettings::fromJson(const QJsonObject &object
             s.depth = depth;
     s.quality = object["quality"].toInt();
     s.transparent = object["transparent"].toBool();
+    s.usesProfile = object["usesProfile"].toBool();
     s.dpi = object["dpi"].toDouble();
     s.area = AreaRow::Choice(object["area"].toInt(-1));
     const QJsonArray numbers = object["numbers"].toArray();
@@ -139,7 +143,7 @@ Result<ExportOrder> exportOrder(const ExportSettings &settings, Editor &editor, 
                                                              : order.painting->end();
     order.width = int(std::clamp(std::round(order.area.width() * settings.scale), 1.0, 1e9));
     order.height = std::max(suffuse::heightForWidth(order.area, order.width), 1);
-    order.image = settings.image();
+    order.image = settings.image(editor.extras().profile);
     order.transparent = order.image.alpha;
     order.threads = settings::threads();
     if (const QString problem = problemOf(settings.format(), order.image, order.width, order.height);

@@ -23,6 +23,7 @@ struct ExportSettings {
     ImageDepth depth = ImageDepth::Bits8;
     int quality = ImageOptions{}.quality;
     bool transparent = false;
+    bool usesProfile = false; ///< whether colours are those of the document's profile, not sRGB
     double dpi = 300;
     AreaRow::Choice area = AreaRow::Choice::Canvas;
     Rect numbers;     ///< the area that was exported, canvas units
@@ -34,7 +35,8 @@ struct ExportSettings {
     /// Whether another export writes the same of a painting, wherever it writes it.
     bool writesAs(const ExportSettings &other) const;
     ImageFormat format() const { return pixelFormatFor(path); }
-    ImageOptions image() const;
+    /// `profile`: the document's.
+    ImageOptions image(const QByteArray &profile) const;
     QJsonObject toJson() const;
     /// Reads settings. Returns none where they are not of this program, or out of range.
     static std::optional<ExportSettings> fromJson(const QJsonObject &object);

@@ -74,6 +74,8 @@ QString partBeside(const QByteArray &type)
         return FileMessages::tr("the preview");
     if (type == viewType)
         return FileMessages::tr("how it was last looked at");
+    if (type == profileType)
+        return FileMessages::tr("the colour profile");
     return type == historyType ? FileMessages::tr("the undo history") : QString();
 }
 
@@ -89,6 +91,9 @@ void readExtra(const Chunk &chunk, DocumentExtras &extras)
     } else if (chunk.type == historyType) {
         if (extras.history.isEmpty())
             extras.history = chunk.payload.toByteArray();
+    } else if (chunk.type == profileType) {
+        if (extras.profile.isEmpty() && chunk.payload.size() <= largestKeptProfile)
+            extras.profile = chunk.payload.toByteArray();
     } else {
         extras.unknown.push_back({chunk.type, chunk.payload.toByteArray()});
     }
@@ -104,6 +109,8 @@ void appendFirstExtras(QByteArray &out, const DocumentExtras &extras)
 
 void appendLastExtras(QByteArray &out, const DocumentExtras &extras)
 {
+    if (!extras.profile.isEmpty() && extras.profile.size() <= largestKeptProfile)
+        appendChunk(out, profileType, extras.profile);
     if (!extras.history.isEmpty())
         appendChunk(out, historyType, extras.history);
     for (const AncillaryChunk &chunk : extras.unknown)

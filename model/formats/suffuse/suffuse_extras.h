@@ -9,6 +9,7 @@ namespace suffuse {
 inline constexpr char previewType[] = "prev";
 inline constexpr char viewType[] = "view";
 inline constexpr char historyType[] = "hist";
+inline constexpr char profileType[] = "prof";
 /// The largest preview that is kept, bytes.
 inline constexpr qsizetype largestPreview = 1 << 20;
 

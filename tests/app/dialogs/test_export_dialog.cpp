@@ -396,7 +396,7 @@ private slots:
             QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
             QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
         }
-        QCOMPARE(settings.image().dpi, 150.0);
+        QCOMPARE(settings.image({}).dpi, 150.0);
         ExportDialog again(bench.editor, shown);
         QVERIFY(again.settings() == settings);
         Bench other; // another painting has format and resolution, not area, size and moment

@@ -20,6 +20,7 @@ DocumentExtras someExtras()
     extras.preview = QByteArray("\x89PNG\r\n\x1a\n") + "pixels";
     extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567, false, 7, {3, 7}};
     extras.history = "steps";
+    extras.profile = "a profile";
     extras.unknown = {{"meta", QByteArray("\0a\xff", 3)}, {"xyzw", {}}, {"meta", "again"}};
     return extras;
 }
