@@ -7125,6 +7125,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>is damaged: it cannot be unpacked</source>
         <translation>ist beschädigt: lässt sich nicht entpacken</translation>
     </message>
+    <message>
+        <source>the colour profile</source>
+        <translation>das Farbprofil</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -11259,13 +11263,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Choose…</source>
         <translation>Wählen …</translation>
-    </message>
-</context>
-<context>
-    <name>FileMessages</name>
-    <message>
-        <source>the colour profile</source>
-        <translation>das Farbprofil</translation>
     </message>
 </context>
 <context>

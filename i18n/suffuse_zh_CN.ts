@@ -7078,6 +7078,10 @@ Arrow keys work too.</source>
         <source>is damaged: it cannot be unpacked</source>
         <translation>已损坏：无法解压</translation>
     </message>
+    <message>
+        <source>the colour profile</source>
+        <translation>颜色配置文件</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -11191,13 +11195,6 @@ Arrow keys work too.</source>
     <message>
         <source>Choose…</source>
         <translation>选择…</translation>
-    </message>
-</context>
-<context>
-    <name>FileMessages</name>
-    <message>
-        <source>the colour profile</source>
-        <translation>颜色配置文件</translation>
     </message>
 </context>
 <context>
