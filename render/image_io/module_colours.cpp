@@ -84,8 +84,9 @@ private:
     static constexpr const char *unusable = "lcms2 cannot convert by it";
     static constexpr cmsUInt32Number exact = cmsFLAGS_NOOPTIMIZE | cmsFLAGS_NOCACHE; // not by tables of 16 bits
 
-    /// Colours go through the proof's own channels, where they are cut off: lcms2 by itself would carry what lies
-    /// outside through the curves and back again.
+    /// On the way back black points stay as they are: the device's black is seen. Colours go through the proof's own
+    /// channels, where they are cut off: lcms2 by itself would carry what lies outside through the curves and back
+    /// again.
     std::string openProof(const ImageModuleColours &colours, const Profile &from, cmsUInt32Number in, const Profile &to)
     {
         const Profile proof = profileOf(colours.proof, colours.proofSize);
@@ -97,7 +98,7 @@ private:
         m_channels = channels.count, m_most = channels.most;
         m_first = transform(from, in, proof, channels.format);
         m_second.reset(cmsCreateTransformTHR(m_context.get(), proof.get(), channels.format, to.get(), colourPixels,
-                                             INTENT_RELATIVE_COLORIMETRIC, m_flags));
+                                             INTENT_RELATIVE_COLORIMETRIC, exact));
         if (!m_second)
             return unusable;
         if (colours.marksGamut) {
