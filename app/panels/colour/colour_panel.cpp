@@ -270,6 +270,7 @@ void ColourPanel::takeHex(const QString &text)
         m_editor.colourTarget().setPaint(*colour);
     } else {
         m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
+        keepInSight(*m_hex);
     }
     showHex();
 }

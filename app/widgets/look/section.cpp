@@ -1,6 +1,5 @@
 #include "app/widgets/look/section.h"
 
-
 #include <QApplication>
 #include <QDialog>
 #include <QEvent>
@@ -44,6 +43,29 @@ void showInPlace(QLabel &label, const QString &text)
     label.setFixedSize(label.sizeHint().expandedTo(label.minimumSize()));
 }
 
+namespace {
+
+void scrollTo(QWidget &widget)
+{
+    for (QWidget *outer = widget.parentWidget(); outer; outer = outer->parentWidget()) {
+        auto *scroll = qobject_cast<QScrollArea *>(outer);
+        if (!scroll || !scroll->widget())
+            continue;
+        // The panel grows for a hint when it is laid out, which may not have happened yet.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        // Of a text field ensureWidgetVisible would show the cursor alone.
+        const QRect place(widget.mapTo(scroll->widget(), QPoint()), widget.size());
+        scroll->ensureVisible(place.center().x(), place.center().y(), 0, place.height() / 2 + 1);
+    }
+}
+
+} // namespace
+
+void keepInSight(QWidget &widget)
+{
+    QTimer::singleShot(0, &widget, [&widget] { scrollTo(widget); });
+}
+
 HintLabel::HintLabel(QWidget *parent) : QLabel(parent)
 {
     setWordWrap(true);
@@ -78,20 +100,8 @@ void HintLabel::showRefusal(const QString &hint)
     // This is done later: the Tab that left the field, or the Return that gives the keyboard back, is still on its way.
     QTimer::singleShot(0, this, [this] {
         m_passing = !text().isEmpty();
-        scrollToIt();
+        scrollTo(*this);
     });
-}
-
-void HintLabel::scrollToIt()
-{
-    for (QWidget *outer = parentWidget(); outer; outer = outer->parentWidget()) {
-        auto *scroll = qobject_cast<QScrollArea *>(outer);
-        if (!scroll || !scroll->widget())
-            continue;
-        // The panel grows for the text when it is laid out, which may not have happened yet.
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-        scroll->ensureWidgetVisible(this, 0, 0);
-    }
 }
 
 PanelScroll::PanelScroll(QWidget *parent) : QScrollArea(parent)

@@ -20,6 +20,10 @@ QLabel *quietLabel(const QString &text, QWidget *parent);
 /// Shows a text that changes with every frame. The label grows where it has to; otherwise nothing is laid out anew.
 void showInPlace(QLabel &label, const QString &text);
 
+/// Scrolls the panels around the widget, so that it is seen once all has its new place. For fields whose number was
+/// refused: the hint that says why may take their room.
+void keepInSight(QWidget &widget);
+
 /// A line in the warning colour. It is there only while it says something.
 class HintLabel : public QLabel {
     Q_OBJECT
@@ -34,8 +38,6 @@ public:
     void showRefusal(const QString &hint);
 
 private:
-    void scrollToIt();
-
     bool m_passing = false; ///< the text disappears with the next change of the focus
 };
 

@@ -1,5 +1,6 @@
 #include "app/widgets/numbers/number_field.h"
 
+#include "app/widgets/look/section.h"
 #include "app/widgets/numbers/arithmetic.h"
 
 #include <QDialog>
@@ -47,6 +48,8 @@ void NumberField::complain(const QString &hint)
 {
     m_complains = !hint.isEmpty();
     emit refused(hint);
+    if (m_complains)
+        keepInSight(*this);
 }
 
 void NumberField::setValue(std::optional<double> value)

@@ -8,6 +8,8 @@
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/colour/mixing_pad.h"
 #include "app/widgets/colour/swatch_grid.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "model/formats/brushes/gimp_palette.h"
 #include "model/painting/paper_presets.h"
@@ -134,6 +136,34 @@ private slots:
             QVERIFY2(seen.contains(grid.cell(i).center()), qPrintable(QString::number(i)));
         QVERIFY(!seen.contains(grid.cell(199).center())); // the rest is scrolled to
         QVERIFY(!panel.rows()->visibleRegion().isEmpty());
+    }
+
+    /// The hint that says why takes room from what scrolls, and must not take it from what was typed in.
+    void whatWasRefusedStaysInSight()
+    {
+        Bench bench;
+        for (const int height : {160, 180, 200, 220, 240, 260, 280, 300, 340, 400}) {
+            ColourPanel panel(bench.editor);
+            showAt(panel, {290, height});
+            QList<QLineEdit *> fields{panel.hex()};
+            for (NumberField *field : panel.findChild<ColourRows *>()->findChildren<NumberField *>())
+                fields << field;
+            QCOMPARE(fields.size(), 5);
+            for (QLineEdit *field : std::as_const(fields)) {
+                field->setFocus(Qt::TabFocusReason);
+                QTest::qWait(1);
+                panel.findChild<QScrollArea *>()->ensureWidgetVisible(field, 0, 0);
+                field->selectAll();
+                QTest::keyClicks(field, "#zz");
+                QTest::keyClick(field, Qt::Key_Return);
+                QTest::qWait(1);
+                auto *hint = panel.findChild<HintLabel *>();
+                QVERIFY(hint->isVisible());
+                QVERIFY2(field->visibleRegion().boundingRect() == field->rect(),
+                         qPrintable(QString("%1 at %2").arg(field->accessibleName()).arg(height)));
+                hint->showHint({});
+            }
+        }
     }
 
     void swatchesAreUndoable()
