@@ -5,6 +5,7 @@
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/group_section.h"
 #include "app/panels/inspector/picture_section.h"
+#include "app/panels/inspector/scroll_place.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/selection_summary.h"
 #include "app/panels/inspector/stroke_section.h"
@@ -72,6 +73,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     m_underlay = new UnderlaySection(editor, m_canvasPage);
     canvas->addWidget(m_underlay);
     m_scroll->setWidget(content);
+    m_place = new ScrollPlace(*m_scroll, {m_selectionPage, m_canvasPage});
     alignFieldLabels(*content);
     // Both pages ask for the same width, since the dock must not change with the selection.
     const int wider = std::max(m_selectionPage->minimumSizeHint().width(), m_canvasPage->minimumSizeHint().width());
@@ -165,8 +167,14 @@ void InspectorPanel::showEvent(QShowEvent *event)
 void InspectorPanel::refresh()
 {
     m_stale = false;
+    const Inspected inspected = inspect(m_editor.document());
+    showValues(inspected);
+    m_place->restore();
+}
+
+void InspectorPanel::showValues(const Inspected &inspected)
+{
     const Document &document = m_editor.document();
-    const Inspected inspected = inspect(document);
     m_selectionPage->setVisible(!inspected.isEmpty());
     m_canvasPage->setVisible(inspected.isEmpty());
     if (inspected.isEmpty()) {

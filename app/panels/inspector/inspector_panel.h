@@ -20,7 +20,9 @@ class FiguresSection;
 class FillSection;
 class GroupSection;
 class HintLabel;
+struct Inspected;
 class PictureSection;
+class ScrollPlace;
 class SegmentSection;
 class StrokeSection;
 class StyleSection;
@@ -65,10 +67,12 @@ private:
     void orderTabs();
     void addHead(QVBoxLayout &column);
     void refresh();
+    void showValues(const Inspected &inspected);
     void documentChanged(const Change &change);
 
     Editor &m_editor;
     QScrollArea *m_scroll = nullptr;
+    ScrollPlace *m_place = nullptr;
     QLabel *m_summary = nullptr;
     CompareButton *m_compare = nullptr;
     QToolButton *m_alongButton = nullptr;

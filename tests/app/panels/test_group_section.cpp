@@ -1,4 +1,6 @@
 // How groups blend, in the inspector and in the Strokes dock: what is there, by events, as one step, and undone.
+#include "app/panels/inspector/stroke_section.h"
+#include "app/panels/inspector/style_section.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/widgets/habits/house_rules.h"
@@ -8,7 +10,9 @@
 #include "model/painting/fields.h"
 #include "tests/app/group_bench.h"
 
+#include <QComboBox>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -322,6 +326,47 @@ private slots:
         bench.editor.undo();
         bench.editor.push(setGroupLocked(bench.editor.document(), bench.first, true), "lock");
         QVERIFY(!withAction(isOn) && !withAction(isFree));
+    }
+
+    /// What one looks at stays where it is, though rows above it come and go with the selection and the values.
+    void theInspectorKeepsItsPlace()
+    {
+        Inspecting s;
+        s.panel.resize(290, 300);
+        s.select({5});
+        auto &scroll = *s.panel.findChild<PanelScroll *>();
+        const auto top = [&](const QWidget *widget) {
+            QTest::qWait(5);
+            return widget->mapTo(&scroll, QPoint()).y();
+        };
+        const auto scrollTo = [&](const QWidget *widget, int below) {
+            QTest::qWait(5);
+            scroll.verticalScrollBar()->setValue(widget->mapTo(scroll.widget(), QPoint()).y() + below);
+        };
+        const QWidget *style = s.panel.styleSection(), *strokes = s.panel.strokeSection();
+        scrollTo(style, 3);
+        const int before = top(style);
+        QCOMPARE(before, -3);
+        const int height = scroll.widget()->height();
+        s.select({1, 2}); // a group has a section more, above all others
+        QCOMPARE(top(style), before);
+        QVERIFY(scroll.widget()->height() > height + 20);
+        s.select({5}, {{5, 1}});
+        QCOMPARE(top(style), before);
+        s.select({}); // The canvas has a page of its own.
+        QTest::qWait(5);
+        QCOMPARE(scroll.verticalScrollBar()->value(), 0);
+        s.select({1, 2});
+        QCOMPARE(top(style), before);
+        s.select({5});
+        scrollTo(strokes, -20);
+        const int below = top(strokes);
+        emit s.panel.styleSection()->kind()->activated(int(StyleKind::Edge)); // which has a number more
+        QCOMPARE(top(strokes), below);
+        scroll.verticalScrollBar()->setValue(0); // Whoever is at the beginning stays there.
+        s.select({1, 2});
+        QTest::qWait(5);
+        QCOMPARE(scroll.verticalScrollBar()->value(), 0);
     }
 
 private:
