@@ -38,6 +38,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -192,8 +193,10 @@ void MainWindow::addRows()
     m_commands->add(Close, "close", Commands::tr("&Close Window"), "", QKeySequence::keyBindings(QKeySequence::Close))
         .runs([this] { close(); });
     m_commands->add(Quit, "quit", Commands::tr("&Quit"), "", {QKeySequence(Commands::tr("Ctrl+Q"))}).runs([] {
-        // Who is asked about unsaved work and cancels keeps all windows, not only those that come later.
         QWidgetList windows = QApplication::topLevelWidgets();
+        for (const QWidget *window : std::as_const(windows))
+            EntryField::takeTypedIn(*window); // It may be what makes a painting unsaved work.
+        // Who is asked about unsaved work and cancels keeps all windows, not only those that come later.
         std::stable_partition(windows.begin(), windows.end(), [](const QWidget *w) { return w->isWindowModified(); });
         for (QWidget *window : windows)
             if (window->isWindowModified() && window->isVisible() && !window->close())
@@ -318,12 +321,18 @@ void MainWindow::changeEvent(QEvent *event)
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     EntryField::takeTypedIn(*this); // What is typed or in hand is part of the work that is asked about.
+    const QList<QDialog *> beside = findChildren<QDialog *>();
+    for (const QDialog *dialog : beside)
+        EntryField::takeTypedIn(*dialog);
     m_canvas->finishGesture();
     m_canvas->settleTool();
     if (!m_saving->maySwitch()) {
         event->ignore();
         return;
     }
+    for (QDialog *dialog : beside)
+        if (dialog->isVisible() && !dialog->isModal())
+            dialog->accept(); // Closed later it would take back what it shows, and the journal would begin anew.
     if (action(Command::HideDocks).isChecked()) // they are to come back next time
         action(Command::HideDocks).trigger();
     window_layout::save(*this);

@@ -8,8 +8,8 @@
 namespace suffuse {
 
 /// Gives each window that stays open beside the main window, such as Along the Stroke, the commands that people use
-/// wherever they are: they undo, redo and save there, too. A window that asks something first (a modal dialog) has
-/// none.
+/// wherever they are: they undo, redo, save and quit there, too. A window that asks something first (a modal dialog)
+/// has none.
 class SideWindows : public QObject {
     Q_OBJECT
 

@@ -1,11 +1,17 @@
 // Paintings that are open, and the list of those that were: in several windows, and in several running instances.
+#include "app/panels/inspector/along_dialog.h"
+#include "app/session/files/journal.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
+#include "app/widgets/numbers/number_field.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 
+#include <QDir>
 #include <QFile>
+#include <QPointer>
 #include <QProcess>
+#include <QScopeGuard>
 #include <QStatusBar>
 #include <QTemporaryDir>
 
@@ -158,6 +164,60 @@ private slots:
         c.use(Command::Quit);
         for (const Session *s : {&a, &b, &c})
             QVERIFY(!s->window.isVisible());
+    }
+
+    /// Ctrl+Q in a window that stays open beside the picture: all that it shows, and what is typed in it, is work that
+    /// is asked about, once.
+    void quittingKnowsWhatIsTypedBeside_data()
+    {
+        QTest::addColumn<SaveAnswer>("answer");
+        QTest::newRow("cancel") << SaveAnswer::Cancel;
+        QTest::newRow("save") << SaveAnswer::Save;
+        QTest::newRow("discard") << SaveAnswer::Discard;
+    }
+    void quittingKnowsWhatIsTypedBeside()
+    {
+        QFETCH(SaveAnswer, answer);
+        const QTemporaryDir journals;
+        Journal::setFolder(journals.path());
+        const auto forget = qScopeGuard([] { Journal::setFolder({}); });
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.dry();
+        const QString file = path("beside.suffuse");
+        QVERIFY(s.window.saveTo(file));
+        const QByteArray saved = hashOf(s.painting());
+        s.use(Command::SelectAll);
+        s.use(Command::AlongStrokes);
+        QPointer<AlongDialog> dialog = s.window.findChild<AlongDialog *>();
+        QVERIFY(dialog && QTest::qWaitForWindowActive(dialog));
+        dialog->scale()->setFocus();
+        QTest::qWait(1); // the field selects its text when it gets the focus
+        dialog->scale()->selectAll();
+        QTest::keyClicks(dialog->scale(), "2");
+        QVERIFY(!s.editor().isModified()); // nothing but the text as yet
+        int asked = 0;
+        MessageHooks hooks;
+        hooks.unsaved = [&](const QString &) {
+            ++asked;
+            return answer;
+        };
+        setMessageHooks(hooks);
+        QTest::keyClick(dialog->scale(), Qt::Key_Q, Qt::ControlModifier);
+        QCOMPARE(asked, 1);
+        QCOMPARE(s.window.isVisible(), answer == SaveAnswer::Cancel);
+        const auto stored = loadPainting(file);
+        QVERIFY(stored);
+        QCOMPARE(hashOf(*stored) == saved, answer != SaveAnswer::Save);
+        if (answer == SaveAnswer::Cancel) { // Nothing has happened, and the window beside still takes it all back.
+            QVERIFY(hashOf(s.painting()) != saved);
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            QCOMPARE(hashOf(s.painting()), saved);
+        } else { // Nothing is left that the next start would offer to recover.
+            QTRY_VERIFY(!dialog || !dialog->isVisible());
+            QTest::qWait(20);
+            QVERIFY2(QDir(journals.path()).isEmpty(), qPrintable(QDir(journals.path()).entryList().join(" ")));
+        }
     }
 
 private:
