@@ -24,11 +24,12 @@ std::size_t placeWithin(const Painting &painting, GroupId group, const GroupSpan
     return at;
 }
 
-/// Where a group ends in the order; an empty one ends on top of what is around it.
+/// Where a group ends in the order; an empty one ends on top of the innermost group around it that is not empty.
 std::size_t endOf(const Painting &painting, GroupId group)
 {
-    const GroupSpan span = spanOf(painting, group);
-    return span.isEmpty() ? spanOf(painting, painting.findGroup(group)->parent).end : span.end;
+    while (group != 0 && spanOf(painting, group).isEmpty())
+        group = painting.findGroup(group)->parent;
+    return spanOf(painting, group).end;
 }
 
 /// Where strokes come, in which group.
@@ -40,18 +41,16 @@ struct PlaceInLayer {
 PlaceInLayer placeFor(const Painting &painting, const PaintedLayer &layer, LayerEnd end,
                       std::optional<Microseconds> born)
 {
-    const std::size_t top = painting.strokes.size();
     const bool isComing = !painting.findGroup(layer.group);
     const GroupId wanted = isComing ? layer.coming->parent : layer.group;
     const GroupId group = groupTakingPaint(painting, wanted);
     if (group != wanted) { // just above what is hidden or locked
         const std::vector<GroupId> around = groupsAround(painting, wanted);
         const auto inner = group == 0 ? around.end() : std::ranges::find(around, group);
-        const GroupSpan past = spanOf(painting, *std::prev(inner));
-        return {group, past.isEmpty() ? top : past.end};
+        return {group, endOf(painting, *std::prev(inner))};
     }
     if (isComing)
-        return {group, comingIndex(painting, layer).value_or(top)};
+        return {group, comingIndex(painting, layer).value_or(endOf(painting, group))};
     const GroupSpan span = spanOf(painting, group);
     if (span.isEmpty())
         return {group, endOf(painting, group)};

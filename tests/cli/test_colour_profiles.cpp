@@ -42,9 +42,11 @@ QByteArray rgbProfile(const cmsCIExyYTRIPLE &primaries, double gamma)
     return bytesOf(Profile(cmsCreateRGBProfile(&white, &primaries, curves), cmsCloseProfile));
 }
 
+/// Made once: lcms2 dates a profile to the second.
 QByteArray adobeRgb()
 {
-    return rgbProfile({{0.64, 0.33, 1}, {0.21, 0.71, 1}, {0.15, 0.06, 1}}, 563.0 / 256);
+    static const QByteArray profile = rgbProfile({{0.64, 0.33, 1}, {0.21, 0.71, 1}, {0.15, 0.06, 1}}, 563.0 / 256);
+    return profile;
 }
 
 QByteArray displayP3()
