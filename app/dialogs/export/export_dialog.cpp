@@ -106,6 +106,7 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
     m_limits = quietLabel({}, m_form);
     grid.addWidget(m_limits, 6, 1, 1, 2);
     m_print = new PrintRows(grid, 7, widthBox(), heightBox(), m_form);
+    m_size->leaveRoom(m_print->unitBox()->sizeHint().width()); // so that widths and heights stand below each other
     connect(m_area, &AreaRow::areaChanged, this, [this] {
         m_size->setArea(m_area->area());
         showLimits();

@@ -268,11 +268,11 @@ SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent)
     for (QSpinBox *box : {m_width, m_height}) {
         box->setRange(1, largestSide);
         box->setSuffix(tr(" px"));
-        line->addWidget(box);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // all boxes of the two columns are as wide
+        line->addWidget(box, 1);
         if (box == m_width)
             line->addWidget(new QLabel(QStringLiteral("×"), this));
     }
-    line->addStretch(1);
     m_width->setAccessibleName(tr("Width in pixels"));
     m_width->setToolTip(tr("Width in pixels; the height follows."));
     m_height->setAccessibleName(tr("Height in pixels"));
@@ -282,6 +282,11 @@ SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent)
     grid.addWidget(this, row, 1, 1, 2);
     connect(m_width, &QSpinBox::valueChanged, this, &SizeRow::takeWidth);
     connect(m_height, &QSpinBox::editingFinished, this, &SizeRow::takeHeight);
+}
+
+void SizeRow::leaveRoom(int width)
+{
+    static_cast<QHBoxLayout *>(layout())->addSpacing(layout()->spacing() + width);
 }
 
 void SizeRow::setArea(const Rect &area, double width)

@@ -106,6 +106,8 @@ public:
     /// Sets the greatest number of pixels a side that the format can hold. More than `maxPicturePixels` in all are
     /// never drawn.
     void setLargestSide(int side);
+    /// Leaves so many logical pixels free at the end of the row, where the row below has something else.
+    void leaveRoom(int width);
     double scale() const { return m_scale; } ///< pixels a unit
     QSpinBox *widthBox() const { return m_width; }
     QSpinBox *heightBox() const { return m_height; }

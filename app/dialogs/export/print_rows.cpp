@@ -54,7 +54,8 @@ void PrintRows::addPrintSize(QGridLayout &grid, int row)
     for (QDoubleSpinBox *box : {m_width, m_height}) {
         box->setRange(0.01, largest);
         box->setKeyboardTracking(false);
-        line->addWidget(box);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as the boxes for pixels above
+        line->addWidget(box, 1);
         if (box == m_width)
             line->addWidget(new QLabel(QStringLiteral("×"), this));
     }
@@ -69,7 +70,6 @@ void PrintRows::addPrintSize(QGridLayout &grid, int row)
     m_unit->setToolTip(tr("Millimetres or inches"));
     m_unit->setCurrentIndex(settings::store().value("exportUnit").toInt() == int(Unit::Inches) ? 1 : 0);
     line->addWidget(m_unit);
-    line->addStretch(1);
     label->setBuddy(m_width);
     grid.addWidget(label, row, 0);
     grid.addWidget(this, row, 1, 1, 2);
@@ -88,7 +88,7 @@ void PrintRows::addResolution(QGridLayout &grid, int row)
     m_dpi->setToolTip(tr("Pixels an inch. PNG, TIFF, JPEG and EXR files say it."));
     label->setBuddy(m_dpi);
     grid.addWidget(label, row, 0);
-    grid.addWidget(m_dpi, row, 1, 1, 2, Qt::AlignLeft);
+    grid.addWidget(m_dpi, row, 1, 1, 2);
 }
 
 double PrintRows::dpi() const

@@ -124,6 +124,24 @@ private slots:
         QCOMPARE(dialog.quality()->value(), 90);
     }
 
+    /// Widths and heights in pixels and on paper stand below each other.
+    void sizesAreAligned()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, {});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        const auto place = [&](const QWidget *box) {
+            const int left = box->mapTo(&dialog, QPoint()).x();
+            return std::pair(left, left + box->width());
+        };
+        const PrintRows &print = *dialog.findChild<PrintRows *>();
+        QCOMPARE(place(dialog.widthBox()), place(print.widthBox()));
+        QCOMPARE(place(dialog.heightBox()), place(print.heightBox()));
+        QCOMPARE(place(print.dpiBox()).first, place(print.widthBox()).first);
+        QCOMPARE(place(print.dpiBox()).second, place(print.unitBox()).second);
+    }
+
     /// Nothing is written with another size than the one that was asked for.
     void returnOnWhatCannotBeReadExportsNothing()
     {
