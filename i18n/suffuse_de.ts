@@ -2680,18 +2680,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Hand</translation>
     </message>
     <message>
-        <source>No smoothing</source>
-        <translation>Keine Glättung</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>Gewichtet</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>Gezogene Schnur</translation>
-    </message>
-    <message>
         <source>Smoothing</source>
         <translation>Glättung</translation>
     </message>
@@ -3007,18 +2995,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Smoothing</source>
         <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Aus</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>Gewichtet</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>Gezogene Schnur</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
@@ -6168,6 +6144,21 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::FileTypes</name>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse-Bild</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse-Pinsel</translation>
+    </message>
+    <message>
+        <source>Backup of a painting</source>
+        <translation>Sicherung eines Bildes</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Files</name>
     <message numerus="yes">
         <source>%n adjustment or fill layer(s)</source>
@@ -7370,6 +7361,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>A fill is cut only where the line goes all the way through it.</source>
         <translation>Eine Füllung wird nur geschnitten, wo die Linie ganz durch sie hindurchgeht.</translation>
+    </message>
+    <message>
+        <source>Inserts nodes where a line crosses strokes; with Shift it cuts them apart there.</source>
+        <translation>Fügt Knoten ein, wo eine Linie Striche kreuzt; mit Umschalt trennt es sie dort.</translation>
     </message>
 </context>
 <context>
@@ -8715,6 +8710,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>How much it takes away.</source>
         <translation>Wie viel sie wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Gewichtet</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>Gezogene Schnur</translation>
     </message>
 </context>
 <context>

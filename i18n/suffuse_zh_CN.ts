@@ -2234,7 +2234,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Nothing is selected that can be changed. Click a stroke, and its values are shown here.</source>
-        <translation>没有选中可以更改的内容。单击一个笔画，这里就会显示它的值。</translation>
+        <translation>没有选中可以更改的内容。点击一个笔画，这里就会显示它的值。</translation>
     </message>
 </context>
 <context>
@@ -2664,18 +2664,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>手感</translation>
     </message>
     <message>
-        <source>No smoothing</source>
-        <translation>不平滑</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>加权</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>拉绳</translation>
-    </message>
-    <message>
         <source>Smoothing</source>
         <translation>平滑</translation>
     </message>
@@ -2991,18 +2979,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Smoothing</source>
         <translation>平滑</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>加权</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>拉绳</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
@@ -3433,7 +3409,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Click one to run it.</source>
-        <translation>单击即可执行。</translation>
+        <translation>点击即可执行。</translation>
     </message>
     <message>
         <source>Nothing is called so.</source>
@@ -6147,6 +6123,21 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::FileTypes</name>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse 画作</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse 画笔</translation>
+    </message>
+    <message>
+        <source>Backup of a painting</source>
+        <translation>画作的备份</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Files</name>
     <message numerus="yes">
         <source>%n adjustment or fill layer(s)</source>
@@ -7315,6 +7306,10 @@ Arrow keys work too.</source>
         <source>A fill is cut only where the line goes all the way through it.</source>
         <translation>只有当线完全穿过填充时，填充才会被切开。</translation>
     </message>
+    <message>
+        <source>Inserts nodes where a line crosses strokes; with Shift it cuts them apart there.</source>
+        <translation>在直线与笔画相交处插入节点；按住 Shift 则在该处切断笔画。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::MainWindow</name>
@@ -7461,7 +7456,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从左边起，画布单位。回车或单击放置节点</translation>
+        <translation>下一个节点的位置，从左边起，画布单位。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Y</source>
@@ -7470,7 +7465,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从上边起，画布单位。回车或单击放置节点</translation>
+        <translation>下一个节点的位置，从上边起，画布单位。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Length</source>
@@ -7478,7 +7473,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>从上一个节点到下一个节点，画布单位。回车或单击放置节点</translation>
+        <translation>从上一个节点到下一个节点，画布单位。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -7486,7 +7481,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Direction from the last node to the next one, clockwise from the right. Return sets it, and so does a click</source>
-        <translation>从上一个节点到下一个节点的方向，从右侧起顺时针。回车或单击放置节点</translation>
+        <translation>从上一个节点到下一个节点的方向，从右侧起顺时针。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Close</source>
@@ -7558,7 +7553,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Join needs two ends of strokes: select one, and Shift+click the other or drag around both.</source>
-        <translation>连接需要笔画的两个端点：先选择一个，再按住 Shift 单击另一个，或拖动框住两者。</translation>
+        <translation>连接需要笔画的两个端点：先选择一个，再按住 Shift 点击另一个，或拖动框住两者。</translation>
     </message>
     <message>
         <source>These two ends cannot be joined.</source>
@@ -7585,7 +7580,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
-        <translation>单击选择线段，Shift+单击选择连续线段或其他笔画的线段，Ctrl+单击添加或移除一段。拖动框选节点。</translation>
+        <translation>点击选择线段，Shift+点击选择连续线段或其他笔画的线段，Ctrl+点击添加或移除一段。拖动框选节点。</translation>
     </message>
     <message>
         <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>
@@ -7605,7 +7600,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
-        <translation>拖动可移动擦除。单击在所有笔画中选择它，再次单击选择它在此笔画中的部分，第三次选择其中一段。“删除”会移除它。</translation>
+        <translation>拖动可移动擦除。点击在所有笔画中选择它，再次点击选择它在此笔画中的部分，第三次选择其中一段。“删除”会移除它。</translation>
     </message>
     <message>
         <source>Move segments</source>
@@ -8658,6 +8653,18 @@ Arrow keys work too.</source>
         <source>How much it takes away.</source>
         <translation>擦去的多少。</translation>
     </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>加权</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>拉绳</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -9325,7 +9332,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
-        <translation>所画内容进入此群组。在行外单击：重新画在所有内容之上。</translation>
+        <translation>所画内容进入此群组。在行外点击：重新画在所有内容之上。</translation>
     </message>
     <message>
         <source>Painting on top of all</source>
@@ -10228,7 +10235,7 @@ Arrow keys work too.</source>
     <name>GradientHandles</name>
     <message>
         <source>Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.</source>
-        <translation>拖动渐变的一端。Ctrl：以 15° 为步长。单击它：颜色用于这一端。</translation>
+        <translation>拖动渐变的一端。Ctrl：以 15° 为步长。点击它：颜色用于这一端。</translation>
     </message>
     <message>
         <source>Move gradient</source>
@@ -10239,15 +10246,15 @@ Arrow keys work too.</source>
     <name>suffuse::PenTool</name>
     <message>
         <source>Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.</source>
-        <translation>单击：尖角。拖动：曲线，Alt：只移动一个控制柄。首节点：闭合。回车：结束。退格：撤回一个。</translation>
+        <translation>点击：尖角。拖动：曲线，Alt：只移动一个控制柄。首节点：闭合。回车：结束。退格：撤回一个。</translation>
     </message>
     <message>
         <source>Click or drag to go on with the selected stroke from its end.</source>
-        <translation>单击或拖动，从所选笔画的端点继续。</translation>
+        <translation>点击或拖动，从所选笔画的端点继续。</translation>
     </message>
     <message>
         <source>Click for corners, drag for curves. Shift: steps of 15°. An end of a selected stroke: go on with it.</source>
-        <translation>单击为尖角，拖动为曲线。Shift：以 15° 为步长。所选笔画的端点：继续该笔画。</translation>
+        <translation>点击为尖角，拖动为曲线。Shift：以 15° 为步长。所选笔画的端点：继续该笔画。</translation>
     </message>
     <message>
         <source>Extend outline</source>
@@ -10262,11 +10269,11 @@ Arrow keys work too.</source>
     <name>suffuse::LassoFillTool</name>
     <message>
         <source>Click: straight line. First point, double click or Return: close. Shift: steps of 15°.</source>
-        <translation>单击：直线。首点、双击或回车：闭合。Shift：以 15° 为步长。</translation>
+        <translation>点击：直线。首点、双击或回车：闭合。Shift：以 15° 为步长。</translation>
     </message>
     <message>
         <source>Draw around what is to be filled. Alt at the end, or clicks: straight lines.</source>
-        <translation>圈出要填充的区域。结束时按 Alt 或单击：直线。</translation>
+        <translation>圈出要填充的区域。结束时按 Alt 或点击：直线。</translation>
     </message>
     <message>
         <source>Lasso fill</source>
@@ -10277,7 +10284,7 @@ Arrow keys work too.</source>
     <name>suffuse::BucketTool</name>
     <message>
         <source>Click: fill what the paint around that place bounds, with the brush in hand.</source>
-        <translation>单击：用手中的画笔填充该处周围颜料所围住的区域。</translation>
+        <translation>点击：用手中的画笔填充该处周围颜料所围住的区域。</translation>
     </message>
     <message>
         <source>Over all strokes</source>

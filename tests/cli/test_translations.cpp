@@ -49,6 +49,7 @@ private slots:
             missing << it.next().captured(1);
         QCOMPARE(missing, QStringList());
         QVERIFY(!text.contains("type=\"unfinished\""));
+        QVERIFY(!text.contains(QStringLiteral("单击"))); // A click has one name in Chinese: 点击.
     }
 };
 

@@ -60,7 +60,7 @@ void BrushHandPage::addHand()
 {
     column().addWidget(sectionTitle(tr("Hand"), this));
     m_stabiliser = new QComboBox(this);
-    m_stabiliser->addItems({tr("No smoothing"), tr("Weighted"), tr("Pulled string")});
+    m_stabiliser->addItems(smoothingNames());
     m_stabiliser->setAccessibleName(tr("Smoothing"));
     m_stabiliser->setToolTip(tr("Steadies the hand: the stroke follows the pen softly, or is pulled on a string"));
     auto *row = new QHBoxLayout;

@@ -52,7 +52,7 @@ void BrushToolOptions::addSmoothing(QHBoxLayout &row)
 {
     auto *label = new QLabel(tr("Smoothing"), this);
     m_smoothing = new QComboBox(this);
-    m_smoothing->addItems({tr("Off"), tr("Weighted"), tr("Pulled string")});
+    m_smoothing->addItems(smoothingNames());
     m_smoothing->setToolTip(tr("Steadies the hand: the stroke follows the pen softly, or is pulled on a string"));
     m_smoothing->setAccessibleName(tr("Smoothing"));
     label->setBuddy(m_smoothing);

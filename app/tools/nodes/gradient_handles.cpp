@@ -1,14 +1,15 @@
 #include "app/tools/nodes/gradient_handles.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/widgets/colour/colour_swatch.h"
 #include "model/area/outline.h"
 #include "model/painting/editable.h"
 #include "undo/edits.h"
 
 #include <QCoreApplication>
 #include <QPainter>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -178,9 +179,13 @@ void GradientHandles::paint(QPainter &painter, const View &view, double dpr) con
         for (const bool isSecond : {false, true}) {
             const Colour &colour = isSecond ? stroke->fill->gradient->colour : stroke->fill->colour;
             const bool isChosen = m_chosen == End{stroke->id, isSecond};
-            painter.setPen(QPen(Qt::white, (isChosen ? 6 : 4) * dpr));
-            painter.setBrush(toOpaqueScreen(colour));
-            painter.drawEllipse(pointOf(isSecond), knobRadius * dpr, knobRadius * dpr);
+            QPainterPath knob;
+            knob.addEllipse(pointOf(isSecond), knobRadius * dpr, knobRadius * dpr);
+            painter.strokePath(knob,
+                               QPen(QColor(20, 20, 24, 150), (isChosen ? 7.5 : 5.5) * dpr)); // seen on white paper
+            painter.strokePath(knob, QPen(Qt::white, (isChosen ? 6 : 4) * dpr));
+            paintColour(painter, knob, colour); // what is transparent shows the pattern of that
+            painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(accent, (isChosen ? 3.5 : 1.5) * dpr));
             painter.drawEllipse(pointOf(isSecond), knobRadius * dpr, knobRadius * dpr);
         }

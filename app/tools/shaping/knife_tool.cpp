@@ -3,10 +3,14 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
+#include "app/tools/tool_fields.h"
+#include "app/widgets/look/section.h"
 #include "model/painting/editable.h"
 #include "model/shaping/erasing/erase.h"
 #include "model/shaping/erasing/fill_cut.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 
 #include <numbers>
@@ -27,6 +31,21 @@ QString KnifeTool::hint() const
         return said();
     return tr(
         "Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.");
+}
+
+/// There is nothing to be set, so the row says what the tool does.
+QWidget *KnifeTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    QLabel *what =
+        quietLabel(tr("Inserts nodes where a line crosses strokes; with Shift it cuts them apart there."), m_options);
+    what->setWordWrap(false);
+    row->addWidget(what);
+    row->addStretch();
+    return m_options;
 }
 
 void KnifeTool::press(const PointerEvent &event)

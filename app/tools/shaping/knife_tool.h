@@ -3,6 +3,8 @@
 #include "app/tools/canvas_tool.h"
 #include "undo/node_edits.h"
 
+#include <QPointer>
+
 namespace suffuse {
 
 /// Cuts strokes where a line crosses them: the selected strokes or, without a selection, all.
@@ -13,6 +15,7 @@ public:
     explicit KnifeTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
+    QWidget *options() override;
     QCursor cursor() const override { return Qt::CrossCursor; }
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;
@@ -30,6 +33,7 @@ private:
     std::set<StrokeId> m_selected; ///< when the drag began: what a command selects meanwhile is not meant
     Point m_from, m_to;            ///< canvas units
     bool m_splits = false;
+    QPointer<QWidget> m_options; ///< belongs to the row over the canvas
 };
 
 } // namespace suffuse

@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -26,9 +27,14 @@ std::optional<double> askNumber(QWidget *parent, const NumberQuestion &question)
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     auto *column = new QVBoxLayout(&dialog);
-    for (QWidget *widget :
-         {static_cast<QWidget *>(label), static_cast<QWidget *>(box), static_cast<QWidget *>(buttons)})
-        column->addWidget(widget);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(16);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(16);
+    line->addWidget(label);
+    line->addWidget(box, 1);
+    column->addLayout(line);
+    column->addWidget(buttons);
     giveMnemonics(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return {};

@@ -8,8 +8,10 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QFileDialog>
+#include <QFileIconProvider>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -63,6 +65,31 @@ void fitColumns(const QFileDialog &dialog)
     header.setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
+/// Qt calls the type of a file "unknown" where no desktop has been told of it.
+class FileTypes : public QFileIconProvider {
+    Q_DECLARE_TR_FUNCTIONS(suffuse::FileTypes)
+
+public:
+    QString type(const QFileInfo &file) const override
+    {
+        const QString ending = file.suffix().toLower();
+        if (file.isDir())
+            return QFileIconProvider::type(file);
+        if (ending == QLatin1String("suffuse"))
+            return tr("Suffuse painting");
+        if (ending == QLatin1String("suffuse-brush"))
+            return tr("Suffuse brush");
+        return ending.startsWith(QLatin1String("suffuse~")) ? tr("Backup of a painting")
+                                                            : QFileIconProvider::type(file);
+    }
+};
+
+void nameOwnTypes(QFileDialog &dialog)
+{
+    static FileTypes types;
+    dialog.setIconProvider(&types);
+}
+
 /// Presses a dialog's button that has the keyboard. Qt would press the dialog's default button for those that may not
 /// become it, which are those that Return in a field must not press, and for tool buttons.
 bool pressFocused(QObject *watched, const QKeyEvent &key)
@@ -112,8 +139,10 @@ public:
                 dialog && dialog->isWindow() && !event->spontaneous()) {
                 placeDialog(*dialog);
                 focusFirstField(*dialog);
-                if (const auto *files = qobject_cast<QFileDialog *>(dialog))
+                if (auto *files = qobject_cast<QFileDialog *>(dialog)) {
+                    nameOwnTypes(*files);
                     fitColumns(*files);
+                }
             }
             break;
         default:

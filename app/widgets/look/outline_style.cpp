@@ -202,6 +202,20 @@ void OutlineStyle::drawControl(ControlElement element, const QStyleOption *optio
     }
 }
 
+void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
+                                      const QWidget *widget) const
+{
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    const auto *bar = qstyleoption_cast<const QStyleOptionSlider *>(option);
+    if (control != CC_ScrollBar || !bar || bar->minimum == bar->maximum)
+        return;
+    const QRect handle = subControlRect(control, option, SC_ScrollBarSlider, widget);
+    const bool isHeld = (option->state & State_MouseOver || option->state & State_Sunken) &&
+                        option->activeSubControls & SC_ScrollBarSlider;
+    const QColor atRest = isDarkTheme() ? edgeOfColours().lighter(120) : edgeOfColours().darker(115);
+    painter->fillRect(handle, isHeld ? option->palette.color(QPalette::Highlight) : atRest);
+}
+
 QSize OutlineStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
                                      const QWidget *widget) const
 {

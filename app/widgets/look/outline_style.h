@@ -23,6 +23,9 @@ public:
     /// are white there and its lines black.
     void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
                      const QWidget *widget) const override;
+    /// The handle of a scroll bar is seen on its groove, in the light palette too.
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
+                            const QWidget *widget) const override;
     /// Headings in menus have room above and below them, so that one on top does not touch the frame.
     QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
                            const QWidget *widget) const override;

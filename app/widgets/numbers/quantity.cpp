@@ -287,6 +287,11 @@ QStringList mixingNames()
     return {QuantityText::tr("Covering (alpha)"), QuantityText::tr("Pigment (β)")};
 }
 
+QStringList smoothingNames()
+{
+    return {QuantityText::tr("Off"), QuantityText::tr("Weighted"), QuantityText::tr("Pulled string")};
+}
+
 float &valueOf(Segment &segment, Quantity quantity)
 {
     return numberOf(quantity).of(segment);

@@ -57,6 +57,8 @@ FieldSpec xiSpec(StyleKind kind, int index);
 /// Translated names, in the order of StyleKind and MixMode.
 QStringList styleNames();
 QStringList mixingNames();
+/// Those of the ways in which a brush steadies the hand, in the order of Stabiliser::Kind.
+QStringList smoothingNames();
 
 /// The members of a type that are numbers by themselves, without those that are `shown` already.
 template <class Owner>

@@ -4,7 +4,9 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/asking/ask_number.h"
 #include "app/widgets/habits/dialog_scroll.h"
+#include "app/widgets/habits/house_rules.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
@@ -17,13 +19,19 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -272,6 +280,68 @@ private slots:
         search->setText("add gradient");
         QVERIFY(dialog.list()->currentItem());
         QCOMPARE(dialog.list()->currentItem()->text(0), QString("Verlauf hinzufügen"));
+    }
+
+    /// Where no desktop has been told of Suffuse, too.
+    void ownFilesHaveATypeInTheFileDialog()
+    {
+        installHouseRules();
+        for (const char *name : {"a.suffuse", "b.suffuse-brush", "c.suffuse~"}) {
+            QFile file(m_folder->filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        QFileDialog dialog(nullptr, "Open", m_folder->path());
+        dialog.setOption(QFileDialog::DontUseNativeDialog);
+        dialog.show();
+        const QTreeView *view = dialog.findChild<QTreeView *>("treeView");
+        QVERIFY(view);
+        const auto typeOf = [&](const QString &name) {
+            for (int row = 0; row < view->model()->rowCount(view->rootIndex()); ++row)
+                if (view->model()->index(row, 0, view->rootIndex()).data().toString() == name)
+                    return view->model()->index(row, 2, view->rootIndex()).data().toString();
+            return QString();
+        };
+        QTRY_COMPARE(typeOf("a.suffuse"), QString("Suffuse painting"));
+        QTRY_COMPARE(typeOf("b.suffuse-brush"), QString("Suffuse brush"));
+        QTRY_COMPARE(typeOf("c.suffuse~"), QString("Backup of a painting"));
+    }
+
+    /// The question stands beside its number, and not above it.
+    void aNumberIsAskedForInOneLine()
+    {
+        QTimer::singleShot(0, this, [] {
+            auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            const auto *label = dialog->findChild<QLabel *>();
+            auto *box = dialog->findChild<QDoubleSpinBox *>();
+            QVERIFY(std::abs(label->geometry().center().y() - box->geometry().center().y()) <= 2);
+            QVERIFY(label->geometry().right() < box->geometry().left());
+            box->setValue(2.5);
+            dialog->accept();
+        });
+        QCOMPARE(askNumber(nullptr, {"Title", "Seconds", 1, 0, 10}), std::optional(2.5));
+    }
+
+    /// The handle stands out from its groove as the edges of fields do from theirs: by 3 to 1.
+    void handlesOfScrollBarsAreSeen()
+    {
+        const auto luminance = [](const QColor &colour) {
+            const auto linear = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+            return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+        };
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            settings::setTheme(theme);
+            applyTheme();
+            QScrollBar bar(Qt::Vertical);
+            bar.setRange(0, 300);
+            bar.setPageStep(300);
+            bar.resize(bar.sizeHint().width(), 300);
+            const QImage image = bar.grab().toImage();
+            const int x = image.width() / 2;
+            const double handle = luminance(image.pixelColor(x, 60)), groove = luminance(image.pixelColor(x, 220));
+            const double contrast = (std::max(handle, groove) + 0.05) / (std::min(handle, groove) + 0.05);
+            QVERIFY2(contrast >= 3, qPrintable(QString::number(contrast)));
+        }
     }
 
     void iconsAreDrawnInThePalettesColour()

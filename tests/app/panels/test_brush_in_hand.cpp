@@ -259,6 +259,25 @@ private slots:
         }
     }
 
+    /// The ways to steady the hand have the same names wherever they are chosen.
+    void smoothingHasOneName()
+    {
+        Session s;
+        BrushDialog dialog(s.editor());
+        const auto namesIn = [](const QWidget &where) {
+            for (const QComboBox *combo : where.findChildren<QComboBox *>())
+                if (combo->accessibleName() == "Smoothing") {
+                    QStringList names;
+                    for (int i = 0; i < combo->count(); ++i)
+                        names << combo->itemText(i);
+                    return names;
+                }
+            return QStringList();
+        };
+        QCOMPARE(namesIn(dialog), namesIn(*s.canvas().tool()->options()));
+        QCOMPARE(namesIn(dialog).size(), 3);
+    }
+
     void optionsRowFollowsTheBrush()
     {
         Session s;

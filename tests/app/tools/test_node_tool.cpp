@@ -148,6 +148,7 @@ private slots:
         const auto fill = [](Stroke &stroke) {
             Fill graded;
             graded.gradient = Gradient{toOffset({250, 420}, stroke.origin), toOffset({350, 420}, stroke.origin), {}};
+            graded.gradient->colour = {0, 0, 0, 0};
             stroke.fill = graded;
         };
         s.editor().push(changeStrokes(s.editor().document(), {s.id}, fill), "fill");
@@ -156,6 +157,21 @@ private slots:
             const Gradient &gradient = *s.stroke().fill->gradient;
             return s.stroke().origin + (second ? gradient.to : gradient.from);
         };
+        // The end that is transparent, on white paper, has a dark edge and the pattern of what is transparent.
+        QImage shown(s.canvas().size() * s.canvas().devicePixelRatioF(), QImage::Format_RGB32);
+        shown.fill(Qt::white);
+        QPainter painter(&shown);
+        s.canvas().tool()->paint(painter, s.canvas().view(), s.canvas().devicePixelRatioF());
+        painter.end();
+        const Point knob = s.canvas().view().toPixels({350, 420});
+        const auto darkest = [&](double from, double to) {
+            int least = 255;
+            for (double r = from; r <= to; r += 0.5)
+                least = std::min(least, qGray(shown.pixel(int(std::lround(knob.x)), int(std::lround(knob.y + r)))));
+            return least;
+        };
+        QVERIFY(darkest(8.5, 11) < 200);
+        QVERIFY(qGray(shown.pixel(int(knob.x) + 2, int(knob.y) - 3)) < 215);
         const Point before = s.sent({350, 420}), after = s.sent({380, 460});
         s.hover({350, 420});
         QVERIFY(s.canvas().tool()->hint().contains("gradient"));

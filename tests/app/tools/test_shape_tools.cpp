@@ -7,6 +7,7 @@
 #include "render/probe.h"
 #include "tests/app/shapes.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QStackedWidget>
 #include <QTemporaryDir>
@@ -45,6 +46,16 @@ private slots:
         QVERIFY(m_folder.isValid());
         qputenv("SUFFUSE_PRESENTER", "raster");
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    /// A tool without settings has a row all the same, which says what it does.
+    void theKnifesRowSaysWhatItDoes()
+    {
+        WaveSession s;
+        s.use(Command::Knife);
+        const QWidget *row = s.canvas().tool()->options();
+        QVERIFY(row && row->isVisible());
+        QVERIFY(row->findChild<QLabel *>()->text().contains("nodes"));
     }
 
     void knifeInsertsNodesAndThePictureStays()
@@ -128,7 +139,7 @@ private slots:
         auto &eraser = *qobject_cast<EraserTool *>(s.canvas().tool());
         eraser.setRadius(12);
         s.drag({350, 260}, {350, 380}, Qt::ShiftModifier, false); // cuts
-        QCOMPARE(s.painting().strokes.size(), std::size_t(1)); // the button is still down
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));    // the button is still down
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
         const Point crossing = before->strokes[0]->cubicOf(before->strokes[0]->segments[1]).at(0.5);
         QVERIFY(nearestCurve(s.painting(), crossing) > 11);
