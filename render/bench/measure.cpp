@@ -353,7 +353,7 @@ Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::siz
     return out;
 }
 
-Painting inLayers(Painting painting, std::size_t groups)
+Painting inLayers(Painting painting, std::size_t groups, bool clips)
 {
     const std::size_t count = painting.strokes.size();
     painting.groups.clear();
@@ -363,6 +363,7 @@ Painting inLayers(Painting painting, std::size_t groups)
         group.blend = BlendMode(g % std::size_t(BlendMode::DestinationIn));
         group.opacity = g % 3 == 0 ? 0.5f : 1;
         group.isolated = true;
+        group.clips = clips && g > 0 && g % 3 == 0;
         painting.groups.push_back(group);
     }
     for (std::size_t i = 0; i < count; ++i) {

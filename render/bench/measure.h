@@ -71,9 +71,9 @@ StrokePtr middleStroke(const Painting &painting);
 /// them below it. The stroke gets the id 1.
 Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::size_t count);
 
-/// The painting with its strokes dealt, in their order, into so many groups of all modes in turn that add paint, every
-/// third of half the opacity. Their ids are 1, 2, ….
-Painting inLayers(Painting painting, std::size_t groups);
+/// Deals a painting's strokes into so many groups of different modes and opacities, one after another. With `clips`
+/// every third one is clipped to the one below it.
+Painting inLayers(Painting painting, std::size_t groups, bool clips = false);
 
 /// A row with backend and device as the renderer names them, and with the number of threads that are used.
 Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName);

@@ -166,20 +166,24 @@ bool Runner::drag(const PaintingPtr &painting)
     return layers(*painting, stroke, fewName, few);
 }
 
-/// The same stroke and 10,000 others in 20 groups, and the opacity of a group that has half of all.
+/// The same stroke and 10,000 others in 20 groups, of which some may be clipped, and the opacity of a group that has
+/// half of all.
 bool Runner::layers(const Painting &painting, const StrokePtr &stroke, const QString &fewName, double few)
 {
-    const QString dragName = QStringLiteral("drag-in-20-layers"), opacityName = QStringLiteral("layer-opacity");
-    if (!wanted(dragName) && !wanted(opacityName))
+    const QString dragName = QStringLiteral("drag-in-20-layers"), clippedName = QStringLiteral("drag-in-20-clipped"),
+                  opacityName = QStringLiteral("layer-opacity");
+    if (!wanted(dragName) && !wanted(clippedName) && !wanted(opacityName))
         return true;
     const Painting others = amongOthers(painting, stroke, 10'000);
-    if (wanted(dragName)) {
-        say(dragName);
-        const Job j = mainJob(std::make_shared<const Painting>(inLayers(others, 20)));
+    for (const auto &[name, clips] : {std::pair(dragName, false), {clippedName, true}}) {
+        if (!wanted(name))
+            continue;
+        say(name);
+        const Job j = mainJob(std::make_shared<const Painting>(inLayers(others, 20, clips)));
         const Result<Timing> timing = measureDrag(j, 1);
         if (!timing)
             return failed(timing.error());
-        if (!addCompared(j, dragName, *timing, fewName, few))
+        if (!addCompared(j, name, *timing, fewName, few))
             return false;
     }
     if (!wanted(opacityName))
@@ -241,10 +245,22 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {
-        "full-render", "cold-render",      "zoom-render",    "node-build",       "binning",           "open",
-        "drag",        "edit-segment",     "drag-among-100", "drag-among-10000", "drag-in-20-layers", "layer-opacity",
-        "live-stroke", "live-stroke-2000", growthName};
+    return {"full-render",
+            "cold-render",
+            "zoom-render",
+            "node-build",
+            "binning",
+            "open",
+            "drag",
+            "edit-segment",
+            "drag-among-100",
+            "drag-among-10000",
+            "drag-in-20-layers",
+            "drag-in-20-clipped",
+            "layer-opacity",
+            "live-stroke",
+            "live-stroke-2000",
+            growthName};
 }
 
 Result<std::vector<Row>> run(const Plan &plan, const std::function<void(const QString &)> &progress)

@@ -234,6 +234,14 @@ bool areSame(const ClipBase *a, const ClipBase *b)
 
 } // namespace
 
+bool Composition::boundsOthers(int layer) const
+{
+    for (; layer != Layer::none; layer = layers[std::size_t(layer)].parent)
+        if (const Layer &l = layers[std::size_t(layer)]; l.isMask || l.shape != Layer::none)
+            return true;
+    return false;
+}
+
 bool Composition::isWithin(int layer, int around) const
 {
     if (around == Layer::none)

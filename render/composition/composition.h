@@ -63,6 +63,9 @@ struct Composition {
     const ClipBase *baseAt(int base) const { return base == Layer::none ? nullptr : &bases[std::size_t(base)]; }
     /// Whether `layer` is `around` or lies within it; all do in Layer::none.
     bool isWithin(int layer, int around) const;
+    /// Whether the coverage of a layer, or of what is in it, multiplies others: it is a mask or a part of what they are
+    /// clipped to, or one of the layers around it is.
+    bool boundsOthers(int layer) const;
     bool operator==(const Composition &) const = default;
 };
 

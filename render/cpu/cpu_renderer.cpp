@@ -67,9 +67,21 @@ void CpuRenderer::followEdits(const FrameHistory::Step &step)
         m_layers.dropPrefixes(m_changed);
 }
 
+bool CpuRenderer::keepsOver() const
+{
+    const Composition &composition = m_history.scene().composition();
+    if (const int layer = m_history.layerEdited(); layer != Layer::none)
+        return !composition.boundsOthers(layer);
+    if (!m_history.oneEdited())
+        return false;
+    const std::size_t stroke = m_history.edited();
+    return composition.shapeOf(stroke) == Layer::none && !composition.boundsOthers(composition.layerOf(stroke));
+}
+
 std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
 {
     std::vector<Job> jobs;
+    const bool over = interactive && m_history.edited() != FrameHistory::noEdit && keepsOver();
     const DirtyRegion &region = m_history.region();
     for (int row = 0; row < region.rows(); ++row)
         for (int column = 0; column < region.columns(); ++column) {
@@ -87,14 +99,11 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
                 job.plan.haveUnder = !layers.under.empty();
                 job.from = job.plan.haveUnder ? layers.below : 0;
                 job.plan.storeUnder = !job.plan.haveUnder || layers.below < m_history.edited();
-                const Composition &composition = m_history.scene().composition();
-                const bool isFlat = composition.isFlat();
+                const bool isFlat = m_history.scene().composition().isFlat();
                 layers.under.resize(blocks);
                 layers.open.resize(isFlat ? 0 : blocks);
                 layers.below = m_history.edited();
-                // What bounds a layer above may be what is edited.
-                if (interactive && (m_history.oneEdited() || m_history.layerEdited() != Layer::none) &&
-                    !composition.isBounded) {
+                if (over) {
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
                     layers.over.resize(blocks);

@@ -32,6 +32,8 @@ private:
 
     /// Drops layers that are no longer valid, and finds what stays of the changed strokes.
     void followEdits(const FrameHistory::Step &step);
+    /// Whether what lies above what is edited can be kept: one stroke or layer is edited, and it bounds no layer.
+    bool keepsOver() const;
     std::vector<Job> planJobs(bool interactive);
     /// Gives each job its strokes, by rows of tiles first and then by columns, so that the cost is in proportion to
     /// what strokes touch.

@@ -114,7 +114,8 @@ public:
                 m_frame.kernels->apply(over.maps[step.place], backdrop());
             } else {
                 --m_open;
-                putLayer(step.layer, nullptr, m_s.backdrops[m_open + 1]);
+                putLayer(step.layer, step.isBounded ? over.shares[step.place].values : nullptr,
+                         m_s.backdrops[m_open + 1]);
             }
         }
         putKept();
@@ -230,13 +231,14 @@ private:
     {
         const Layer &layer = m_frame.composition->layers[std::size_t(number)];
         const Backdrop &ended = backdrop();
-        if (m_record && m_open == m_recorded)
-            m_record->addEnd(number), --m_recorded;
-        else if (m_record && m_open == m_recorded + 1)
-            m_record->addPicture(*m_frame.kernels, number, ended, layer.actsEverywhere());
         const LayerBounds &own = m_s.bounds[m_open];
-        LayerBounds &around = m_s.bounds[--m_open];
+        LayerBounds &around = m_s.bounds[m_open - 1];
         const float *share = boundsOf(layer, own, around, m_s.share) ? m_s.share : nullptr;
+        if (m_record && m_open == m_recorded)
+            m_record->addEnd(number, share), --m_recorded;
+        else if (m_record && m_open == m_recorded + 1 && !layer.isMask)
+            m_record->addPicture(*m_frame.kernels, number, ended, share, layer.actsEverywhere());
+        --m_open;
         if (layer.isMask || layer.shape != Layer::none) {
             for (std::size_t at = 0; at < blockSize; ++at)
                 m_s.source[at] = ended.coverage[at] * (share ? layer.opacity * share[at] : layer.opacity);

@@ -167,6 +167,7 @@ void TestBench::planTakesEveryRow()
                                              {"drag-among-10000", 1},
                                              {"live-stroke-2000", 1},
                                              {"drag-in-20-layers", 1},
+                                             {"drag-in-20-clipped", 1},
                                              {"layer-opacity", 1}};
     QVERIFY(names == expected);
 
