@@ -9407,6 +9407,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>O&amp;pacity…</source>
         <translation>&amp;Deckkraft …</translation>
     </message>
+    <message>
+        <source>New clipped layer: %1</source>
+        <translation>Neue begrenzte Ebene: %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

@@ -9346,6 +9346,10 @@ Arrow keys work too.</source>
         <source>O&amp;pacity…</source>
         <translation>不透明度(&amp;P)…</translation>
     </message>
+    <message>
+        <source>New clipped layer: %1</source>
+        <translation>新剪贴图层：%1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>

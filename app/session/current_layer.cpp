@@ -180,6 +180,32 @@ void CurrentLayer::beginNew(bool clips)
     noteNew();
 }
 
+std::optional<BegunLayer> CurrentLayer::begun() const
+{
+    if (!isComing() || m_layer.place)
+        return {};
+    const Group &coming = *m_layer.coming;
+    return BegunLayer{coming.name, coming.clips, coming.parent, m_layer.above};
+}
+
+void CurrentLayer::beginAgain(const BegunLayer &begun)
+{
+    const auto isThere = [this](GroupId group) { return m_document.painting()->findGroup(group) != nullptr; };
+    if (begun.parent != 0 && !isThere(begun.parent))
+        return;
+    PaintedLayer layer;
+    layer.group = m_document.takeGroupId();
+    Group &coming = layer.coming.emplace();
+    coming.id = layer.group;
+    coming.name = begun.name;
+    coming.clips = begun.clips;
+    coming.parent = begun.parent;
+    layer.above = isThere(begun.above) ? begun.above : 0;
+    set(std::move(layer));
+    m_chosen = m_layer;
+    noteNew();
+}
+
 /// Whether it is there, or can come.
 bool CurrentLayer::canBe(const PaintedLayer &layer) const
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/layer_steps.h"
+#include "model/formats/files.h"
 #include "undo/layer_edits.h"
 
 #include <QObject>
@@ -42,6 +43,12 @@ public:
     void beginNew() { beginNew(false); }
     /// Begins a layer in the same way, clipped to the one below: it is seen only where that has paint.
     void beginClipped() { beginNew(true); }
+
+    /// What beginNew or beginClipped has begun, as long as it has no stroke; none else, and none of a layer that was
+    /// there before and has lost its last stroke.
+    std::optional<BegunLayer> begun() const;
+    /// Goes on with what was begun when the painting was saved, if the group around it is there.
+    void beginAgain(const BegunLayer &begun);
 
     /// Whether tools reach only what is in the layer, where there is one. It is remembered in the settings.
     bool isOnly() const { return m_isOnly; }

@@ -47,16 +47,26 @@ QByteArray writePainting(const Painting &painting, FileFormat format);
 /// Saves a painting. The old file stays until the new one is whole and on disk. Errors name the file and the remedy.
 Result<void> savePainting(const Painting &painting, const QString &path);
 
+/// A layer that was begun and has no stroke yet: a group without strokes has no place in the order.
+struct BegunLayer {
+    QString name;
+    bool clips = false;
+    GroupId parent = 0; ///< the group that it will be in; 0: none
+    GroupId above = 0;  ///< the group above which it will come; 0: on top of what is in its parent
+    friend bool operator==(const BegunLayer &, const BegunLayer &) = default;
+};
+
 /// How a painting was looked at last. This is no part of the picture.
 struct WorkspaceState {
     Point centre;        ///< the centre of the view, canvas units
     double scale = 1;    ///< pixels of a screen of usual density for each canvas unit
     double rotation = 0; ///< radians
     bool mirrored = false;
-    std::optional<Microseconds> time; ///< the moment that was looked at; no value: the end
-    bool isFitted = false;            ///< all of the canvas was shown, whatever the four above say
-    GroupId layer = 0;                ///< the group that was painted on; 0: none
-    std::vector<GroupId> open = {};   ///< the groups that were open in the list of strokes
+    std::optional<Microseconds> time;     ///< the moment that was looked at; no value: the end
+    bool isFitted = false;                ///< all of the canvas was shown, whatever the four above say
+    GroupId layer = 0;                    ///< the group that was painted on; 0: none
+    std::vector<GroupId> open = {};       ///< the groups that were open in the list of strokes
+    std::optional<BegunLayer> begun = {}; ///< what was painted on, where it has no stroke yet; layer is 0 then
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };
 

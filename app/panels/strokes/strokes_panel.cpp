@@ -131,8 +131,10 @@ void StrokesPanel::showLayer()
 {
     const CurrentLayer &layer = m_editor.layer();
     m_layer->setText(layer.group() == 0 ? tr("Painting on top of all")
-                     : layer.isComing() ? tr("New layer: %1").arg(layer.title())
-                                        : tr("Painting on: %1").arg(layer.title()));
+                     : layer.isComing()
+                         ? (layer.begun() && layer.begun()->clips ? tr("New clipped layer: %1") : tr("New layer: %1"))
+                               .arg(layer.title())
+                         : tr("Painting on: %1").arg(layer.title()));
     m_layer->setToolTip(layer.isComing()
                             ? tr("The layer comes into the list with the first stroke that is painted.")
                             : tr("What is painted goes into this group. A click beside all rows: on top of "

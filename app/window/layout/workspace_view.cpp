@@ -25,9 +25,10 @@ std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Edit
     if (editor.clock().isInPast())
         state.time = editor.clock().time();
     state.layer = editor.layer().isComing() ? 0 : editor.layer().group();
+    state.begun = editor.layer().begun();
     if (const StrokesPanel *strokes = strokesBeside(canvas))
         state.open = strokes->openGroups();
-    const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty();
+    const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty() && !state.begun;
     return isUsual ? std::nullopt : std::optional(state);
 }
 
@@ -45,6 +46,8 @@ void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &ed
         editor.clock().lookAt(*state.time);
     if (state.layer != 0)
         editor.layer().choose(state.layer);
+    if (state.begun)
+        editor.layer().beginAgain(*state.begun);
     if (StrokesPanel *strokes = strokesBeside(canvas))
         strokes->openOnly(state.open);
 }

@@ -12,6 +12,30 @@ namespace {
 constexpr double largestCoordinate = 1e12;
 constexpr Microseconds largestTime = 1'000'000'000'000'000;
 
+constexpr qsizetype longestName = 200; ///< characters that are read of a layer's
+
+QCborMap writeBegun(const BegunLayer &layer)
+{
+    QCborMap map{{QLatin1String("name"), layer.name}};
+    if (layer.clips)
+        map.insert(QLatin1String("clips"), true);
+    if (layer.parent != 0)
+        map.insert(QLatin1String("parent"), qint64(layer.parent));
+    if (layer.above != 0)
+        map.insert(QLatin1String("above"), qint64(layer.above));
+    return map;
+}
+
+std::optional<BegunLayer> readBegun(const QCborValue &value)
+{
+    if (!value.isMap())
+        return std::nullopt;
+    const QCborMap map = value.toMap();
+    const auto group = [&](QLatin1String key) { return GroupId(integerIn(map[key])); };
+    return BegunLayer{map[QLatin1String("name")].toString().left(longestName), map[QLatin1String("clips")].toBool(),
+                      group(QLatin1String("parent")), group(QLatin1String("above"))};
+}
+
 QByteArray writeView(const WorkspaceState &view)
 {
     QCborMap map;
@@ -30,6 +54,8 @@ QByteArray writeView(const WorkspaceState &view)
             open.append(qint64(group));
         map.insert(QLatin1String("open"), open);
     }
+    if (view.begun)
+        map.insert(QLatin1String("begun"), writeBegun(*view.begun));
     return QCborValue(map).toCbor();
 }
 
@@ -55,6 +81,7 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     for (const QCborValue &group : in.take("open").toArray())
         if (group.isInteger())
             view.open.push_back(GroupId(group.toInteger()));
+    view.begun = readBegun(in.take("begun"));
     ok = ok && (view.isFitted || centre.size() == 2) && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
          std::abs(view.rotation) <= largestCoordinate;

@@ -8,6 +8,7 @@
 #include "undo/history/kept_history.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -292,6 +293,40 @@ private slots:
         QVERIFY(b.canvas().isFitted());
         QVERIFY(isOpen(b, 1) && !isOpen(b, 2));
         QVERIFY(!b.editor().isModified());
+    }
+
+    /// So does a layer that has no stroke yet: where it will come, its name, and that it is clipped.
+    void aNewLayerComesBack()
+    {
+        Session a;
+        paint(a.editor(), 4);
+        a.editor().document().setSelection({{2, 3}, {}});
+        a.editor().push(groupSelection(a.editor().document(), "sky"), "group");
+        const GroupId sky = a.painting().groups.front().id;
+        a.editor().layer().choose(sky);
+        a.use(Command::NewClippedLayer);
+        const QString name = a.editor().layer().title();
+        QVERIFY(a.editor().layer().isComing());
+        const auto says = [](Session &session) {
+            for (const QLabel *label : session.window.findChild<StrokesPanel *>()->findChildren<QLabel *>())
+                if (label->text().contains(session.editor().layer().title()))
+                    return label->text();
+            return QString();
+        };
+        QCOMPARE(says(a), "New clipped layer: " + name);
+        QVERIFY(a.window.saveTo(path("new.suffuse")));
+        a.window.hide();
+        Session b;
+        QVERIFY(b.window.openFile(path("new.suffuse")));
+        QVERIFY(b.editor().layer().isComing());
+        QCOMPARE(b.editor().layer().title(), name);
+        QCOMPARE(says(b), "New clipped layer: " + name);
+        QVERIFY(!b.editor().isModified());
+        b.paintLine({200, 300}, {700, 300});
+        const Group *layer = b.painting().findGroup(b.painting().strokes[3]->group); // above both strokes of the sky
+        QVERIFY(layer && layer->name == name && layer->clips);
+        QCOMPARE(b.painting().strokes[2]->group, sky);
+        QCOMPARE(b.painting().strokes.size(), std::size_t(5));
     }
 
     void theMenuSaysWhatHistoryTakes()

@@ -64,6 +64,7 @@ private slots:
         WorkspaceState &view = extras.view.emplace();
         view.isFitted = true;
         view.layer = 2;
+        view.begun = BegunLayer{"Shades", true, 2, 5};
         const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
         QVERIFY(d && d->extras == extras);
     }
