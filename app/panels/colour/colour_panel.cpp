@@ -104,10 +104,13 @@ QSize ColourPanel::sizeHint() const
     return {280, 420};
 }
 
-/// In a low window the wheel makes room for all of the sliders.
+/// In a low window the wheel makes room for all of the sliders and, where it can, for the recent colours.
 void ColourPanel::resizeEvent(QResizeEvent *event)
 {
-    constexpr int others = 190; // logical pixels that header, hex number and sliders take
+    const QLayout &column = *m_history->parentWidget()->layout();
+    const QWidget &sliders = m_rows->isHidden() ? static_cast<QWidget &>(*m_screenRows) : *m_rows;
+    const int others = m_header->sizeHint().height() + column.contentsMargins().top() + m_current->sizeHint().height() +
+                       sliders.sizeHint().height() + m_history->minimumSizeHint().height() + 4 * column.spacing();
     m_wheel->setMaximumHeight(std::max(m_wheel->minimumSizeHint().height(), height() - others));
     QWidget::resizeEvent(event);
 }

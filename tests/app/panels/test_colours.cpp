@@ -122,6 +122,22 @@ private slots:
         }
     }
 
+    /// The wheel makes room for their line before a dock that is not very low would cut it off.
+    void recentColoursAreSeenWhole()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        bench.editor.document().setDraft(makeStroke(99, 1, 10));
+        bench.editor.document().setDraft(nullptr);
+        for (int height = 345; height < 480; height += 15) { // 345: in a window of 1380 x 860
+            showAt(panel, {298, height});
+            QTest::qWait(5);
+            const SwatchGrid &recent = *panel.history();
+            QVERIFY2(recent.visibleRegion().boundingRect().height() == recent.height(),
+                     qPrintable(QString::number(height)));
+        }
+    }
+
     void swatchesAreSeenInLowWindows()
     {
         Bench bench;
