@@ -105,7 +105,8 @@ std::vector<Brush> inkBrushes()
 }
 
 /// A loaded round brush, for a mouse as much as for a pen: a slow hand lays down broad, deep paint, a quick one a thin
-/// and watery line. Both ends are drawn out, the edge is darker, and the pigment is nowhere quite even.
+/// and watery line. Its ends are round and a little narrower, the edge is darker, and the pigment is nowhere quite
+/// even.
 Brush roundWash()
 {
     Brush round = make({"round-wash", edge(0.42f, 0.3f, 0.8f), 22, 2.5f, 1.1f}, {0.3f, 0.22f, 0.92f, 0.95f}, 0.55f,
@@ -114,7 +115,7 @@ Brush roundWash()
                         {Opacity, Speed, ramp(1, 0.6f)}});
     round.mix = beta(0.7f);
     round.fullSpeed = 70;
-    round.taper = {1.2f, 2.5f, 0.08f};
+    round.taper = {0.6f, 1.1f, 0.5f};
     round.jitter = {0.05f, 0.05f, 0.05f, 0.06f, true};
     round.driftLength = 2.5f;
     round.stabiliser = {Stabiliser::Kind::Weighted, 0.2f, 30};
@@ -131,9 +132,10 @@ std::vector<Brush> watercolourBrushes()
     flat.mix = beta(0.5f);
     flat.driftLength = 3;
 
-    // A pale wash, F ≈ 0.3 inside, within a dark rim.
+    // A pale wash, F ≈ 0.3 inside, within a dark rim. More grain would break the rim where the brush is large, since
+    // the paint thins out there over many of the paper's hills.
     Brush dark =
-        make({"watercolour-edge", edge(0.5f, 0.5f, 0.4f), 20, 2, 0.85f}, {0.2f, 0.3f, 0.9f, 0.9f}, 0.6f,
+        make({"watercolour-edge", edge(0.5f, 0.5f, 0.4f), 20, 2, 0.92f}, {0.2f, 0.3f, 0.9f, 0.9f}, 0.85f,
              {{Size, Speed, ramp(1, 0.55f)}, {Size, Drift, ramp(0.85f, 1)}, {Density, Pressure, ramp(0.7f, 1)}});
     dark.mix = beta(0.7f);
     dark.fullSpeed = 80;
@@ -193,10 +195,10 @@ std::vector<Brush> dryBrushes()
                            {Density, Drift, ramp(0.9f, 1)}});
     charcoal.driftLength = 1.5f;
 
-    // Soft sticks of pigment: no two touches have quite the same colour.
+    // Soft sticks of pigment: no two touches have quite the same tone, and all of them the same hue.
     Brush pastel = make({"pastel", uniform(0.62f, 0.05f), 13, 0.2f, 1.5f}, {0.7f, 0.3f, 0.35f, 0.92f}, 0.12f,
                         {{Size, Pressure, ramp(0.6f, 1)}, {Density, Pressure, ramp(0.7f, 1)}});
-    pastel.jitter = {0.12f, 0.12f, 0.12f, 0.06f, true};
+    pastel.jitter = {0.04f, 0.04f, 0.04f, 0.05f, true};
     pastel.driftLength = 3;
     return {pencil, chalk, charcoal, pastel};
 }

@@ -384,6 +384,27 @@ private slots:
         QVERIFY(writeFileAtomically(path, QByteArray(2 << 20, ' ')));
         QVERIFY(loadBrush(path).error().contains("1 MB"));
     }
+    /// What the brushes that come along must not do: stray from their hue, end in points where they are called a wash,
+    /// or lose their dark edge to the paper.
+    void presetsKeepWhatTheirNamesSay()
+    {
+        for (const Brush &brush : builtinBrushes()) {
+            const auto &jitter = brush.jitter;
+            const float most = std::max({jitter.red, jitter.yellow, jitter.blue, jitter.lightness});
+            QVERIFY2(most <= 0.06f, qPrintable(brush.name));
+            const bool isBlunt = brush.taper.in == 0 && brush.taper.out == 0;
+            if (brush.name.contains("wash"))
+                QVERIFY2(isBlunt || brush.taper.tip >= 0.4f, qPrintable(brush.name));
+        }
+        // The edge is where the density, which the paper's hollows lessen, has fallen to ξ1.
+        const Brush &edge = *findBrush("watercolour-edge");
+        const auto edgeAt = [&](double grain) {
+            const double density = edge.peak * (edge.granulation + (1 - edge.granulation) * grain);
+            return std::sqrt(std::log(density / double(edge.style.xi[0])));
+        };
+        constexpr double hollow = 0.55;
+        QVERIFY2(edgeAt(1) - edgeAt(hollow) < 0.08, qPrintable(QString::number(edgeAt(1) - edgeAt(hollow))));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestBrush)
