@@ -3,6 +3,7 @@
 #include "render/math/scalar.h"
 // It has templates over the numbers, which must be declared before.
 #include "render/math/blend.h"
+#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 
@@ -43,10 +44,24 @@ public:
     {
         forEach(rect, rgba, stride, [&](std::size_t at, int x, int y, const float *to) {
             Level *exact = &m_exact[at * 3];
-            for (int c = 0; c < 3; ++c)
-                exact[c] = toLevel(to[c]);
-            if (cover(at))
+            bool changes = m_bare;
+            for (int c = 0; c < 3; ++c) {
+                const Level before = std::exchange(exact[c], toLevel(to[c]));
+                changes = changes || exact[c] != before;
+            }
+            if (changes && cover(at))
                 touch(x, y);
+        });
+    }
+    /// Adds pixels to a layer of Paint where what lies below is a level off, as below a group that was put there.
+    void mend()
+    {
+        parallelFor(std::size_t(m_height), {}, [&](std::size_t row) {
+            for (int x = 0; x < m_width; ++x) {
+                const std::size_t at = place(x, int(row));
+                if (m_layer[at * 4 + 3] == 0 && isOff(at) && cover(at))
+                    touch(x, int(row));
+            }
         });
     }
     /// Takes pixels of the picture with a layer of a group, whose own pixels are there.
@@ -72,41 +87,38 @@ public:
     }
 
     /// Puts the group's pixels on the composite as others do. Where a level more or less of the group comes nearer to
-    /// the picture, it takes that. Returns false, and leaves the composite alone, if a channel is far off all the
-    /// same.
+    /// the picture, it takes that. Returns false, and changes nothing, if a channel is far off all the same. So that
+    /// nothing need be kept of what it might have to take back, it looks first.
     bool put(BlendMode mode, float opacity)
     {
-        LayerPut how{mode, opacity, true, {1, 1, 1}};
-        std::vector<Level> before;
-        std::vector<std::int8_t> drift;
-        bool near = true;
-        const PixelRect r = touched();
-        for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x) {
-                const std::size_t at = place(x, y);
+        const LayerPut how{mode, opacity, true, {1, 1, 1}};
+        std::atomic<bool> far = false;
+        forRows([&](std::size_t from, std::size_t to) {
+            for (std::size_t at = from; at < to && !far.load(std::memory_order_relaxed); ++at)
+                if (m_layer[at * 4 + 3] != 0 && !fitted(how, at).near)
+                    far = true;
+        });
+        if (far)
+            return false;
+        forRows([&](std::size_t from, std::size_t to) {
+            for (std::size_t at = from; at < to; ++at) {
                 if (m_layer[at * 4 + 3] == 0)
                     continue;
-                before.insert(before.end(), &m_composite[at * 3], &m_composite[at * 3] + 3);
-                drift.insert(drift.end(), &m_drift[at * 3], &m_drift[at * 3] + 3);
-                near = near && fit(how, at);
+                const Fitted pixel = fitted(how, at);
+                std::copy_n(pixel.colour, 3, &m_layer[at * 4]);
+                for (std::size_t c = 0; c < 3; ++c)
+                    setBelow(at * 3 + c, pixel.put[c], pixel.smooth[c]);
             }
-        if (near)
-            return true;
-        std::size_t i = 0;
-        for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x)
-                if (const std::size_t at = place(x, y); m_layer[at * 4 + 3] != 0 && i < before.size())
-                    std::copy_n(&before[i], 3, &m_composite[at * 3]), std::copy_n(&drift[i], 3, &m_drift[at * 3]),
-                        i += 3;
-        return false;
+        });
+        return true;
     }
     /// Makes the layer of a group one of Paint.
     void bake()
     {
-        const PixelRect r = touched();
-        for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x)
-                cover(place(x, y));
+        forRows([&](std::size_t from, std::size_t to) {
+            for (std::size_t at = from; at < to; ++at)
+                cover(at);
+        });
     }
 
     LevelPixels layer() const
@@ -128,11 +140,14 @@ public:
     }
     double greatestDifference() const
     {
-        int greatest = 0;
-        for (std::size_t i = 0; i < m_exact.size(); ++i)
-            for (const double made : {double(m_composite[i]), smooth(i)})
-                greatest = std::max(greatest, std::abs(int(m_exact[i]) - int(std::lround(made))));
-        return double(greatest) / most;
+        std::vector<int> greatest(std::size_t(m_height), 0);
+        parallelFor(greatest.size(), {}, [&](std::size_t y) {
+            const std::size_t row = std::size_t(m_width) * 3;
+            for (std::size_t i = y * row; i < (y + 1) * row; ++i)
+                for (const double made : {double(m_composite[i]), smooth(i)})
+                    greatest[y] = std::max(greatest[y], std::abs(int(m_exact[i]) - nearest(made)));
+        });
+        return double(*std::ranges::max_element(greatest)) / most;
     }
 
 private:
@@ -142,7 +157,21 @@ private:
 
     std::size_t pixels() const { return std::size_t(m_width) * std::size_t(m_height); }
     std::size_t place(int x, int y) const { return std::size_t(y) * std::size_t(m_width) + std::size_t(x); }
-    static Level toLevel(float value) { return Level(std::lround(std::clamp(value, 0.0f, 1.0f) * most)); }
+    /// The whole number that is nearest to one between 0 and `most`, or a little beside them.
+    static int nearest(double value) { return int(value + 1.5) - 1; }
+    static Level toLevel(float value) { return Level(nearest(double(std::clamp(value, 0.0f, 1.0f)) * most)); }
+
+    /// Calls use(from, to) for each row of what is touched, with its first pixel and the one behind its last one, on
+    /// several threads.
+    template <class Use>
+    void forRows(Use use)
+    {
+        const PixelRect r = touched();
+        parallelFor(std::size_t(r.height), {}, [&](std::size_t row) {
+            const int y = r.y + int(row);
+            use(place(r.x, y), place(r.x, y) + std::size_t(r.width));
+        });
+    }
 
     /// Tiles are stored by several threads, of which each has rows of its own columns: a row's span is theirs together.
     void touch(int x, int y)
@@ -176,11 +205,20 @@ private:
                      rgba + (std::size_t(y) * std::size_t(stride) + std::size_t(x)) * 4);
     }
 
+    /// Whether a channel of what lies below is not the picture's to the nearest level.
+    bool isOff(std::size_t at) const
+    {
+        for (std::size_t i = at * 3; i < at * 3 + 3; ++i)
+            if (m_composite[i] != m_exact[i] || std::abs(smooth(i) - double(m_exact[i])) > 0.5)
+                return true;
+        return false;
+    }
+
     /// What programs that round nothing between the layers have in a channel, levels.
     double smooth(std::size_t i) const { return double(m_composite[i]) + double(m_drift[i]) / driftUnits; }
     void setBelow(std::size_t i, double rounded, double smooth)
     {
-        m_composite[i] = Level(std::lround(std::clamp(rounded, 0.0, double(most))));
+        m_composite[i] = Level(nearest(std::clamp(rounded, 0.0, double(most))));
         m_drift[i] =
             std::int8_t(std::lround(std::clamp((smooth - double(m_composite[i])) * driftUnits, -127.0, 127.0)));
     }
@@ -211,7 +249,7 @@ private:
             const double rounded = base[c] + (to[c] - base[c]) * most / alpha, room = 0.49 * most / alpha;
             const double wanted = rough[c] + (to[c] - rough[c]) * most / alpha;
             const double colour = std::clamp(wanted, rounded - room, rounded + room);
-            layer[c] = Level(std::lround(std::clamp(colour, 0.0, double(most))));
+            layer[c] = Level(nearest(std::clamp(colour, 0.0, double(most))));
             const auto over = [&](double below) { return (layer[c] * alpha + below * (most - alpha)) / most; };
             setBelow(first + c, over(base[c]), over(rough[c]));
         }
@@ -234,20 +272,27 @@ private:
         std::transform(put.rgb, put.rgb + 3, out, [](float value) { return double(value) * most; });
     }
 
-    /// Puts one pixel, and moves the layer's levels a little where that helps. Returns false if it is still far off.
-    bool fit(const LayerPut &how, std::size_t at)
+    /// One pixel of a group's layer, and what it makes of what lies below.
+    struct Fitted {
+        Level colour[3];
+        double put[3], smooth[3]; ///< levels: where each result is rounded, and where none is
+        bool near = true;         ///< whether no channel is far off
+    };
+    /// Puts one pixel, with the layer's levels moved a little where that helps.
+    Fitted fitted(const LayerPut &how, std::size_t at) const
     {
-        Level *layer = &m_layer[at * 4];
+        Level layer[4];
+        std::copy_n(&m_layer[at * 4], 4, layer);
         const std::size_t first = at * 3;
-        double below[3], rough[3], put[3], roughPut[3];
+        Fitted out;
+        double below[3], rough[3];
         for (std::size_t c = 0; c < 3; ++c)
             below[c] = double(m_composite[first + c]), rough[c] = smooth(first + c);
-        const auto blendBoth = [&] { blend(how, layer, below, put), blend(how, layer, rough, roughPut); };
+        const auto blendBoth = [&] { blend(how, layer, below, out.put), blend(how, layer, rough, out.smooth); };
         blendBoth();
-        bool near = true;
         for (std::size_t c = 0; c < 3; ++c) {
             const double exact = double(m_exact[first + c]);
-            const auto error = [&] { return std::max(std::abs(put[c] - exact), std::abs(roughPut[c] - exact)); };
+            const auto error = [&] { return std::max(std::abs(out.put[c] - exact), std::abs(out.smooth[c] - exact)); };
             const Level start = layer[c];
             Level best = start;
             double least = error();
@@ -262,12 +307,11 @@ private:
                         least = error(), best = layer[c];
                 }
             layer[c] = best;
-            near = near && least < farOff;
+            out.near = out.near && least < farOff;
         }
         blendBoth();
-        for (std::size_t c = 0; c < 3; ++c)
-            setBelow(first + c, put[c], roughPut[c]);
-        return near;
+        std::copy_n(layer, 3, out.colour);
+        return out;
     }
 
     int m_width, m_height;
@@ -301,13 +345,17 @@ class Drawing {
 public:
     Drawing(const LayeredRequest &request, Renderer &renderer, Renderer &groups, LayerSink &sink)
         : m_request(request), m_renderer(renderer), m_groups(groups), m_sink(sink),
-          m_stack(request.view.width, request.view.height), m_picture(m_stack, &LevelStack<Level>::paint),
-          m_own(m_stack, &LevelStack<Level>::own)
+          m_stack(request.view.width, request.view.height), m_picture(m_stack, &LevelStack<Level>::paint)
     {}
 
     Result<LayeredStats> draw()
     {
         const std::vector<PlannedLayer> plan = planLayers(*m_request.painting);
+        // To go on from the picture before, a renderer keeps 16 bytes a pixel. In large pictures of few layers it is as
+        // quick to draw all below again.
+        constexpr qint64 large = qint64(1) << 23;
+        constexpr std::size_t few = 32;
+        m_goesOn = qint64(m_request.view.width) * m_request.view.height <= large || plan.size() > few;
         bool first = true;
         std::size_t done = 0;
         for (const PlannedLayer &layer : plan) {
@@ -337,14 +385,21 @@ private:
         layer.upTo = layer.alone = nullptr;
         if (m_request.wholeOpacities)
             layer.opacity = std::round(layer.opacity * 255) / 255;
-        if (planned.alone)
-            if (Result<void> drawn = render(m_groups, planned.alone, m_own); !drawn)
+        if (planned.alone) {
+            // A target of its own: the renderer keeps nothing of a group for the next one, which has nothing of it.
+            StackTarget<Level> own(m_stack, &LevelStack<Level>::own);
+            if (Result<void> drawn = render(m_groups, planned.alone, own, true); !drawn)
                 return drawn;
+        }
         if (planned.upTo) {
-            m_picture.take = planned.alone ? &LevelStack<Level>::expect : &LevelStack<Level>::paint;
-            if (Result<void> drawn = render(m_renderer, planned.upTo, m_picture); !drawn)
+            const auto take = planned.alone ? &LevelStack<Level>::expect : &LevelStack<Level>::paint;
+            StackTarget<Level> anew(m_stack, take);
+            m_picture.take = take;
+            if (Result<void> drawn = render(m_renderer, planned.upTo, m_goesOn ? m_picture : anew, false); !drawn)
                 return drawn;
-            if (planned.alone && !m_stack.put(layer.blend, layer.opacity)) {
+            if (!planned.alone)
+                m_stack.mend();
+            else if (!m_stack.put(layer.blend, layer.opacity)) {
                 m_stack.bake();
                 layer.blend = BlendMode::Normal, layer.opacity = 1;
                 ++m_stats.baked;
@@ -358,9 +413,8 @@ private:
         return taken;
     }
 
-    Result<void> render(Renderer &renderer, const PaintingPtr &painting, Target &target) const
+    Result<void> render(Renderer &renderer, const PaintingPtr &painting, Target &target, bool transparent) const
     {
-        const bool transparent = &target == &m_own;
         const Result<RenderStats> stats =
             renderer.render({painting, m_request.time, m_request.view, transparent}, target, m_request.cancel);
         if (!stats)
@@ -374,7 +428,8 @@ private:
     Renderer &m_renderer, &m_groups;
     LayerSink &m_sink;
     LevelStack<Level> m_stack;
-    StackTarget<Level> m_picture, m_own;
+    StackTarget<Level> m_picture;
+    bool m_goesOn = true; ///< whether each picture is drawn from the one before
     LayeredStats m_stats;
 };
 
