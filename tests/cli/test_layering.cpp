@@ -61,7 +61,7 @@ const QList<Rule> &rules()
         {"render/composition/", {"model/", "render/composition/"}, {}, {}},
         // Pictures of parts of a painting, by whatever draws them.
         {"render/layered/",
-         {"model/", "render/layered/", "render/math/", "render/image_io/", "render/renderer.h"},
+         {"model/", "render/layered/", "render/math/", "render/threads/", "render/image_io/", "render/renderer.h"},
          {"QtCore"},
          {"minizip"}},
         // Paths in double precision, which know no picture.
