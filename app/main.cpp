@@ -25,7 +25,7 @@ namespace {
 constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
                               "\n"
                               "Opens the editor, each FILE in a window of its own: paintings (.suffuse, or their text\n"
-                              "form .json), pen recordings (.csv, .json, .excalidraw, .dat)\n"
+                              "form .json), pen recordings (.csv, .json, .excalidraw, .dat, .xopp)\n"
                               "and SVG drawings.\n"
                               "\n"
                               "  --backend=NAME  draw with auto, cpu or cuda, whatever the settings say\n"

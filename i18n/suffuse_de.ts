@@ -5996,8 +5996,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Bilder mit Ebenen (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6008,8 +6008,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
+        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
     </message>
     <message>
         <source>SVG drawings (*.svg)</source>
@@ -6820,8 +6820,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>wurde von einem neueren Programm (%1) geschrieben; bitte Suffuse aktualisieren</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, SVG und Diffusionskurven (XML)</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, Xournal++, SVG und Diffusionskurven (XML)</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -7097,8 +7097,8 @@ Auch die Pfeiltasten wirken.</translation>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is no SVG. Unpack it first. %1.</source>
-        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist kein SVG. Bitte erst entpacken. %1.</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
+        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist weder ein SVG noch ein Notizbuch von Xournal++. Bitte erst entpacken. %1.</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -7119,6 +7119,75 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>the colour profile</source>
         <translation>das Farbprofil</translation>
+    </message>
+    <message>
+        <source>the first element is not xournal</source>
+        <translation>das erste Element ist nicht xournal</translation>
+    </message>
+    <message>
+        <source>holds no pages</source>
+        <translation>enthält keine Seiten</translation>
+    </message>
+    <message>
+        <source>%1 is no number within ±1e7</source>
+        <translation>%1 ist keine Zahl innerhalb ±1e7</translation>
+    </message>
+    <message>
+        <source>has more than %1 layers</source>
+        <translation>hat mehr als %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>the page has no size</source>
+        <translation>die Seite hat keine Größe</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>the stroke has an x without y</source>
+        <translation>der Strich hat ein x ohne y</translation>
+    </message>
+    <message>
+        <source>has more than %1 points</source>
+        <translation>hat mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>the stroke has no width</source>
+        <translation>der Strich hat keine Breite</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no number within ±1e7</source>
+        <translation>%1: %2 ist keine Zahl innerhalb ±1e7</translation>
+    </message>
+    <message>
+        <source>Xournal++ notebook</source>
+        <translation>Xournal++-Notizbuch</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line style(s)</source>
+        <translation>
+            <numerusform>%n Linienart</numerusform>
+            <numerusform>%n Linienarten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of sound</source>
+        <translation>
+            <numerusform>%n Tonaufnahme</numerusform>
+            <numerusform>%n Tonaufnahmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ruled or printed paper(s)</source>
+        <translation>
+            <numerusform>%n liniertes oder bedrucktes Papier</numerusform>
+            <numerusform>%n linierte oder bedruckte Papiere</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -350,6 +350,27 @@
             <numerusform>So it is with %n other pictures.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n line style(s)</source>
+        <translation>
+            <numerusform>%n line style</numerusform>
+            <numerusform>%n line styles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of sound</source>
+        <translation>
+            <numerusform>%n recording of sound</numerusform>
+            <numerusform>%n recordings of sound</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ruled or printed paper(s)</source>
+        <translation>
+            <numerusform>%n ruled or printed paper</numerusform>
+            <numerusform>%n ruled or printed papers</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>

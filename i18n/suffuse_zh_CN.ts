@@ -5975,8 +5975,8 @@ Arrow keys work too.</source>
         <translation>带图层的图片 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -5987,8 +5987,8 @@ Arrow keys work too.</source>
         <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
+        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
     </message>
     <message>
         <source>SVG drawings (*.svg)</source>
@@ -6794,8 +6794,8 @@ Arrow keys work too.</source>
         <translation>由更新的程序（%1）写成；请更新 Suffuse</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、SVG 和扩散曲线（XML）</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、Xournal++、SVG 和扩散曲线（XML）</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -7050,8 +7050,8 @@ Arrow keys work too.</source>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is no SVG. Unpack it first. %1.</source>
-        <translation>此文件用 gzip 压缩，其中的内容不是 SVG。请先解压。%1。</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
+        <translation>此文件用 gzip 压缩，其中的内容既不是 SVG 也不是 Xournal++ 笔记。请先解压。%1。</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -7072,6 +7072,72 @@ Arrow keys work too.</source>
     <message>
         <source>the colour profile</source>
         <translation>颜色配置文件</translation>
+    </message>
+    <message>
+        <source>the first element is not xournal</source>
+        <translation>第一个元素不是 xournal</translation>
+    </message>
+    <message>
+        <source>holds no pages</source>
+        <translation>不含任何页面</translation>
+    </message>
+    <message>
+        <source>%1 is no number within ±1e7</source>
+        <translation>%1 不是 ±1e7 以内的数字</translation>
+    </message>
+    <message>
+        <source>has more than %1 layers</source>
+        <translation>图层超过 %1 个</translation>
+    </message>
+    <message>
+        <source>the page has no size</source>
+        <translation>页面没有尺寸</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>图层 %1</translation>
+    </message>
+    <message>
+        <source>the stroke has an x without y</source>
+        <translation>笔画中有 x 而缺少 y</translation>
+    </message>
+    <message>
+        <source>has more than %1 points</source>
+        <translation>点数超过 %1 个</translation>
+    </message>
+    <message>
+        <source>the stroke has no width</source>
+        <translation>笔画没有宽度</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no number within ±1e7</source>
+        <translation>%1：%2 不是 ±1e7 以内的数字</translation>
+    </message>
+    <message>
+        <source>Xournal++ notebook</source>
+        <translation>Xournal++ 笔记</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line style(s)</source>
+        <translation>
+            <numerusform>%n 种线型</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of sound</source>
+        <translation>
+            <numerusform>%n 段录音</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ruled or printed paper(s)</source>
+        <translation>
+            <numerusform>%n 张有格线或印刷内容的纸</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,8 @@ const char *idOf(FileFormat format)
         return "openraster";
     case FileFormat::Photoshop:
         return "photoshop";
+    case FileFormat::Xournal:
+        return "xournal";
     case FileFormat::Unknown:
         break;
     }

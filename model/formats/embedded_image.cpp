@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QtEndian>
 
 namespace suffuse {
 
@@ -33,6 +34,41 @@ Result<EncodedImage> checkedImage(const QByteArray &bytes)
     if (imageMediaType(bytes).isEmpty())
         return Error{FileMessages::tr("is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them")};
     return std::make_shared<const QByteArray>(bytes);
+}
+
+namespace {
+
+std::optional<std::pair<int, int>> fitting(std::uint32_t width, std::uint32_t height)
+{
+    const auto fits = [](std::uint32_t side) { return side > 0 && side <= std::uint32_t(Picture::mostSide); };
+    if (!fits(width) || !fits(height) || std::uint64_t(width) * height > Picture::mostPixels)
+        return {};
+    return std::pair(int(width), int(height));
+}
+
+/// Walks over the segments of a JPEG up to its frame. Those with Exif may be turned.
+std::optional<std::pair<int, int>> pixelsOfJpeg(const QByteArray &jpeg)
+{
+    const auto number = [&](qsizetype at) { return qFromBigEndian<std::uint16_t>(jpeg.constData() + at); };
+    for (qsizetype at = 2; at + 9 < jpeg.size() && std::uint8_t(jpeg[at]) == 0xff; at += 2 + number(at + 2)) {
+        const int marker = std::uint8_t(jpeg[at + 1]);
+        if (marker == 0xe1 && jpeg.mid(at + 4, 4) == "Exif")
+            return {};
+        if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc)
+            return fitting(number(at + 7), number(at + 5));
+    }
+    return {};
+}
+
+} // namespace
+
+std::optional<std::pair<int, int>> pixelsOf(const QByteArray &image)
+{
+    constexpr qsizetype head = 24; // the signature, and the first chunk up to the size
+    if (image.size() >= head && image.startsWith("\x89PNG\r\n\x1a\n") && image.mid(12, 4) == "IHDR")
+        return fitting(qFromBigEndian<std::uint32_t>(image.constData() + 16),
+                       qFromBigEndian<std::uint32_t>(image.constData() + 20));
+    return image.startsWith("\xff\xd8\xff") ? pixelsOfJpeg(image) : std::nullopt;
 }
 
 namespace {

@@ -25,7 +25,8 @@ enum class FileFormat {
     DiffusionCurves,
     Svg,
     OpenRaster,
-    Photoshop
+    Photoshop,
+    Xournal
 };
 
 /// The format by the first bytes, never by the name.

@@ -10,11 +10,11 @@ namespace suffuse {
 
 QString openFilter()
 {
-    return FileOpening::tr(
-               "All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.svg *.xml)") +
+    return FileOpening::tr("All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj "
+                           "*.svg *.xml)") +
            ";;" + FileOpening::tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
            FileOpening::tr("Backups of paintings (*.suffuse~* *.json~*)") + ";;" +
-           FileOpening::tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
+           FileOpening::tr("Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)") + ";;" +
            FileOpening::tr("Pictures with layers (*.ora *.psd)") + ";;" + FileOpening::tr("SVG drawings (*.svg)") +
            ";;" + FileOpening::tr("Diffusion curves (*.xml)") + ";;" + FileOpening::tr("All files (*)");
 }

@@ -2,11 +2,13 @@
 
 #include "model/brush/brush_width.h"
 #include "model/painting/validate.h"
+#include "model/shaping/picture_stroke.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace suffuse {
 
@@ -27,6 +29,10 @@ TimesAndBox extentOf(const Recording &recording)
             e.start = std::min(e.start, s.time);
             e.end = std::max(e.end, s.time);
         }
+    }
+    for (const auto &image : recording.images) {
+        e.box.include({image.area.left, image.area.top});
+        e.box.include({image.area.right, image.area.bottom});
     }
     return e;
 }
@@ -53,6 +59,107 @@ void takeWidths(const std::vector<double> &widths, Brush &brush, std::vector<Pen
         samples[k].pressure = float(std::clamp(widths[k] / most, least, 1.0));
 }
 
+class RecordingPainter {
+public:
+    RecordingPainter(const Recording &recording, const Brush &brush) : m_recording(recording), m_brush(brush) {}
+
+    Result<Painting> paint(const QString &fileName)
+    {
+        const TimesAndBox extent = extentOf(m_recording);
+        const Error empty = fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
+        if (extent.box.isEmpty())
+            return empty;
+        const double margin = m_recording.area ? 0 : 2 * m_brush.spread();
+        const Rect box = m_recording.area.value_or(extent.box);
+        constexpr double largestCanvas = 1e6;
+        Canvas &canvas = m_painting.canvas;
+        canvas.width = std::max(1.0, std::ceil(box.width() + 2 * margin));
+        canvas.height = std::max(1.0, std::ceil(box.height() + 2 * margin));
+        canvas.background = m_recording.background.value_or(canvas.background);
+        if (!(canvas.width <= largestCanvas && canvas.height <= largestCanvas))
+            return fileError(
+                fileName, FileMessages::tr("the strokes span %1 × %2 units; at most 1e6 are possible, scale them down")
+                              .arg(box.width())
+                              .arg(box.height()));
+        m_shift = {margin - box.left, margin - box.top};
+        m_start = m_recording.paths.empty() ? 0 : extent.start;
+        takeAll();
+        if (m_painting.strokes.empty())
+            return empty;
+        if (const QString problem = problemOf(m_painting); !problem.isEmpty())
+            return fileError(fileName, problem);
+        return std::move(m_painting);
+    }
+
+private:
+    void takeAll()
+    {
+        auto image = m_recording.images.begin();
+        for (std::size_t k = 0; k <= m_recording.paths.size(); ++k) {
+            for (; image != m_recording.images.end() && image->below <= k; ++image)
+                take(*image);
+            if (k < m_recording.paths.size())
+                take(m_recording.paths[k]);
+        }
+        for (std::size_t k = 0; k < m_recording.groups.size(); ++k)
+            if (m_used.contains(int(k))) {
+                const Recording::Group &group = m_recording.groups[k];
+                Group &own = m_painting.groups.emplace_back();
+                own.id = GroupId(k + 1);
+                own.parent = GroupId(group.parent + 1);
+                own.name = group.name;
+            }
+    }
+
+    void take(const Recording::Path &path)
+    {
+        Brush own = m_brush;
+        if (path.colour)
+            own.colour = *path.colour;
+        std::vector<PenSample> samples = path.samples;
+        for (PenSample &s : samples) {
+            s.position = s.position + m_shift;
+            s.time -= m_start;
+        }
+        takeWidths(path.widths, own, samples);
+        const StrokePtr stroke = buildStroke(own, StrokeId(m_painting.strokes.size() + 1), samples);
+        if (!stroke || path.group < 0) {
+            if (stroke)
+                m_painting.strokes.push_back(stroke);
+            return;
+        }
+        auto grouped = std::make_shared<Stroke>(*stroke);
+        grouped->group = use(path.group);
+        m_painting.strokes.push_back(std::move(grouped));
+    }
+
+    void take(const Recording::Image &image)
+    {
+        const Rect area =
+            Rect::of(image.area.left + m_shift.x, image.area.top + m_shift.y, image.area.width(), image.area.height());
+        auto stroke =
+            std::make_shared<Stroke>(pictureStroke(embeddedPicture(image.bytes, image.width, image.height), area, 0));
+        stroke->id = StrokeId(m_painting.strokes.size() + 1);
+        stroke->group = use(image.group);
+        m_painting.strokes.push_back(std::move(stroke));
+    }
+
+    /// Notes that a group and those that it is in have something.
+    GroupId use(int group)
+    {
+        for (int k = group; k >= 0 && m_used.insert(k).second;)
+            k = m_recording.groups[std::size_t(k)].parent;
+        return GroupId(group + 1);
+    }
+
+    const Recording &m_recording;
+    const Brush &m_brush;
+    Painting m_painting;
+    Point m_shift;
+    Microseconds m_start = 0;
+    std::set<int> m_used;
+};
+
 } // namespace
 
 float tiltOf(double altitude)
@@ -63,41 +170,7 @@ float tiltOf(double altitude)
 
 Result<Painting> paintRecording(const Recording &recording, const Brush &brush, const QString &fileName)
 {
-    const TimesAndBox extent = extentOf(recording);
-    if (extent.box.isEmpty())
-        return fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
-    constexpr double largestCanvas = 1e6;
-    const double margin = 2 * brush.spread();
-    Painting painting;
-    painting.canvas.width = std::max(1.0, std::ceil(extent.box.width() + 2 * margin));
-    painting.canvas.height = std::max(1.0, std::ceil(extent.box.height() + 2 * margin));
-    if (!(painting.canvas.width <= largestCanvas && painting.canvas.height <= largestCanvas))
-        return fileError(fileName,
-                         FileMessages::tr("the strokes span %1 × %2 units; at most 1e6 are possible, scale them down")
-                             .arg(extent.box.width())
-                             .arg(extent.box.height()));
-    const Point shift{margin - extent.box.left, margin - extent.box.top};
-    StrokeId id = 0;
-    for (const auto &path : recording.paths) {
-        Brush own = brush;
-        if (path.colour)
-            own.colour = *path.colour;
-        std::vector<PenSample> samples = path.samples;
-        for (PenSample &s : samples) {
-            s.position = s.position + shift;
-            s.time -= extent.start;
-        }
-        takeWidths(path.widths, own, samples);
-        if (StrokePtr stroke = buildStroke(own, id + 1, samples)) {
-            painting.strokes.push_back(std::move(stroke));
-            ++id;
-        }
-    }
-    if (painting.strokes.empty())
-        return fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
-    if (const QString problem = problemOf(painting); !problem.isEmpty())
-        return fileError(fileName, problem);
-    return painting;
+    return RecordingPainter(recording, brush).paint(fileName);
 }
 
 std::string_view trimmed(std::string_view text)

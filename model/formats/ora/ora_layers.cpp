@@ -1,5 +1,6 @@
 #include "model/formats/ora/ora_layers.h"
 
+#include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
 #include "model/formats/ora/composite_op.h"
 #include "model/formats/ora/ora_parts.h"
@@ -7,7 +8,6 @@
 #include "model/shaping/picture_stroke.h"
 
 #include <QXmlStreamReader>
-#include <QtEndian>
 
 #include <algorithm>
 #include <map>
@@ -157,16 +157,11 @@ private:
         if (!isNew)
             return image.bytes ? &image : nullptr;
         std::optional<QByteArray> png = m_parts.part(source, std::min(largestImage, mostOfAll - m_taken));
-        constexpr qsizetype head = 24; // the signature, and the first chunk up to the size
-        if (!png || png->size() < head || !png->startsWith("\x89PNG\r\n\x1a\n") || png->mid(12, 4) != "IHDR")
-            return nullptr;
-        const std::uint32_t width = qFromBigEndian<std::uint32_t>(png->constData() + 16);
-        const std::uint32_t height = qFromBigEndian<std::uint32_t>(png->constData() + 20);
-        const auto fits = [](std::uint32_t side) { return side > 0 && side <= std::uint32_t(Picture::mostSide); };
-        if (!fits(width) || !fits(height) || std::uint64_t(width) * height > Picture::mostPixels)
+        const auto pixels = png && png->startsWith("\x89PNG") ? pixelsOf(*png) : std::nullopt;
+        if (!pixels)
             return nullptr;
         m_taken += png->size();
-        image = {std::make_shared<const QByteArray>(std::move(*png)), int(width), int(height)};
+        image = {std::make_shared<const QByteArray>(std::move(*png)), pixels->first, pixels->second};
         return &image;
     }
 

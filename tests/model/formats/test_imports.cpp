@@ -219,7 +219,7 @@ private slots:
         QVERIFY2(gzip.contains(QLatin1String("gzip")) && gzip.contains(QLatin1String("Suffuse reads .suffuse")) &&
                      gzip.contains(QLatin1String("SVG")),
                  qPrintable(gzip));
-        QVERIFY(errorOf("<?xml version=\"1.0\"?><xournal/>").contains(QLatin1String("Suffuse reads .suffuse")));
+        QVERIFY(errorOf("<?xml version=\"1.0\"?><notes/>").contains(QLatin1String("Suffuse reads .suffuse")));
         QVERIFY(errorOf("\x89PNG\r\n\x1a\n").contains(QLatin1String("is a picture")));
         QVERIFY(errorOf("<?xml version=\"1.0\"?><kml/>").contains(QLatin1String("neither a painting")));
         QVERIFY(errorOf("{\"a\": [1,2]}").contains(QLatin1String("neither a painting")));
