@@ -25,14 +25,18 @@ public:
 
     int channels() const { return m_options.alpha ? 4 : 3; }
     bool isCancelled() const { return m_cancelled; }
+    /// Whether nobody wants the picture any more. It is remembered.
+    bool isStopped()
+    {
+        m_cancelled = m_cancelled || (m_options.cancel && m_options.cancel->load());
+        return m_cancelled;
+    }
 
     /// A row of width·channels values, or null once the writing was cancelled.
     const float *row(int y)
     {
-        if (m_options.cancel && m_options.cancel->load()) {
-            m_cancelled = true;
+        if (isStopped())
             return nullptr;
-        }
         const float *from = converted(m_picture.row(y));
         float *to = m_values.data();
         for (int x = 0; x < m_picture.width; ++x, from += 4, to += channels())
@@ -141,6 +145,7 @@ QString writeThroughModule(const ImageModule &module, const ImageModuleFile &fil
     job.profileSize = std::size_t(options.profile.size());
     job.context = &source;
     job.row = [](void *c, int y) { return static_cast<RowSource *>(c)->row(y); };
+    job.stopped = [](void *c) { return static_cast<RowSource *>(c)->isStopped(); };
     std::array<char, 512> error{};
     if (module.write(&job, error.data(), error.size()))
         return {};

@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number. Raise it with every change below.
-inline constexpr int imageModuleVersion = 7;
+inline constexpr int imageModuleVersion = 8;
 
 /// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -40,6 +40,7 @@ struct ImageModuleWrite {
     void *context;
     /// returns width·channels floats, which are valid until the next call; null: stop
     const float *(*row)(void *context, int y);
+    bool (*stopped)(void *context); ///< whether writing is to stop; may be called on any thread
 };
 
 struct ImageModuleRead {

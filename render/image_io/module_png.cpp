@@ -3,8 +3,12 @@
 
 #include <libdeflate.h>
 
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <memory>
+#include <new>
+#include <thread>
 #include <vector>
 
 namespace suffuse {
@@ -154,33 +158,67 @@ bool putHead(Chunks &out, const ImageModuleWrite &job)
     return true;
 }
 
-/// Writes the pixels. Returns false if there is not enough memory.
-bool putPixels(Chunks &out, const std::vector<Byte> &rows, const ImageModuleWrite &job)
+/// Rows on their way into a zlib stream.
+struct Packing {
+    std::vector<Byte> rows;
+    bool quick = false;
+    int level = 0;
+    std::unique_ptr<Byte[]> packed; ///< It need not be set to 0 first.
+    std::size_t size = 0;           ///< 0: there is not enough memory
+
+    void run()
+    {
+        if (quick) {
+            packed.reset(new (std::nothrow) Byte[packedRunsBound(rows.size())]);
+            size = packed ? packRuns(rows.data(), rows.size(), packed.get()) : 0;
+            return;
+        }
+        const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor *)> compressor(
+            libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+        const std::size_t most = compressor ? libdeflate_zlib_compress_bound(compressor.get(), rows.size()) : 0;
+        packed.reset(most ? new (std::nothrow) Byte[most] : nullptr);
+        size = packed ? libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.get(), most) : 0;
+    }
+};
+
+/// Packs rows. Large pictures take seconds, and the libraries do not let themselves be stopped: so it is done on a
+/// thread of its own, which is left to itself when nobody wants the picture any more. Null then.
+std::shared_ptr<Packing> packedRows(std::vector<Byte> rows, const ImageModuleWrite &job)
 {
-    const bool quick = job.quick && job.depth == ModuleBits8;
-    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor *)> compressor(
-        quick ? nullptr : libdeflate_alloc_compressor(levelFor(job)), libdeflate_free_compressor);
-    if (!quick && !compressor)
-        return false;
-    const std::size_t most =
-        quick ? packedRunsBound(rows.size()) : libdeflate_zlib_compress_bound(compressor.get(), rows.size());
-    const std::unique_ptr<Byte[]> packed(new Byte[most]); // It need not be set to 0 first.
-    out.chunk("IDAT", packed.get(),
-              quick ? packRuns(rows.data(), rows.size(), packed.get())
-                    : libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.get(), most));
-    return true;
+    constexpr std::size_t large = std::size_t(8) << 20;
+    constexpr std::chrono::milliseconds pause{10};
+    const auto packing = std::make_shared<Packing>();
+    packing->rows = std::move(rows);
+    packing->quick = job.quick && job.depth == ModuleBits8;
+    packing->level = levelFor(job);
+    if (packing->rows.size() < large) {
+        packing->run();
+        return packing;
+    }
+    std::promise<void> done;
+    const std::future<void> end = done.get_future();
+    std::thread([packing, done = std::move(done)]() mutable {
+        packing->run();
+        done.set_value();
+    }).detach();
+    while (end.wait_for(pause) != std::future_status::ready)
+        if (job.stopped(job.context))
+            return nullptr;
+    return packing;
 }
 
 } // namespace
 
 bool writePng(const ImageModuleWrite &job, char *error, std::size_t size)
 {
-    const std::vector<Byte> rows = filteredRows(job);
-    if (rows.empty())
+    std::vector<Byte> rows = filteredRows(job);
+    const std::shared_ptr<Packing> packing = rows.empty() ? nullptr : packedRows(std::move(rows), job);
+    if (!packing)
         return fail(error, size, "stopped");
     Chunks out(job.file);
-    if (!putHead(out, job) || !putPixels(out, rows, job))
+    if (packing->size == 0 || !putHead(out, job))
         return fail(error, size, "there is not enough memory");
+    out.chunk("IDAT", packing->packed.get(), packing->size);
     out.chunk("IEND", {});
     return out.isWhole() || fail(error, size, "the file could not be written");
 }

@@ -26,9 +26,10 @@ public:
     /// Where a group's layer is further from the picture, in levels, it is baked: 1/255, and 1/8192 in 16 bits.
     static constexpr double farOff = sizeof(Level) == 1 ? 1.5 : 8;
 
-    LevelStack(int width, int height)
-        : m_width(width), m_height(height), m_composite(pixels() * 3), m_drift(pixels() * 3), m_exact(pixels() * 3),
-          m_layer(pixels() * 4)
+    /// Once `cancel` is true, what is computed is of no use, and comes soon.
+    LevelStack(int width, int height, const std::atomic<bool> *cancel)
+        : m_width(width), m_height(height), m_cancel(cancel), m_composite(pixels() * 3), m_drift(pixels() * 3),
+          m_exact(pixels() * 3), m_layer(pixels() * 4)
     {}
 
     /// Begins a layer: what is stored from now on is the picture with it.
@@ -57,7 +58,7 @@ public:
     void mend()
     {
         parallelFor(std::size_t(m_height), {}, [&](std::size_t row) {
-            for (int x = 0; x < m_width; ++x) {
+            for (int x = 0; x < m_width && !isCancelled(); ++x) {
                 const std::size_t at = place(x, int(row));
                 if (m_layer[at * 4 + 3] == 0 && isOff(at) && cover(at))
                     touch(x, int(row));
@@ -142,7 +143,7 @@ public:
     {
         std::vector<int> greatest(std::size_t(m_height), 0);
         parallelFor(greatest.size(), {}, [&](std::size_t y) {
-            const std::size_t row = std::size_t(m_width) * 3;
+            const std::size_t row = isCancelled() ? 0 : std::size_t(m_width) * 3;
             for (std::size_t i = y * row; i < (y + 1) * row; ++i)
                 for (const double made : {double(m_composite[i]), smooth(i)})
                     greatest[y] = std::max(greatest[y], std::abs(int(m_exact[i]) - nearest(made)));
@@ -155,6 +156,7 @@ private:
         int from = std::numeric_limits<int>::max(), to = 0;
     };
 
+    bool isCancelled() const { return m_cancel && m_cancel->load(std::memory_order_relaxed); }
     std::size_t pixels() const { return std::size_t(m_width) * std::size_t(m_height); }
     std::size_t place(int x, int y) const { return std::size_t(y) * std::size_t(m_width) + std::size_t(x); }
     /// The whole number that is nearest to one between 0 and `most`, or a little beside them.
@@ -169,7 +171,8 @@ private:
         const PixelRect r = touched();
         parallelFor(std::size_t(r.height), {}, [&](std::size_t row) {
             const int y = r.y + int(row);
-            use(place(r.x, y), place(r.x, y) + std::size_t(r.width));
+            if (!isCancelled())
+                use(place(r.x, y), place(r.x, y) + std::size_t(r.width));
         });
     }
 
@@ -315,12 +318,13 @@ private:
     }
 
     int m_width, m_height;
-    Pixels<Level> m_composite;   ///< what the layers so far make where each result is rounded, RGB
-    Pixels<std::int8_t> m_drift; ///< what they make where none is, less that: in parts of a level
-    Pixels<Level> m_exact;       ///< the picture, RGB
-    Pixels<Level> m_layer;       ///< the layer in hand, straight RGBA
-    bool m_bare = false;         ///< whether it is the lowest one, which is opaque
-    std::vector<Span> m_rows;    ///< what of it is covered
+    const std::atomic<bool> *m_cancel; ///< null: nobody cancels
+    Pixels<Level> m_composite;         ///< what the layers so far make where each result is rounded, RGB
+    Pixels<std::int8_t> m_drift;       ///< what they make where none is, less that: in parts of a level
+    Pixels<Level> m_exact;             ///< the picture, RGB
+    Pixels<Level> m_layer;             ///< the layer in hand, straight RGBA
+    bool m_bare = false;               ///< whether it is the lowest one, which is opaque
+    std::vector<Span> m_rows;          ///< what of it is covered
 };
 
 /// Hands pixels on to a stack.
@@ -345,7 +349,8 @@ class Drawing {
 public:
     Drawing(const LayeredRequest &request, Renderer &renderer, Renderer &groups, LayerSink &sink)
         : m_request(request), m_renderer(renderer), m_groups(groups), m_sink(sink),
-          m_stack(request.view.width, request.view.height), m_picture(m_stack, &LevelStack<Level>::paint)
+          m_stack(request.view.width, request.view.height, request.cancel),
+          m_picture(m_stack, &LevelStack<Level>::paint)
     {}
 
     Result<LayeredStats> draw()
@@ -374,6 +379,8 @@ public:
         if (const Result<void> taken = m_sink.picture(m_stack.picture()); !taken)
             return Error{taken.error()};
         m_stats.greatestDifference = m_stack.greatestDifference();
+        if (isCancelled())
+            return Error{stopped().error()};
         return m_stats;
     }
 
@@ -405,6 +412,8 @@ private:
                 ++m_stats.baked;
             }
         }
+        if (isCancelled())
+            return stopped();
         const LevelPixels pixels = m_stack.layer();
         Result<void> taken;
         if (pixels.rect.width > 0)
@@ -419,9 +428,13 @@ private:
             renderer.render({painting, m_request.time, m_request.view, transparent}, target, m_request.cancel);
         if (!stats)
             return Error{stats.error()};
-        if (stats->cancelled)
-            return Error{QCoreApplication::translate("LayeredFile", "stopped; nothing was written")};
-        return {};
+        return stats->cancelled ? stopped() : Result<void>();
+    }
+
+    bool isCancelled() const { return m_request.cancel && m_request.cancel->load(std::memory_order_relaxed); }
+    static Result<void> stopped()
+    {
+        return Error{QCoreApplication::translate("LayeredFile", "stopped; nothing was written")};
     }
 
     const LayeredRequest &m_request;

@@ -132,6 +132,7 @@ private slots:
     void eightBitPng();
     void endingsAndMagic();
     void cancelledWritingLeavesNothing();
+    void packingCanBeStopped();
     void declaredSizes_data();
     void declaredSizes();
     void tiles();
@@ -385,6 +386,22 @@ void TestImageFiles::cancelledWritingLeavesNothing()
         options.progress = [&cancel](int done, int) { cancel = done == 5; };
         QVERIFY2(!writeImage(folder.filePath(name), ramp(64, 64), options), name);
     }
+    QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+}
+
+/// Once all rows are there a large picture takes seconds to be packed, and nobody has to wait for that.
+void TestImageFiles::packingCanBeStopped()
+{
+    QTemporaryDir folder;
+    FloatPicture p;
+    p.resize(2048, 1600);
+    std::atomic<bool> cancel{false};
+    ImageOptions options;
+    options.progress = [&cancel](int done, int rows) { cancel = done == rows; };
+    options.cancel = &cancel;
+    const Result<void> written = writeImage(folder.filePath("large.png"), p, options);
+    QVERIFY(!written);
+    QVERIFY2(written.error().contains("cancelled"), qPrintable(written.error()));
     QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
 }
 
