@@ -138,7 +138,7 @@ void TestOverlay::selectedByBands()
     const int few = turned == 0 ? 0 : 10; // a smooth border of the sheet that is cut
     Selecting s(manyStrokes());
     QVERIFY(QTest::qWaitForWindowExposed(&s.window));
-    s.canvas().setZoom(0.5); // all in the window
+    s.canvas().setZoom(0.3); // all in the window, beside a timeline of three lanes
     s.canvas().rotateBy(turned);
     s.dry();
     s.use(Command::SelectAll);
@@ -202,7 +202,7 @@ void TestOverlay::allAndNone()
 {
     Selecting s(manyStrokes());
     QVERIFY(QTest::qWaitForWindowExposed(&s.window));
-    s.canvas().setZoom(0.5); // all in the window
+    s.canvas().setZoom(0.3); // all in the window, beside a timeline of three lanes
     s.dry();
     const auto all = [&] { s.use(Command::SelectAll); };
     const auto none = [&] { s.use(Command::Deselect); };
