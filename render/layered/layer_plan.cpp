@@ -65,7 +65,9 @@ private:
     void addRun(std::size_t from, std::size_t to)
     {
         const bool single = to == from + 1 && !m_painting.strokes[from]->name.isEmpty();
-        if (isSeen(from, to))
+        if (!isSeen(from, to))
+            addStrokes(from, to); // What follows may be clipped to them.
+        else
             addPaint(single ? m_painting.strokes[from]->name : QCoreApplication::translate("LayeredFile", "Strokes"),
                      from, to);
     }
@@ -77,6 +79,7 @@ private:
         if (group.mask && group.parent == 0)
             return; // It is in all of them.
         if (!isSeen(from, to)) {
+            addStrokes(from, to); // They show nothing, but what follows may be clipped to them.
             PlannedLayer layer{PlannedLayer::Kind::Group, name, false, group.opacity, group.blend, {}, {}};
             layer.alone = alone(group, from, to);
             return add(std::move(layer));

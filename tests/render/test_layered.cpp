@@ -206,6 +206,34 @@ private slots:
         QVERIFY2(trees < 60 || groups >= std::size_t(trees) / 12, qPrintable(QString::number(groups)));
     }
 
+    /// What is clipped to something hidden is not seen, whatever lies below that; a group is hidden by its eye, or by
+    /// those of its strokes.
+    void clippedToWhatIsHidden()
+    {
+        for (const bool byGroup : {true, false}) {
+            std::mt19937_64 random(9);
+            auto p = std::make_shared<Painting>(*painting(randomStrokes(random, 12, 96, 72), 96, 72));
+            for (GroupId id = 1; id <= 3; ++id) {
+                Group group;
+                group.id = id;
+                group.clips = id == 3;
+                group.visible = id != 2 || !byGroup;
+                p->groups.push_back(group);
+            }
+            for (std::size_t i = 0; i < p->strokes.size(); ++i) {
+                Stroke stroke = *p->strokes[i];
+                stroke.group = 1 + i / 4;
+                stroke.visible = byGroup || stroke.group != 2;
+                p->strokes[i] = std::make_shared<const Stroke>(stroke);
+            }
+            for (const int bits : {8, 16}) {
+                Flattener flattener(96, 72, bits);
+                check(p, View::ofArea(Rect::of(0, 0, 96, 72), 96, 72), bits, flattener,
+                      byGroup ? QStringLiteral("hidden group") : QStringLiteral("hidden strokes"));
+            }
+        }
+    }
+
     void layersHaveTheirNamesAndPlaces()
     {
         auto p = std::make_shared<Painting>();
