@@ -83,7 +83,12 @@ void GroupHand::typeOpacity(const QModelIndex &row, const Group &group, const Gr
     });
     connect(field, &QLineEdit::editingFinished, this, [this, field] { close(*field); });
     field->installEventFilter(this);
-    connect(m_view.model(), &QAbstractItemModel::layoutChanged, field, &QObject::deleteLater);
+    // It stands on its row, which has gone or stands elsewhere then.
+    const QAbstractItemModel *rows = m_view.model();
+    for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(rows, change, field, &QObject::deleteLater);
+    connect(rows, &QAbstractItemModel::rowsMoved, field, &QObject::deleteLater);
+    connect(rows, &QAbstractItemModel::layoutChanged, field, &QObject::deleteLater);
     m_view.scrollTo(row);
     field->setVisible(true);
     field->setFocus(Qt::MouseFocusReason);
@@ -108,12 +113,31 @@ bool GroupHand::eventFilter(QObject *watched, QEvent *event)
     return true;
 }
 
+std::optional<float> GroupHand::opacityOf(GroupId group) const
+{
+    const Group *present = m_editor.document().painting()->findGroup(group);
+    return present ? std::optional(present->opacity) : std::nullopt;
+}
+
 void GroupHand::giveUp()
 {
-    if (m_group == 0)
+    if (!isDragging())
         return;
-    m_group = 0;
+    m_press->isOver = true;
     m_entry.giveUpDrag();
+}
+
+void GroupHand::dragTo(const QPoint &at)
+{
+    if (m_press->shown && opacityOf(m_press->group) != m_press->shown) // An undo has taken it back.
+        giveUp();
+    const int by = at.x() - m_press->at.x();
+    if (m_press->isOver || (!m_press->shown && std::abs(by) < QApplication::startDragDistance()))
+        return;
+    if (!m_press->shown)
+        m_entry.beginDrag();
+    setOpacity(m_press->group, m_press->from + by * perPixel, &m_entry);
+    m_press->shown = opacityOf(m_press->group);
 }
 
 bool GroupHand::takes(const QMouseEvent &event, const QModelIndex &row, const Group *group, const GroupCells &cells)
@@ -128,27 +152,18 @@ bool GroupHand::takes(const QMouseEvent &event, const QModelIndex &row, const Gr
         return true;
     }
     if (isOwn && cells.opacity.contains(at)) {
-        m_group = group->id;
-        m_from = double(group->opacity);
-        m_pressed = at;
-        m_moved = false;
+        m_press = Press{group->id, double(group->opacity), at};
         return true;
     }
-    if (m_group == 0)
+    if (!m_press)
         return false;
     if (event.type() == QEvent::MouseMove) {
-        const int by = at.x() - m_pressed.x();
-        if (!m_moved && std::abs(by) < QApplication::startDragDistance())
-            return true;
-        if (!m_moved)
-            m_entry.beginDrag();
-        m_moved = true;
-        setOpacity(m_group, m_from + by * perPixel, &m_entry);
+        dragTo(at);
     } else if (event.type() == QEvent::MouseButtonRelease) {
-        const GroupId pressed = std::exchange(m_group, 0);
-        if (m_moved)
+        const Press press = *std::exchange(m_press, {});
+        if (press.shown && !press.isOver)
             m_entry.commitDrag();
-        else if (group && pressed == group->id)
+        else if (!press.isOver && group && press.group == group->id)
             typeOpacity(row, *group, cells);
     }
     return true;

@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QPoint>
 
+#include <optional>
+
 class QMenu;
 class QModelIndex;
 class QMouseEvent;
@@ -30,9 +32,9 @@ public:
     /// Returns whether it used a mouse event of the view's viewport. `group` is that of the row where it happened; null
     /// where there is none.
     bool takes(const QMouseEvent &event, const QModelIndex &row, const Group *group, const GroupCells &cells);
-    /// Gives up what is being dragged.
+    /// Gives up what is being dragged. Until the button is let go, the press does nothing any more.
     void giveUp();
-    bool isDragging() const { return m_group != 0; }
+    bool isDragging() const { return m_press && !m_press->isOver; }
     /// The menu of the modes; the one in use is checked.
     void fillModes(QMenu &menu, GroupId group);
     /// Opens a field for the opacity in the row.
@@ -47,14 +49,21 @@ signals:
 private:
     void close(QWidget &field);
     void setOpacity(GroupId group, double opacity, ValueEntry *entry);
+    std::optional<float> opacityOf(GroupId group) const;
+    void dragTo(const QPoint &at);
 
     Editor &m_editor;
     QTreeView &m_view;
     ValueEntry m_entry;
-    GroupId m_group = 0; ///< whose opacity is pressed
-    double m_from = 1;   ///< the opacity at the press
-    QPoint m_pressed;
-    bool m_moved = false;
+    /// A press on the opacity of a group.
+    struct Press {
+        GroupId group = 0;
+        double from = 1; ///< the opacity at the press
+        QPoint at;
+        std::optional<float> shown = {}; ///< the opacity that was dragged to last; no value: not dragged yet
+        bool isOver = false;             ///< given up, or taken back by an undo
+    };
+    std::optional<Press> m_press;
 };
 
 } // namespace suffuse

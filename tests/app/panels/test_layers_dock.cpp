@@ -9,7 +9,6 @@
 #include "app/widgets/look/theme.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
-#include "undo/group_roles.h"
 #include "undo/layer_edits.h"
 
 #include <QLabel>
@@ -368,6 +367,54 @@ private slots:
         QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center());
         QCOMPARE(opacity(), 1.0f);
         QVERIFY(!dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"));
+    }
+
+    /// What was given up, or taken back by an undo, stays so until the button is let go, wherever the pointer goes.
+    void aDragThatIsGivenUpIsOver()
+    {
+        for (const bool byUndo : {false, true}) {
+            Layered bench;
+            LayersDock dock(bench.editor);
+            const auto opacity = [&] { return bench.editor.document().painting()->groups[0].opacity; };
+            const PaintingPtr before = bench.editor.document().painting();
+            const int steps = bench.editor.undoStack().index();
+            const QPoint from = dock.cells().opacity.center();
+            dock.dragOpacity(-80);
+            QCOMPARE(opacity(), 0.6f);
+            if (byUndo)
+                bench.editor.undo();
+            else
+                QTest::keyClick(&dock.view(), Qt::Key_Escape);
+            QCOMPARE(opacity(), 1.0f);
+            for (int step = 1; step <= 6; ++step)
+                QTest::mouseMove(dock.view().viewport(), from + QPoint(-80 + 4 * step, 12 * step));
+            QCOMPARE(opacity(), 1.0f);
+            QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, from + QPoint(-50, 72));
+            QCOMPARE(opacity(), 1.0f);
+            QCOMPARE(bench.editor.undoStack().index(), steps);
+            QVERIFY(*bench.editor.document().painting() == *before); // No row was dragged.
+            QVERIFY(bench.editor.selection().isEmpty());             // None was swept over.
+            dock.dragOpacity(-40);
+            QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, from + QPoint(-40, 0));
+            QCOMPARE(opacity(), 0.8f);
+        }
+    }
+
+    /// It would stand on another row, and what is typed would go nowhere.
+    void theFieldGoesWithItsGroup()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        bench.editor.document().setSelection({{3, 4}, {}});
+        GroupId copy = 0;
+        bench.editor.push(duplicateGroup(bench.editor.document(), 1, "copy", copy), "duplicate");
+        bench.editor.laterChanges().flush();
+        const auto field = [&] { return dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"); };
+        QTest::mouseClick(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center());
+        QVERIFY(field());
+        bench.editor.undo();
+        bench.editor.laterChanges().flush();
+        QTRY_VERIFY(!field());
     }
 
     void theOpacityIsTypedAfterAClick()
