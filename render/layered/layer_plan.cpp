@@ -19,10 +19,18 @@ public:
         add({PlannedLayer::Kind::Paint, QCoreApplication::translate("LayeredFile", "Background")});
         const std::size_t count = painting.strokes.size();
         // What masks all would be missing below it.
+        bool isClipped = false;
         forEachRun(0, count, 0, [&](GroupId group, std::size_t from, std::size_t to) {
-            if (group != 0 && m_groups.at(group)->mask)
-                addStrokes(from, to), m_isMasked = true;
+            if (group == 0 || !m_groups.at(group)->mask)
+                return;
+            addStrokes(from, to), m_isMasked = true;
+            isClipped = isClipped || m_groups.at(group)->clips;
         });
+        if (isClipped) { // It masks by what lies just below it, which only the whole painting has in place.
+            m_upTo.strokes.clear();
+            addPaint(QCoreApplication::translate("LayeredFile", "Strokes"), 0, count);
+            return;
+        }
         m_masking = m_upTo.strokes;
         m_upTo.strokes.clear();
         walk(0, count, 0);

@@ -234,6 +234,28 @@ private slots:
         }
     }
 
+    /// A mask that is clipped covers no more than what lies just below it, and not what lies above.
+    void clippedMasks()
+    {
+        std::mt19937_64 random(9);
+        auto p = std::make_shared<Painting>(*painting(randomStrokes(random, 12, 96, 72), 96, 72));
+        for (GroupId id = 1; id <= 3; ++id) {
+            Group group;
+            group.id = id;
+            group.clips = group.mask = id == 2;
+            p->groups.push_back(group);
+        }
+        for (std::size_t i = 0; i < p->strokes.size(); ++i) {
+            Stroke stroke = *p->strokes[i];
+            stroke.group = 1 + i / 4;
+            p->strokes[i] = std::make_shared<const Stroke>(stroke);
+        }
+        for (const int bits : {8, 16}) {
+            Flattener flattener(96, 72, bits);
+            check(p, View::ofArea(Rect::of(0, 0, 96, 72), 96, 72), bits, flattener, QStringLiteral("clipped mask"));
+        }
+    }
+
     void layersHaveTheirNamesAndPlaces()
     {
         auto p = std::make_shared<Painting>();
