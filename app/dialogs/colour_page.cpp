@@ -5,25 +5,12 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace suffuse {
-
-namespace {
-
-/// What a profile is called; its file's name where it has no name or cannot be read.
-QString nameOf(const QString &path)
-{
-    const Result<QByteArray> profile = readProfile(path);
-    const Result<ProfileName> name = profile ? profileNameOf(*profile) : Error{profile.error()};
-    return name && !name->name.isEmpty() ? name->name : QFileInfo(path).fileName();
-}
-
-} // namespace
 
 ColourPage::ColourPage(const ColourSettings &settings, QWidget *parent) : QWidget(parent), m_settings(settings)
 {
@@ -134,7 +121,7 @@ void ColourPage::chooseProof()
 void ColourPage::showNames()
 {
     const auto show = [](QPushButton &button, const QString &path) {
-        button.setText(path.isEmpty() ? tr("Choose…") : nameOf(path));
+        button.setText(path.isEmpty() ? tr("Choose…") : titleOfProfileAt(path));
     };
     show(*m_screenFile, m_settings.screenFile);
     show(*m_proofFile, m_settings.proofFile);

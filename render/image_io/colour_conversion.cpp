@@ -9,18 +9,22 @@
 
 namespace suffuse {
 
-Result<ProfileName> profileNameOf(const QByteArray &profile)
+Result<QString> nameOfProfile(const QByteArray &profile)
 {
     const Result<ImageModule> &module = colourModule();
     if (!module)
         return Error{module.error()};
     std::array<wchar_t, 256> name{};
-    const ImageModuleSpace space =
-        module->coloursName(profile.constData(), std::size_t(profile.size()), name.data(), name.size());
-    if (space == ModuleNoSpace)
+    if (module->coloursName(profile.constData(), std::size_t(profile.size()), name.data(), name.size()) ==
+        ModuleNoSpace)
         return Error{QCoreApplication::translate("ColourProfile", "it is no ICC profile of RGB, grey or CMYK")};
-    static_assert(int(ProfileSpace::Rgb) == ModuleRgb && int(ProfileSpace::Cmyk) == ModuleCmyk);
-    return ProfileName{QString::fromWCharArray(name.data()).simplified(), ProfileSpace(space)};
+    return QString::fromWCharArray(name.data()).simplified();
+}
+
+QString titleOfProfile(const QByteArray &profile, const QString &otherwise)
+{
+    const Result<QString> name = nameOfProfile(profile);
+    return name && !name->isEmpty() ? *name : otherwise;
 }
 
 Result<QByteArray> readProfile(const QString &path)
@@ -29,7 +33,7 @@ Result<QByteArray> readProfile(const QString &path)
     if (!file.open(QIODevice::ReadOnly) || file.size() > largestProfile)
         return Error{QCoreApplication::translate("ColourProfile", "%1: cannot be read, or is too large").arg(path)};
     const QByteArray bytes = file.readAll();
-    if (const Result<ProfileName> known = profileNameOf(bytes); !known)
+    if (const Result<QString> known = nameOfProfile(bytes); !known)
         return Error{QStringLiteral("%1: %2").arg(path, known.error())};
     return bytes;
 }

@@ -14,16 +14,11 @@ namespace suffuse {
 /// The largest profile that is read, bytes. Those of presses with many tables have some megabytes.
 inline constexpr qint64 largestProfile = qint64(16) << 20;
 
-/// For what colours a profile is.
-enum class ProfileSpace { None, Rgb, Grey, Cmyk };
-
-/// A profile, as people know it.
-struct ProfileName {
-    QString name; ///< what it calls itself; empty if it has no name
-    ProfileSpace space = ProfileSpace::None;
-};
-/// Fails if these are no profile, or one for other colours than these.
-Result<ProfileName> profileNameOf(const QByteArray &profile);
+/// What a profile calls itself; empty if it has no name. Fails if these are no profile, or one for other colours than
+/// RGB, grey or CMYK.
+Result<QString> nameOfProfile(const QByteArray &profile);
+/// What a profile is called, for people: its own name, or `otherwise` where it has none or is none.
+QString titleOfProfile(const QByteArray &profile, const QString &otherwise);
 /// Reads a profile's file. Fails, with the file's name, if it cannot be read, is too large, or is no profile.
 Result<QByteArray> readProfile(const QString &path);
 

@@ -2,7 +2,6 @@
 
 #include "app/canvas/presenters/screen_profile.h"
 
-#include <QFileInfo>
 #include <QWidget>
 
 namespace suffuse {
@@ -24,11 +23,8 @@ bool CanvasColours::read(const QWidget &on)
         return true;
     }
     m_screen = ScreenColours(*conversion);
-    if (settings.proofs) {
-        const Result<QByteArray> profile = readProfile(settings.proofFile);
-        const Result<ProfileName> name = profile ? profileNameOf(*profile) : Error{profile.error()};
-        m_proof = name && !name->name.isEmpty() ? name->name : QFileInfo(settings.proofFile).fileName();
-    }
+    if (settings.proofs)
+        m_proof = titleOfProfileAt(settings.proofFile);
     return true;
 }
 

@@ -25,10 +25,8 @@ void ProfileBox::fill(int index)
 {
     clear();
     addItem(QStringLiteral("sRGB"));
-    if (hasKept()) {
-        const Result<ProfileName> name = profileNameOf(m_profile);
-        addItem(name && !name->name.isEmpty() ? name->name : tr("The painting's profile"));
-    }
+    if (hasKept())
+        addItem(titleOfProfile(m_profile, tr("The painting's profile")));
     addItem(tr("From a file…"));
     setCurrentIndex(index);
     m_before = index;

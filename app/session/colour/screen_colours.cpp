@@ -1,6 +1,7 @@
 #include "app/session/colour/screen_colours.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace suffuse {
 
@@ -18,14 +19,14 @@ std::uint32_t level(float v)
 ScreenColours::ScreenColours(const ColourConversion &conversion) : m_conversion(conversion)
 {
     if (!conversion.changesNothing())
-        m_known = std::make_shared<std::vector<std::uint32_t>>(std::size_t(1) << 24);
+        m_known = std::make_shared<Pixels<std::uint32_t>>(std::size_t(1) << 24);
 }
 
 void ScreenColours::convert(std::uint32_t *pixels, std::size_t count) const
 {
     if (!m_known)
         return;
-    std::vector<std::uint32_t> &known = *m_known;
+    Pixels<std::uint32_t> &known = *m_known;
     std::vector<std::uint32_t> unknown;
     for (std::size_t i = 0; i < count; ++i)
         if (std::uint32_t &found = known[pixels[i] & colour]; found == 0) {

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "render/image_io/colour_conversion.h"
+#include "render/pages.h"
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace suffuse {
 
 /// Converts pixels of 8 bits a channel. Each colour is converted once, in floating point, and then known: a picture has
 /// few of the 16.8 million colours that 8 bits can tell, and a frame mostly those of the frame before. So pixels are
-/// what lcms2 makes of them, rounded once, and cost little. The table takes 64 MB while there is something to convert.
-/// Copies share it; to be used on one thread.
+/// what lcms2 makes of them, rounded once, and cost little. The table takes up to 64 MB, as far as colours were looked
+/// up. Copies share it; to be used on one thread.
 class ScreenColours {
 public:
     /// Changes nothing.
@@ -28,7 +28,7 @@ public:
 
 private:
     ColourConversion m_conversion;
-    std::shared_ptr<std::vector<std::uint32_t>> m_known; ///< by red, green and blue; 0: not yet
+    std::shared_ptr<Pixels<std::uint32_t>> m_known; ///< by red, green and blue; 0: not yet
 };
 
 } // namespace suffuse

@@ -2,7 +2,7 @@
 
 #include "app/session/settings/settings.h"
 
-#include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -31,6 +31,13 @@ Result<ColourConversion> screenConversion(const ColourSettings &settings, const 
     if (profiles.to.isEmpty() && profiles.proof.isEmpty())
         return ColourConversion();
     return ColourConversion::between(profiles);
+}
+
+QString titleOfProfileAt(const QString &path)
+{
+    const Result<QByteArray> profile = readProfile(path);
+    const QString file = QFileInfo(path).fileName();
+    return profile ? titleOfProfile(*profile, file) : file;
 }
 
 namespace settings {

@@ -27,6 +27,9 @@ struct ColourSettings {
 /// used.
 Result<ColourConversion> screenConversion(const ColourSettings &settings, const QByteArray &systemProfile);
 
+/// What the profile in a file is called; the file's name where it has no name or cannot be read.
+QString titleOfProfileAt(const QString &path);
+
 namespace settings {
 
 ColourSettings colours();

@@ -52,45 +52,41 @@ void Proofing::addRows()
         .runs([this] { chooseProfile(); });
 }
 
+void Proofing::take(const ColourSettings &colours)
+{
+    settings::setColours(colours);
+    recolourWindows();
+    m_place.commands.update();
+}
+
 void Proofing::switchProof()
 {
     ColourSettings colours = settings::colours();
     if (!colours.proofs && colours.proofFile.isEmpty()) {
         chooseProfile();
-        m_place.commands.update();
-        return;
+        return m_place.commands.update(); // It was checked by the click.
     }
     colours.proofs = !colours.proofs;
-    settings::setColours(colours);
-    recolourWindows();
-    m_place.commands.update();
+    take(colours);
 }
 
 void Proofing::switchWarning()
 {
     ColourSettings colours = settings::colours();
     colours.marksGamut = !colours.marksGamut;
-    settings::setColours(colours);
-    recolourWindows();
-    m_place.commands.update();
+    take(colours);
 }
 
-bool Proofing::chooseProfile()
+void Proofing::chooseProfile()
 {
     ColourSettings colours = settings::colours();
-    const QString path = askForProfile(&m_place.window, tr("Profile of the Soft Proof"), colours.proofFile);
-    if (path.isEmpty())
-        return false;
-    colours.proofFile = path;
+    colours.proofFile = askForProfile(&m_place.window, tr("Profile of the Soft Proof"), colours.proofFile);
+    if (colours.proofFile.isEmpty())
+        return;
     colours.proofs = true;
-    if (const Result<ColourConversion> usable = screenConversion(colours, {}); !usable) {
-        showError(&m_place.window, usable.error());
-        return false;
-    }
-    settings::setColours(colours);
-    recolourWindows();
-    m_place.commands.update();
-    return true;
+    if (const Result<ColourConversion> usable = screenConversion(colours, {}); !usable)
+        return showError(&m_place.window, usable.error());
+    take(colours);
 }
 
 void Proofing::showSign()

@@ -9,6 +9,8 @@ class QLabel;
 
 namespace suffuse {
 
+struct ColourSettings;
+
 /// Adds the rows for soft proofs. Their settings are those of the program, so all windows follow.
 class Proofing : public QObject {
     Q_OBJECT
@@ -21,8 +23,10 @@ private:
     /// Shows colours as on the device of the profile that was chosen last; without one, asks for it.
     void switchProof();
     void switchWarning();
-    /// Asks for a profile's file and shows it. Returns false if none was chosen or it is none.
-    bool chooseProfile();
+    /// Asks for a profile's file and shows it. What is no profile is said.
+    void chooseProfile();
+    /// Keeps the settings; all windows follow.
+    void take(const ColourSettings &colours);
     void showSign();
 
     Workplace m_place;
