@@ -5377,6 +5377,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Chooses the profile of the device whose colours are shown</source>
         <translation>Wählt das Profil des Geräts, dessen Farben gezeigt werden</translation>
     </message>
+    <message>
+        <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
+        <translation>Sie ist auf eine Ebene beschnitten, die jetzt verborgen ist; darum ist nichts von ihr zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

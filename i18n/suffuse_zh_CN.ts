@@ -5356,6 +5356,10 @@ Arrow keys work too.</source>
         <source>Chooses the profile of the device whose colours are shown</source>
         <translation>选择要显示其颜色的设备的配置文件</translation>
     </message>
+    <message>
+        <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
+        <translation>它被剪贴到现已隐藏的图层，因此看不到任何内容。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

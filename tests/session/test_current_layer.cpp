@@ -551,6 +551,27 @@ private slots:
         QVERIFY(s.painting().isVisible(*s.painting().find(2)) && s.painting().isVisible(*s.painting().find(5)));
     }
 
+    /// What a layer is clipped to is hidden with the others: a blank sheet is explained.
+    void aClippedLayerAloneIsExplained()
+    {
+        Stage s;
+        QSignalSpy said(&s.table, &Commands::said);
+        s.layer.choose(2);
+        s.table[Command::HideOtherLayers].trigger();
+        s.table[Command::HideOtherLayers].trigger();
+        QCOMPARE(int(said.count()), 0);
+        Edit edit;
+        edit.groups = s.painting().groups;
+        for (Group &group : *edit.groups)
+            group.clips = group.id == 2;
+        s.editor.push(std::move(edit), "clip");
+        s.table[Command::HideOtherLayers].trigger();
+        QCOMPARE(int(said.count()), 1);
+        QVERIFY(said.front().front().toString().contains("clipped"));
+        s.table[Command::HideOtherLayers].trigger(); // All is seen again.
+        QCOMPARE(int(said.count()), 1);
+    }
+
     /// What comes is seen: into what is shown alone, or else all is shown again, in the same step.
     void whatComesIsSeen()
     {

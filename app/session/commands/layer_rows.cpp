@@ -157,11 +157,13 @@ void addLayerRows(Commands &table, OpenPainting &open)
              Commands::tr("Show only this layer, or all again"))
         .when(isThere)
         .checkedWhen([&editor] { return isOnlySolo(editor); })
-        .runs([&editor] {
+        .runs([&editor, says] {
             const bool shows = isOnlySolo(editor);
             editor.push(toggleSolo(editor.document(), editor.layer().group()),
                         shows ? Commands::tr("Show other layers") : Commands::tr("Hide other layers"));
             commands::deselectHidden(editor);
+            if (const Group *layer = layerOf(editor); layer && layer->clips && !shows)
+                says(Commands::tr("It is clipped to a layer that is hidden now, so nothing of it is seen."));
         });
     table
         .add(ThisLayerOnly, "thisLayerOnly", Commands::tr("&This Layer Only"), "layer-only", {},
