@@ -5379,7 +5379,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
-        <translation>Sie ist auf eine Ebene beschnitten, die jetzt verborgen ist; darum ist nichts von ihr zu sehen.</translation>
+        <translation>Sie ist auf eine Ebene begrenzt, die jetzt verborgen ist; darum ist nichts von ihr zu sehen.</translation>
     </message>
 </context>
 <context>
