@@ -1,11 +1,10 @@
 #include "app/cli/application.h"
 
 #include "app/cli/options.h"
-#include "model/environment.h"
+#include "model/module_path.h"
 #include "undo/lettering/module_api.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QLibrary>
 
 namespace suffuse::cli {
@@ -36,10 +35,7 @@ LetterShaper *Application::shaper()
 {
     if (std::exchange(m_isAsked, true))
         return m_shaper.get();
-    const QString given = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
-    const QDir folder(given.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
-                                      : given);
-    QLibrary library(QDir::cleanPath(folder.absoluteFilePath(QStringLiteral("suffuse_lettering.so"))));
+    QLibrary library(modulePath(QStringLiteral("suffuse_lettering")));
     const auto version = reinterpret_cast<LetteringVersionFunction>(library.resolve("suffuse_lettering_version"));
     const auto application =
         reinterpret_cast<LetteringApplicationFunction>(library.resolve("suffuse_lettering_application"));

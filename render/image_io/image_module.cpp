@@ -1,24 +1,15 @@
 #include "render/image_io/image_module.h"
 
-#include "model/environment.h"
+#include "model/module_path.h"
 #include "render/image_io/file_replacement.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <QLibrary>
 
 namespace suffuse {
 
 namespace {
-
-QString modulePath(const QString &name)
-{
-    const QString folder = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
-    const QDir dir(folder.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
-                                    : folder);
-    return QDir::cleanPath(dir.absoluteFilePath(name + QStringLiteral(".so")));
-}
 
 Result<ImageModule> load(const QString &name)
 {

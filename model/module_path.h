@@ -1,0 +1,12 @@
+// Where the modules lie: parts of the program with libraries that are loaded only when they are needed.
+#pragma once
+
+#include <QString>
+
+namespace suffuse {
+
+/// The file of a module: in the folder SUFFUSE_MODULE_DIR if that is set, else in ../lib/suffuse beside the program's
+/// folder.
+QString modulePath(const QString &name);
+
+} // namespace suffuse
