@@ -1031,24 +1031,24 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Zeichnet auch Gruppen, die Entwürfe sind.</translation>
     </message>
     <message>
-        <source>%1: unknown ending; use .suffuse, .json, .svg or .svgz</source>
-        <translation>%1: unbekannte Endung; möglich sind .suffuse, .json, .svg und .svgz</translation>
+        <source>%1: unknown ending; use .suffuse, .json, .svg, .svgz or .pdf</source>
+        <translation>%1: unbekannte Endung; möglich sind .suffuse, .json, .svg, .svgz und .pdf</translation>
     </message>
     <message>
-        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings, and to SVG drawings (.svg, .svgz). What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>Wandelt zwischen Dokumenten (.suffuse) und der Textform (.json) um, von Stiftaufnahmen und SVG-Zeichnungen, und in SVG-Zeichnungen (.svg, .svgz). Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and drawings, and to drawings (.svg, .svgz, .pdf). What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>Wandelt zwischen Dokumenten (.suffuse) und der Textform (.json) um, von Stiftaufnahmen und Zeichnungen, und in Zeichnungen (.svg, .svgz, .pdf). Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
     </message>
     <message>
-        <source>--format %1: give suffuse, json or svg</source>
-        <translation>--format %1: suffuse, json oder svg angeben</translation>
+        <source>--format %1: give suffuse, json, svg or pdf</source>
+        <translation>--format %1: suffuse, json, svg oder pdf angeben</translation>
     </message>
     <message>
-        <source>Where OUT is -: suffuse, json or svg (default: json).</source>
-        <translation>Wenn OUT - ist: suffuse, json oder svg (sonst: json).</translation>
+        <source>Where OUT is -: suffuse, json, svg or pdf (default: json).</source>
+        <translation>Wenn OUT - ist: suffuse, json, svg oder pdf (sonst: json).</translation>
     </message>
     <message>
-        <source>--%1 is for drawings; give OUT the ending .svg</source>
-        <translation>--%1 gilt für Zeichnungen; OUT die Endung .svg geben</translation>
+        <source>--%1 is for drawings; give OUT the ending .svg or .pdf</source>
+        <translation>--%1 gilt für Zeichnungen; OUT die Endung .svg oder .pdf geben</translation>
     </message>
     <message>
         <source>--as %1: give outlines, bands or hybrid</source>
@@ -1063,8 +1063,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--bands gilt für --as bands; eines davon weglassen</translation>
     </message>
     <message>
-        <source>Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
-        <translation>Wenn OUT eine Zeichnung ist (.svg, .svgz): outlines (ein Pfad je Strich), bands (Höhenlinien ineinander, so deckend wie die Farbe; sonst gewählt) oder hybrid (das genaue Bild unter Umrissen ohne Farbe).</translation>
+        <source>Where OUT is a drawing (.svg, .svgz, .pdf): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
+        <translation>Wenn OUT eine Zeichnung ist (.svg, .svgz, .pdf): outlines (ein Pfad je Strich), bands (Höhenlinien ineinander, so deckend wie die Farbe; sonst gewählt) oder hybrid (das genaue Bild unter Umrissen ohne Farbe).</translation>
     </message>
     <message>
         <source>How many bands full opacity has, 1 to 256 (default: 16).</source>
@@ -1085,6 +1085,18 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>--profile %1: %2; give an ICC profile of RGB colours</source>
         <translation>--profile %1: %2; ein ICC-Profil für RGB-Farben angeben</translation>
+    </message>
+    <message>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
+        <translation>Wenn OUT ein PDF ist: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in, in die das Blatt passt (sonst das Blatt selbst, von dem 96 Einheiten ein Zoll sind).</translation>
+    </message>
+    <message>
+        <source>--page is for PDF; give OUT the ending .pdf</source>
+        <translation>--page gilt für PDF; OUT die Endung .pdf geben</translation>
+    </message>
+    <message>
+        <source>--page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in</source>
+        <translation>--page %1: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in angeben</translation>
     </message>
 </context>
 <context>
@@ -7193,6 +7205,26 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n linierte oder bedruckte Papiere</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a part of Suffuse, %1, %2; install Suffuse again. It is for PDF files alone</source>
+        <translation>ein Teil von Suffuse, %1, %2; Suffuse neu installieren. Er ist nur für PDF-Dateien da</translation>
+    </message>
+    <message>
+        <source>cannot be loaded (%1)</source>
+        <translation>lässt sich nicht laden (%1)</translation>
+    </message>
+    <message>
+        <source>is of another version of Suffuse</source>
+        <translation>gehört zu einer anderen Version von Suffuse</translation>
+    </message>
+    <message>
+        <source>would have more than 2 GB</source>
+        <translation>hätte mehr als 2 GB</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>ließ sich nicht schreiben: %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -11139,6 +11171,17 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
         <translation>%1: hätte entpackt %2 MB und ließe sich nicht mehr öffnen. Bitte weniger Bänder oder die Endung .svg wählen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>PDF kennt keine Gruppen, die maskieren, was darunter liegt, es löschen, sich darauf beschränken oder dazuzählen: %n Gruppe wurde gewöhnlich.</numerusform>
+            <numerusform>PDF kennt keine Gruppen, die maskieren, was darunter liegt, es löschen, sich darauf beschränken oder dazuzählen: %n Gruppen wurden gewöhnlich.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
     </message>
 </context>
 <context>

@@ -539,6 +539,13 @@
             <numerusform>%n strokes are left out, since nothing of them is covered enough to have a path.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group became plain.</numerusform>
+            <numerusform>PDF has no groups that mask, erase or clip what lies below, or add to it: %n groups became plain.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesView</name>

@@ -1024,24 +1024,24 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>也绘制属于草稿的组。</translation>
     </message>
     <message>
-        <source>%1: unknown ending; use .suffuse, .json, .svg or .svgz</source>
-        <translation>%1：未知的扩展名；请使用 .suffuse、.json、.svg 或 .svgz</translation>
+        <source>%1: unknown ending; use .suffuse, .json, .svg, .svgz or .pdf</source>
+        <translation>%1：未知的扩展名；请使用 .suffuse、.json、.svg、.svgz 或 .pdf</translation>
     </message>
     <message>
-        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings, and to SVG drawings (.svg, .svgz). What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>在文档（.suffuse）和文本形式（.json）之间转换，也可从笔迹记录和 SVG 图形转换，并可转换为 SVG 图形（.svg、.svgz）。IN 的格式由内容判断，OUT 的格式由扩展名决定。</translation>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and drawings, and to drawings (.svg, .svgz, .pdf). What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>在文档（.suffuse）和文本形式（.json）之间转换，也可从笔迹记录和图形转换，并可转换为图形（.svg、.svgz、.pdf）。IN 的格式由内容判断，OUT 的格式由扩展名决定。</translation>
     </message>
     <message>
-        <source>--format %1: give suffuse, json or svg</source>
-        <translation>--format %1：请给出 suffuse、json 或 svg</translation>
+        <source>--format %1: give suffuse, json, svg or pdf</source>
+        <translation>--format %1：请给出 suffuse、json、svg 或 pdf</translation>
     </message>
     <message>
-        <source>Where OUT is -: suffuse, json or svg (default: json).</source>
-        <translation>OUT 为 - 时：suffuse、json 或 svg（默认：json）。</translation>
+        <source>Where OUT is -: suffuse, json, svg or pdf (default: json).</source>
+        <translation>OUT 为 - 时：suffuse、json、svg 或 pdf（默认：json）。</translation>
     </message>
     <message>
-        <source>--%1 is for drawings; give OUT the ending .svg</source>
-        <translation>--%1 用于图形；请让 OUT 的扩展名为 .svg</translation>
+        <source>--%1 is for drawings; give OUT the ending .svg or .pdf</source>
+        <translation>--%1 用于图形；请让 OUT 的扩展名为 .svg 或 .pdf</translation>
     </message>
     <message>
         <source>--as %1: give outlines, bands or hybrid</source>
@@ -1056,8 +1056,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--bands 用于 --as bands；请去掉其中之一</translation>
     </message>
     <message>
-        <source>Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
-        <translation>OUT 为图形（.svg、.svgz）时：outlines（每个笔画一条路径）、bands（层层嵌套的等值线，与颜料同样不透明；默认）或 hybrid（精确的图像，上面是不着色的轮廓）。</translation>
+        <source>Where OUT is a drawing (.svg, .svgz, .pdf): outlines (a path a stroke), bands (contours within each other, as opaque as the paint; the default) or hybrid (the exact picture under unpainted outlines).</source>
+        <translation>OUT 为图形（.svg、.svgz、.pdf）时：outlines（每个笔画一条路径）、bands（层层嵌套的等值线，与颜料同样不透明；默认）或 hybrid（精确的图像，上面是不着色的轮廓）。</translation>
     </message>
     <message>
         <source>How many bands full opacity has, 1 to 256 (default: 16).</source>
@@ -1078,6 +1078,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>--profile %1: %2; give an ICC profile of RGB colours</source>
         <translation>--profile %1：%2；请给出 RGB 颜色的 ICC 配置文件</translation>
+    </message>
+    <message>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
+        <translation>OUT 为 PDF 时：A3、A4、A5、Letter，或 200x150mm、8x6in 之类的尺寸，画面会适应其中（默认：画面本身，96 单位为一英寸）。</translation>
+    </message>
+    <message>
+        <source>--page is for PDF; give OUT the ending .pdf</source>
+        <translation>--page 用于 PDF；请让 OUT 的扩展名为 .pdf</translation>
+    </message>
+    <message>
+        <source>--page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in</source>
+        <translation>--page %1：请给出 A3、A4、A5、Letter，或 200x150mm、8x6in 之类的尺寸</translation>
     </message>
 </context>
 <context>
@@ -7143,6 +7155,26 @@ Arrow keys work too.</source>
             <numerusform>%n 张有格线或印刷内容的纸</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a part of Suffuse, %1, %2; install Suffuse again. It is for PDF files alone</source>
+        <translation>Suffuse 的一个部分 %1 %2；请重新安装 Suffuse。它仅用于 PDF 文件</translation>
+    </message>
+    <message>
+        <source>cannot be loaded (%1)</source>
+        <translation>无法加载（%1）</translation>
+    </message>
+    <message>
+        <source>is of another version of Suffuse</source>
+        <translation>属于另一个版本的 Suffuse</translation>
+    </message>
+    <message>
+        <source>would have more than 2 GB</source>
+        <translation>将超过 2 GB</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::GroupCells</name>
@@ -11069,6 +11101,16 @@ Arrow keys work too.</source>
     <message>
         <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
         <translation>%1：解压后将有 %2 MB，无法再次打开。请选择更少的条带，或使用 .svg 扩展名。</translation>
+    </message>
+    <message numerus="yes">
+        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <translation>
+            <numerusform>PDF 没有遮盖、擦除、剪裁下方内容或与之相加的组：%n 个组变成了普通组。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>轮廓</translation>
     </message>
 </context>
 <context>

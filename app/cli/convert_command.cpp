@@ -28,7 +28,13 @@ Result<Brush> brushOf(const QString &value)
             .arg(value, names.join(QStringLiteral(", ")))};
 }
 
-/// By OUT's ending, or by --format where OUT is standard output. Errors are usage errors.
+/// The drawing that OUT is to be, if it is one.
+std::optional<DrawingFormat> drawingFormatOf(const CommandLine &line, const QString &out)
+{
+    return drawingFormatFor(out == QLatin1String("-") ? QLatin1Char('.') + line.value("format") : out);
+}
+
+/// By OUT's ending, or by --format where OUT is standard output; Unknown for drawings. Errors are usage errors.
 Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
 {
     const bool isToStdout = out == QLatin1String("-");
@@ -36,16 +42,17 @@ Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
         return Error{
             QCoreApplication::translate("Cli", "--format is for an OUT of -; the ending of %1 chooses the format")
                 .arg(out)};
-    if (isToStdout ? line.value("format") == QLatin1String("svg") : isDrawingPath(out))
-        return FileFormat::Svg;
+    if (drawingFormatOf(line, out))
+        return FileFormat::Unknown;
     const FileFormat format =
         formatForSaving(isToStdout ? QLatin1Char('.') + (line.isSet("format") ? line.value("format") : "json") : out);
     if (format != FileFormat::Unknown)
         return format;
     return Error{
-        isToStdout
-            ? QCoreApplication::translate("Cli", "--format %1: give suffuse, json or svg").arg(line.value("format"))
-            : QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse, .json, .svg or .svgz").arg(out)};
+        isToStdout ? QCoreApplication::translate("Cli", "--format %1: give suffuse, json, svg or pdf")
+                         .arg(line.value("format"))
+                   : QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse, .json, .svg, .svgz or .pdf")
+                         .arg(out)};
 }
 
 /// Whether what is written to `out` takes the place of `in`, by whatever names and links.
@@ -69,15 +76,16 @@ int convertCommand(const QStringList &arguments)
     CommandLine line("convert",
                      QCoreApplication::translate("Cli",
                                                  "Converts between documents (.suffuse) and the text form (.json), and "
-                                                 "from pen recordings and SVG drawings, and to SVG drawings (.svg, "
-                                                 ".svgz). What IN is, is found from its content; what OUT is, from its "
+                                                 "from pen recordings and drawings, and to drawings (.svg, .svgz, "
+                                                 ".pdf). What IN is, is found from its content; what OUT is, from its "
                                                  "ending."),
                      {"IN", "OUT"});
     line.add({"brush"},
              QCoreApplication::translate("Cli", "The brush that recordings and drawings are painted with: a name, or a "
                                                 "brush file."),
              "PRESET");
-    line.add({"format"}, QCoreApplication::translate("Cli", "Where OUT is -: suffuse, json or svg (default: json)."),
+    line.add({"format"},
+             QCoreApplication::translate("Cli", "Where OUT is -: suffuse, json, svg or pdf (default: json)."),
              "FORMAT");
     line.add({"plain"}, QCoreApplication::translate(
                             "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
@@ -90,11 +98,9 @@ int convertCommand(const QStringList &arguments)
     const Result<FileFormat> format = formatOf(line, out);
     if (!format)
         return failUsage("convert", format.error());
-    for (const char *option : {"as", "bands", "time"})
-        if (line.isSet(option) && *format != FileFormat::Svg)
-            return failUsage("convert",
-                             QCoreApplication::translate("Cli", "--%1 is for drawings; give OUT the ending .svg")
-                                 .arg(QLatin1String(option)));
+    const std::optional<DrawingFormat> drawing = drawingFormatOf(line, out);
+    if (const QString problem = drawingProblem(line, drawing); !problem.isEmpty())
+        return failUsage("convert", problem);
     if (isSameFile(line.argument(0), out))
         return failUsage("convert", QCoreApplication::translate(
                                         "Cli", "%1: is IN itself, which would be lost; give OUT another name")
@@ -106,7 +112,7 @@ int convertCommand(const QStringList &arguments)
             return failUsage("convert", found.error());
         brush = *found;
     }
-    const Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
+    Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
     if (!document)
         return fail(document.error());
     for (const QString &said : {document->leftOut, document->missing})
@@ -125,10 +131,11 @@ int convertCommand(const QStringList &arguments)
         return fail(QCoreApplication::translate("Cli", "%1: none of its %n stroke(s) is whole; open a backup of it",
                                                 nullptr, int(document->lostStrokes))
                         .arg(line.argument(0)));
-    if (*format == FileFormat::Svg)
-        return convertToDrawing(
-            line, out == QLatin1String("-") ? document->painting : movedTo(out, line.argument(0), document->painting),
-            out);
+    if (drawing) {
+        if (out != QLatin1String("-"))
+            document->painting = movedTo(out, line.argument(0), document->painting);
+        return convertToDrawing(line, *document, *drawing, out);
+    }
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
     if (out == QLatin1String("-"))
         return printBytes(writeDocument(document->painting, extras, *format));

@@ -5,6 +5,7 @@
 #include "render/drawing/drawing_file.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <cmath>
 
@@ -44,22 +45,46 @@ Result<DrawingOptions> drawingOptions(const CommandLine &line, const Painting &p
 void addDrawingOptions(CommandLine &line)
 {
     line.add({"as"},
-             QCoreApplication::translate("Cli",
-                                         "Where OUT is a drawing (.svg, .svgz): outlines (a path a stroke), bands "
-                                         "(contours within each other, as opaque as the paint; the default) or "
-                                         "hybrid (the exact picture under unpainted outlines)."),
+             QCoreApplication::translate(
+                 "Cli", "Where OUT is a drawing (.svg, .svgz, .pdf): outlines (a path a stroke), bands "
+                        "(contours within each other, as opaque as the paint; the default) or "
+                        "hybrid (the exact picture under unpainted outlines)."),
              "KIND");
     line.add({"bands"}, QCoreApplication::translate("Cli", "How many bands full opacity has, 1 to 256 (default: 16)."),
              "K");
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: all dried)."),
              "SECONDS");
+    line.add({"page"},
+             QCoreApplication::translate("Cli", "Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm "
+                                                "or 8x6in, into which the sheet fits (default: the sheet, of which 96 "
+                                                "units are an inch)."),
+             "SIZE");
 }
 
-int convertToDrawing(const CommandLine &line, const Painting &painting, const QString &out)
+QString drawingProblem(const CommandLine &line, std::optional<DrawingFormat> format)
 {
+    for (const char *option : {"as", "bands", "time"})
+        if (line.isSet(option) && !format)
+            return QCoreApplication::translate("Cli", "--%1 is for drawings; give OUT the ending .svg or .pdf")
+                .arg(QLatin1String(option));
+    if (!line.isSet("page"))
+        return {};
+    if (format != DrawingFormat::Pdf)
+        return QCoreApplication::translate("Cli", "--page is for PDF; give OUT the ending .pdf");
+    if (!pageSizeFrom(line.value("page")))
+        return QCoreApplication::translate("Cli", "--page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or "
+                                                  "8x6in")
+            .arg(line.value("page"));
+    return {};
+}
+
+int convertToDrawing(const CommandLine &line, const LoadedDocument &document, DrawingFormat format, const QString &out)
+{
+    const Painting &painting = document.painting;
     Result<DrawingOptions> options = drawingOptions(line, painting);
     if (!options)
         return failUsage("convert", options.error());
+    options->format = format;
     const auto shared = std::make_shared<const Painting>(painting);
     const Result<std::unique_ptr<Renderer>> renderer = makeRenderer({Backend::Cpu});
     if (!renderer)
@@ -67,10 +92,15 @@ int convertToDrawing(const CommandLine &line, const Painting &painting, const QS
     options->cancel = &interrupted();
     std::optional<ProgressLine> progress(QCoreApplication::translate("Cli", "Drawing"));
     options->progress = [&](int done, int all) { progress->show(done, all); };
-    const Result<PreparedDrawing> prepared = prepareDrawing(shared, *options, **renderer);
+    Result<PreparedDrawing> prepared = prepareDrawing(shared, *options, **renderer);
     progress.reset();
     if (!prepared)
         return fail(QStringLiteral("%1: %2").arg(out, prepared.error()));
+    if (line.isSet("page"))
+        prepared->paper = pageSizeFrom(line.value("page"));
+    if (out != QLatin1String("-"))
+        prepared->about.title = QFileInfo(out).completeBaseName();
+    prepared->about.profile = document.extras.profile;
     if (const QString leftOut = leftOutOf(*prepared); !leftOut.isEmpty())
         warn(QStringLiteral("%1: %2").arg(out, leftOut));
     if (out == QLatin1String("-")) {

@@ -1,15 +1,17 @@
-// `suffuse-cli convert IN OUT.svg`.
+// `suffuse-cli convert IN OUT.svg` and `… OUT.pdf`.
 #pragma once
 
 #include "app/cli/options.h"
 #include "model/formats/files.h"
+#include "render/drawing/path_drawing.h"
 
 namespace suffuse::cli {
 
-/// Adds --as, --bands and --time.
+/// Adds --as, --bands, --time and --page.
 void addDrawingOptions(CommandLine &line);
-/// Draws a painting as SVG into `out`, a file or "-", after saying how far that is from the picture. Returns an
-/// ExitCode.
-int convertToDrawing(const CommandLine &line, const Painting &painting, const QString &out);
+/// Which of them is of no use for what is written; empty if none.
+QString drawingProblem(const CommandLine &line, std::optional<DrawingFormat> format);
+/// Draws a painting into `out`, a file or "-", after saying how far that is from the picture. Returns an ExitCode.
+int convertToDrawing(const CommandLine &line, const LoadedDocument &document, DrawingFormat format, const QString &out);
 
 } // namespace suffuse::cli

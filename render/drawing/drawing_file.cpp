@@ -87,6 +87,10 @@ Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const Drawin
 Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
                            const std::atomic<bool> *cancel)
 {
+    if (prepared.drawing.format == DrawingFormat::Pdf) {
+        Result<QByteArray> pdf = pdfOf({{prepared.drawing, prepared.png, prepared.paper}}, prepared.about, cancel);
+        return pdf || !isCancelled(cancel) ? std::move(pdf) : Result<QByteArray>(drawingInterrupted());
+    }
     const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);
     if (svg.isEmpty() || isCancelled(cancel))
         return drawingInterrupted();
@@ -110,20 +114,27 @@ Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painti
     return bytes ? writeFileAtomically(path, *bytes) : Result<void>(Error{bytes.error()});
 }
 
-bool isDrawingPath(const QString &path)
+std::optional<DrawingFormat> drawingFormatFor(const QString &path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
-    return ending == QLatin1String("svg") || ending == QLatin1String("svgz");
+    if (ending == QLatin1String("svg") || ending == QLatin1String("svgz"))
+        return DrawingFormat::Svg;
+    return ending == QLatin1String("pdf") ? std::optional(DrawingFormat::Pdf) : std::nullopt;
 }
 
 QString leftOutOf(const PreparedDrawing &prepared)
 {
     QStringList said;
     if (prepared.drawing.plain > 0)
-        said << QCoreApplication::translate("Drawing",
-                                            "SVG has no groups that mask, erase or clip what lies below: %n group(s) "
-                                            "became plain.",
-                                            nullptr, prepared.drawing.plain);
+        said << (prepared.drawing.format == DrawingFormat::Pdf
+                     ? QCoreApplication::translate("Drawing",
+                                                   "PDF has no groups that mask, erase or clip what lies below, or "
+                                                   "add to it: %n group(s) became plain.",
+                                                   nullptr, prepared.drawing.plain)
+                     : QCoreApplication::translate("Drawing",
+                                                   "SVG has no groups that mask, erase or clip what lies below: %n "
+                                                   "group(s) became plain.",
+                                                   nullptr, prepared.drawing.plain));
     if (prepared.drawing.thin > 0)
         said << QCoreApplication::translate(
             "Drawing",

@@ -1,6 +1,7 @@
-// A painting becomes an SVG file.
+// A painting becomes an SVG or a PDF file.
 #pragma once
 
+#include "render/drawing/drawing_pdf.h"
 #include "render/drawing/drawing_picture.h"
 
 namespace suffuse {
@@ -10,21 +11,23 @@ struct PreparedDrawing {
     PathDrawing drawing;
     QByteArray png; ///< the picture, if paths are unpainted
     DrawingDifference difference;
+    std::optional<PageSize> paper = {}; ///< of PDF: what it is printed on; no value: a page as large as the sheet
+    PdfAbout about = {};                ///< of PDF
 };
 
 /// Draws a painting. It fails if the renderer does, or if it was cancelled.
 Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer);
 
-/// The file's bytes, with the painting in it; packed if the ending of `name` is .svgz. It fails if it was cancelled,
-/// and if the packed file would be too large to be opened again.
+/// The file's bytes: SVG with the painting in it, packed if the ending of `name` is .svgz, or PDF. It fails if it was
+/// cancelled, and if the packed file would be too large to be opened again.
 Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
                            const std::atomic<bool> *cancel = nullptr);
 /// Replaces a file by them, or leaves it as it was.
 Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
                          const std::atomic<bool> *cancel = nullptr);
 
-/// Whether a path has the ending of a drawing, .svg or .svgz.
-bool isDrawingPath(const QString &path);
+/// The format by a path's ending: .svg or .svgz, .pdf; none for others.
+std::optional<DrawingFormat> drawingFormatFor(const QString &path);
 
 /// What of a painting the drawing has in another way, in sentences for people; empty if there is nothing.
 QString leftOutOf(const PreparedDrawing &prepared);

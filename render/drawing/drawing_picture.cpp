@@ -29,12 +29,6 @@ struct Sheet {
     std::vector<float> rgba;
 };
 
-/// Whether a group's paths come together before they are put on what lies below.
-bool comesTogether(const Group &group)
-{
-    return group.isolated || group.opacity < 1 || (group.blend != BlendMode::Normal && cssOf(group.blend));
-}
-
 /// Draws rows of a drawing.
 class Strip {
 public:

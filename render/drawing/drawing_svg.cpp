@@ -2,7 +2,9 @@
 
 #include "model/formats/svg/svg_group_writer.h"
 #include "model/painting/ryb.h"
+#include "render/drawing/band_mask.h"
 #include "render/drawing/drawn_picture.h"
+#include "render/drawing/path_text.h"
 
 #include <cmath>
 #include <map>
@@ -11,19 +13,6 @@
 namespace suffuse {
 
 namespace {
-
-constexpr double coarsestStep = 1e-3; ///< canvas units, of coordinates
-/// Renderers take curves for lines to within a tenth of a pixel, which shows where opacity changes steeply. Bands are
-/// cut into pieces that lie so near to lines, canvas units: the nearer the more bands there are, as these may lie close
-/// together, and where opacity jumps by a step of many levels, so near that it is off by less than half a usual step.
-double bendFor(int bands, int step)
-{
-    return std::min(100.0 / (double(bands) * bands), 100.0 / (double(bands) * std::max(step, 1)));
-}
-
-/// What is seen through a mask is so much wider than its paths, and the mask reaches so much farther that its own
-/// border is nowhere seen, canvas units.
-constexpr double paintMargin = 1, maskMargin = 3;
 
 QString decimal(double value)
 {
@@ -39,83 +28,10 @@ QString hex(const DrawnColour &colour)
     return text;
 }
 
-/// Path data in whole steps, from point to point, so that rounding does not add up.
-class PathData {
-public:
-    explicit PathData(int decimals) : m_decimals(decimals), m_steps(std::pow(10.0, decimals)) {}
-
-    /// `bend`: how far curves may lie from straight lines, of which longer ones are cut.
-    QString of(const contours::Loops &loops, double bend = std::numeric_limits<double>::infinity())
-    {
-        m_text.clear();
-        for (const std::vector<Cubic> &loop : loops) {
-            m_x = m_y = 0;
-            m_text += 'M';
-            m_pending = false;
-            append(loop.front().p[0], true);
-            m_text += 'c';
-            m_pending = false;
-            for (const Cubic &curve : loop)
-                append(curve, bend);
-            m_text += 'z';
-        }
-        return QString::fromLatin1(m_text);
-    }
-
-private:
-    void append(const Cubic &curve, double bend)
-    {
-        const Point a = curve.p[0] - 2 * curve.p[1] + curve.p[2], b = curve.p[1] - 2 * curve.p[2] + curve.p[3];
-        const int parts = std::max(1, int(std::ceil(std::sqrt(0.75 / bend * std::max(length(a), length(b))))));
-        Cubic rest = curve;
-        for (int k = parts; k > 0; --k) {
-            const auto [part, after] = rest.split(1.0 / k);
-            append(part.p[1], false);
-            append(part.p[2], false);
-            append(part.p[3], true);
-            rest = after;
-        }
-    }
-    void append(Point p, bool moves)
-    {
-        const qint64 x = std::llround(p.x * m_steps), y = std::llround(p.y * m_steps);
-        append(x - m_x);
-        append(y - m_y);
-        if (moves)
-            m_x = x, m_y = y;
-    }
-    void append(qint64 steps)
-    {
-        if (m_pending && steps >= 0)
-            m_text += ' ';
-        m_pending = true;
-        if (steps < 0)
-            m_text += '-';
-        QByteArray digits = QByteArray::number(qAbs(steps));
-        if (digits.size() <= m_decimals)
-            digits = QByteArray(m_decimals + 1 - digits.size(), '0') + digits;
-        QByteArray whole = digits.first(digits.size() - m_decimals), part = digits.last(m_decimals);
-        while (part.endsWith('0'))
-            part.chop(1);
-        if (whole == "0" && !part.isEmpty())
-            whole.clear();
-        m_text += whole;
-        if (!part.isEmpty())
-            m_text += '.' + part;
-    }
-
-    int m_decimals;
-    double m_steps;
-    QByteArray m_text;
-    qint64 m_x = 0, m_y = 0;
-    bool m_pending = false;
-};
-
 class DrawingWriter {
 public:
     DrawingWriter(const PathDrawing &drawing, const QByteArray &png, const std::atomic<bool> *cancel)
-        : m_drawing(drawing), m_png(png), m_cancel(cancel), m_xml(&m_bytes),
-          m_data(decimalsFor(drawing.painting->canvas))
+        : m_drawing(drawing), m_png(png), m_cancel(cancel), m_xml(&m_bytes), m_data(drawing.painting->canvas)
     {}
 
     QByteArray write()
@@ -148,12 +64,6 @@ public:
 
 private:
     static inline const QString linkNamespace = QStringLiteral("http://www.w3.org/1999/xlink");
-
-    static int decimalsFor(const Canvas &canvas)
-    {
-        const double step = std::min(coarsestStep, 1e-6 * std::max(canvas.width, canvas.height));
-        return std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 3, 9);
-    }
 
     /// The picture, or the canvas' colour, which ours and other programs know by its id.
     void writeBelow(const Canvas &canvas)
@@ -210,7 +120,7 @@ private:
         if (!name.isEmpty())
             m_xml.writeAttribute(inkscapeNamespace, "label", name);
         if (!pictured)
-            m_xml.writeAttribute("d", m_data.of(outer.loops));
+            m_xml.writeAttribute("d", QString::fromLatin1(m_data.svg(outer.loops)));
         if (m_drawing.unpainted)
             m_xml.writeAttribute("fill-opacity", "0");
         else
@@ -276,52 +186,29 @@ private:
         m_xml.writeStartElement("clipPath");
         m_xml.writeAttribute("id", "clip" + id);
         m_xml.writeEmptyElement("path");
-        m_xml.writeAttribute("d", m_data.of(band.loops));
+        m_xml.writeAttribute("d", QString::fromLatin1(m_data.svg(band.loops)));
         m_xml.writeEndElement();
     }
 
     void writeMask(const DrawnStroke &drawn, const QString &id)
     {
-        Rect box;
-        for (const contours::Band &band : drawn.bands)
-            for (const std::vector<Cubic> &loop : band.loops)
-                for (const Cubic &curve : loop)
-                    box = box.united(curve.controlBox());
-        box = box.grown(maskMargin);
-        box = {std::floor(box.left), std::floor(box.top), std::ceil(box.right), std::ceil(box.bottom)};
+        const BandMask mask = bandMaskOf(drawn, m_drawing.bandCount);
+        const Rect &box = mask.box;
         m_xml.writeStartElement("mask");
         m_xml.writeAttribute("id", "bands" + id);
         m_xml.writeAttribute("maskUnits", "userSpaceOnUse");
         writeBox(box);
-        // While bands become more opaque, each takes its step outside; where they become fainter, inside. Where they
-        // become more opaque again (within a rim) that is gentle, and each may lie over the one around it.
-        const std::vector<contours::Band> &bands = drawn.bands;
-        std::size_t rising = 1;
-        while (rising < bands.size() && bands[rising].opacity > bands[rising - 1].opacity)
-            ++rising;
-        std::size_t falling = rising;
-        while (falling < bands.size() && bands[falling].opacity < bands[falling - 1].opacity)
-            ++falling;
         const QString sheet = 'M' + decimal(box.left) + ' ' + decimal(box.top) + 'H' + decimal(box.right) + 'V' +
                               decimal(box.bottom) + 'H' + decimal(box.left) + 'z';
-        writeGrey(levelOf(bands[rising - 1]), sheet, false);
-        for (std::size_t k = 0; k < bands.size(); ++k) {
-            const int level = levelOf(bands[k]), step = level - (k > 0 ? levelOf(bands[k - 1]) : 0);
-            if (step == 0)
-                continue;
-            const QString data = m_data.of(bands[k].loops, bendFor(m_drawing.bandCount, std::abs(step)));
-            if (k < rising)
-                writeGrey(step, sheet + data, true);
-            else
-                writeGrey(k < falling ? -step : level, data, k < falling);
+        writeGrey(mask.sheet, sheet, false);
+        for (const BandMask::Step &step : mask.steps) {
+            const QString data = QString::fromLatin1(m_data.svg(*step.loops, step.bend));
+            writeGrey(step.level, step.put == BandMask::Put::Outside ? sheet + data : data,
+                      step.put != BandMask::Put::Over);
         }
         m_xml.writeEndElement();
     }
 
-    static int levelOf(const contours::Band &band)
-    {
-        return int(std::lround(255 * std::clamp(band.opacity, 0.0, 1.0)));
-    }
     void writeGrey(int level, const QString &data, bool subtracts)
     {
         m_xml.writeEmptyElement("path");
@@ -356,7 +243,7 @@ private:
     std::map<std::tuple<QString, std::uint32_t, std::uint32_t>, QString> m_images; ///< by their ids in the drawing
     QByteArray m_bytes;
     QXmlStreamWriter m_xml;
-    PathData m_data;
+    PathText m_data;
 };
 
 } // namespace

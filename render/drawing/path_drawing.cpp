@@ -89,15 +89,28 @@ DrawnStroke drawn(const StrokePtr &stroke, const DrawingOptions &options, const 
 }
 
 /// Groups around visible strokes that a drawing has nothing for.
-int plainGroups(const Painting &painting, const std::vector<StrokePtr> &visible)
+int plainGroups(const Painting &painting, const std::vector<StrokePtr> &visible, DrawingFormat format)
 {
+    const auto hasMode = [&](BlendMode mode) {
+        return cssOf(mode) && (mode != BlendMode::Plus || format != DrawingFormat::Pdf);
+    };
     std::set<GroupId> seen;
     int plain = 0;
     for (const StrokePtr &stroke : visible)
         for (const Group *group = painting.findGroup(stroke->group); group && seen.insert(group->id).second;
              group = painting.findGroup(group->parent))
-            plain += group->clips || group->mask || cssOf(group->blend) == nullptr;
+            plain += group->clips || group->mask || !hasMode(group->blend);
     return plain;
+}
+
+/// PDF has no mode that adds.
+PaintingPtr withoutAdding(const PaintingPtr &painting)
+{
+    auto changed = std::make_shared<Painting>(*painting);
+    for (Group &group : changed->groups)
+        if (group.blend == BlendMode::Plus)
+            group.blend = BlendMode::Normal;
+    return changed;
 }
 
 /// Whether a stroke is painted with a picture that is missing or cannot be read: then nothing of it is seen.
@@ -108,11 +121,17 @@ bool lacksPicture(const Stroke &stroke)
 
 } // namespace
 
+bool comesTogether(const Group &group)
+{
+    return group.isolated || group.opacity < 1 || (group.blend != BlendMode::Normal && cssOf(group.blend));
+}
+
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options)
 {
     PathDrawing out;
     Washes washes;
     out.painting = washes.drawn(withoutDrafts(painting));
+    out.format = options.format;
     out.bandCount = options.bands;
     out.unpainted = options.kind == DrawingKind::Hybrid;
     const Visibility isVisible(out.painting->groups);
@@ -120,7 +139,9 @@ PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options
     for (const StrokePtr &stroke : out.painting->strokes)
         if (isVisible(*stroke) && !lacksPicture(*stroke))
             visible.push_back(stroke);
-    out.plain = plainGroups(*out.painting, visible);
+    out.plain = plainGroups(*out.painting, visible, out.format);
+    if (out.format == DrawingFormat::Pdf)
+        out.painting = withoutAdding(out.painting);
     const contours::ContourOptions how = contourOptions(*out.painting, options);
     std::vector<DrawnStroke> strokes(visible.size());
     std::atomic<int> done = 0;

@@ -16,8 +16,11 @@ enum class DrawingKind {
     Hybrid    ///< the exact picture, and over it the outlines, unpainted
 };
 
+enum class DrawingFormat { Svg, Pdf };
+
 struct DrawingOptions {
     DrawingKind kind = DrawingKind::Bands;
+    DrawingFormat format = DrawingFormat::Svg;
     int bands = 16;        ///< how many steps full opacity is drawn in, 1 … mostBands
     Microseconds time = 0; ///< document time T
     int threads = 0;       ///< 0: all cores
@@ -35,15 +38,20 @@ struct DrawnStroke {
 };
 
 struct PathDrawing {
-    PaintingPtr painting;             ///< as it is drawn
+    PaintingPtr painting; ///< as it is drawn
+    DrawingFormat format = DrawingFormat::Svg;
     std::vector<DrawnStroke> strokes; ///< the visible ones that have a path, from bottom to top
     int bandCount = 16;               ///< in how many steps full opacity is drawn
     bool unpainted = false;           ///< whether paths are there to be selected only
     int thin = 0;                     ///< how many strokes have no path, since they are nowhere half covered
-    int plain = 0; ///< how many groups clip, mask or erase, which a drawing has nothing for: they are plain
+    int plain =
+        0; ///< how many groups clip, mask or erase (in PDF: add), which a drawing has nothing for: they are plain
 };
 
 /// Draws a painting as it is exported: without drafts. Nothing of a drawing that was cancelled is of use.
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options);
+
+/// Whether a group's paths come together before they are put on what lies below.
+bool comesTogether(const Group &group);
 
 } // namespace suffuse

@@ -99,7 +99,7 @@ void TestCli::wrongUsage_data()
     row("a format for a file", {"render", in, "-o", out, "--format", "jpg"}, "--format is for -o -");
     row("no format", {"render", in, "-o", "-", "--format", "bmp"}, "png, tiff");
     row("two things on standard output", {"render", in, "-o", "-", "--stats"}, "standard output");
-    row("a document of no format", {"convert", in, "-", "--format", "txt"}, "suffuse, json or svg");
+    row("a document of no format", {"convert", in, "-", "--format", "txt"}, "suffuse, json, svg or pdf");
     row("convert to a file by format", {"convert", in, path("b.json"), "--format", "json"}, "chooses the format");
     row("no depth", {"render", in, "-o", out, "--depth", "12"}, "8, 16, half or float");
     row("PNG holds no half", {"render", in, "-o", out, "--depth", "half"}, "8, 16");
@@ -118,6 +118,8 @@ void TestCli::wrongUsage_data()
     row("a drawing of no bands", {"convert", in, path("a.svg"), "--bands", "0"}, "from 1 to 256");
     row("bands of outlines", {"convert", in, path("a.svg"), "--as", "outlines", "--bands", "4"}, "--as bands");
     row("bands of a document", {"convert", in, path("a.json"), "--bands", "4"}, ".svg");
+    row("a page of no size", {"convert", in, path("a.pdf"), "--page", "B9"}, "200x150mm");
+    row("a page of SVG", {"convert", in, path("a.svg"), "--page", "A4"}, "--page is for PDF");
     row("a size given twice", {"render", in, "-o", out, "--size", "40", "--size", "80"}, "--size is given twice");
     row("an output given twice", {"render", in, "-o", out, "--output", path("b.png")}, "--output is given twice");
     row("a switch given twice", {"info", in, "--json", "--json"}, "--json is given twice");
@@ -261,6 +263,16 @@ void TestCli::convertToDrawing()
     const CliOutcome piped = runCli({"convert", path("a.json"), "-", "--format", "svg"});
     QVERIFY(piped.code == 0);
     QVERIFY(piped.out.contains("<svg") && piped.err.contains("of 255"));
+    const CliOutcome page = runCli({"convert", path("a.json"), path("a.pdf"), "--as", "hybrid", "--page", "A5"});
+    QVERIFY2(page.code == 0 && page.out.contains("of 255"), qPrintable(page.text()));
+    QVERIFY(readFile(path("a.pdf")).startsWith("%PDF-1.7"));
+    const CliOutcome paper = runCli({"convert", path("a.json"), "-", "--format", "pdf"});
+    QVERIFY(paper.code == 0 && paper.out.startsWith("%PDF-1.7") && paper.err.contains("of 255"));
+    // A missing module is said, and nothing is written.
+    const CliOutcome bare = runCli({"convert", path("a.json"), path("b.pdf"), "--as", "outlines"}, {},
+                                   {"SUFFUSE_MODULE_DIR=" + path("no such folder")});
+    QVERIFY2(bare.code == 1 && bare.err.contains("install Suffuse again"), qPrintable(bare.text()));
+    QVERIFY(!QFileInfo::exists(path("b.pdf")));
 }
 
 void TestCli::convertWithBrush()

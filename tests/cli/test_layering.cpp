@@ -38,6 +38,9 @@ const QList<Rule> &rules()
         {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zlib.h", "zstd.h"}},
         // Parts of zip files.
         {"model/formats/ora/", {"model/"}, {"QtCore"}, {"minizip"}},
+        // Where the structure of PDF files is known, the program is not.
+        {"model/formats/pdf/module_", {"model/formats/pdf/pdf_module_api.h", "model/module_guard.h"}, {}, {"qpdf"}},
+        {"model/module_guard.h", {}, {}, {}},
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
@@ -103,7 +106,7 @@ const QList<Rule> &rules()
         {"render/cuda/device/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where the libraries of image files are known, the program is not; where OpenImageIO is, none of the others.
         {"render/image_io/module_",
-         {"render/image_io/module_"},
+         {"render/image_io/module_", "model/module_guard.h"},
          {},
          {"Imath", "jpeglib.h", "lcms2.h", "libdeflate.h", "tiffio.h", "webp"}},
         {"render/image_io/module_openimageio", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
@@ -371,6 +374,9 @@ void TestLayering::breachesAreFound_data()
     row("OpenImageIO in its module", "render/image_io/module_openimageio.cpp", "#include <OpenImageIO/imageio.h>", 0);
     row("and not in the light one", "render/image_io/module_png.cpp", "#include <OpenImageIO/imageio.h>", 1);
     row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
+    row("libqpdf outside its module", "model/formats/pdf/a.cpp", "#include <qpdf/QPDF.hh>", 1);
+    row("libqpdf in its module", "model/formats/pdf/module_a.cpp", "#include <qpdf/QPDF.hh>", 0);
+    row("which does not know the program", "model/formats/pdf/module_a.cpp", "#include \"model/result.h\"", 1);
     row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
     row("OpenGL where CUDA meets it", "render/cuda/device/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
     row("and nowhere else", "render/cuda/device/device.cu", "#include <cuda_gl_interop.h>\n#include <GL/gl.h>", 2);

@@ -179,7 +179,7 @@ void DrawingDialog::pathChanged()
 void DrawingDialog::startExport()
 {
     const QFileInfo target(m_path->text());
-    if (!isDrawingPath(target.filePath())) {
+    if (drawingFormatFor(target.filePath()) != DrawingFormat::Svg) {
         m_hint->showHint(tr("“%1” has no ending of a drawing. Choose one of: %2.")
                              .arg(target.fileName(), drawingEndings.join(QStringLiteral(", "))));
         return;
