@@ -1,5 +1,6 @@
 #include "model/painting/editable.h"
 #include "model/painting/validate.h"
+#include "model/shaping/curves/runs.h"
 #include "model/shaping/erasing/erase.h"
 #include "undo/edits.h"
 
@@ -83,10 +84,12 @@ std::vector<SegmentRef> targetSegments(const Document &document)
     std::vector<SegmentRef> result(selection.segments.begin(), selection.segments.end());
     if (inPart.size() < selection.strokes.size())
         for (const StrokePtr &stroke : document.painting()->strokes)
-            if (selection.strokes.contains(stroke->id) && !inPart.contains(stroke->id))
-                for (std::size_t k = 0, lays = stroke->laysPaint(); k < stroke->segments.size(); ++k)
-                    if (!lays || !stroke->segments[k].lift)
+            if (selection.strokes.contains(stroke->id) && !inPart.contains(stroke->id)) {
+                const std::vector<bool> meant = meantOfWhole(*stroke);
+                for (std::size_t k = 0; k < stroke->segments.size(); ++k)
+                    if (meant.empty() || meant[k])
                         result.push_back({stroke->id, int(k)});
+            }
     std::sort(result.begin(), result.end());
     return result;
 }

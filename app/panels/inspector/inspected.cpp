@@ -1,6 +1,7 @@
 #include "app/panels/inspector/inspected.h"
 
 #include "model/painting/wash_groups.h"
+#include "model/shaping/curves/runs.h"
 
 #include <algorithm>
 #include <limits>
@@ -61,9 +62,9 @@ Inspected inspect(const Document &document)
         const bool inPart = chosen != selection.segments.end() && chosen->stroke == stroke->id;
         for (; chosen != selection.segments.end() && chosen->stroke == stroke->id; ++chosen)
             add(chosen->segment);
-        const bool lays = !inPart && stroke->laysPaint();
+        const std::vector<bool> meant = inPart ? std::vector<bool>() : meantOfWhole(*stroke);
         for (int k = 0; k < size && !inPart; ++k)
-            if (!lays || !stroke->segments[std::size_t(k)].lift)
+            if (meant.empty() || meant[std::size_t(k)])
                 add(k);
     }
     return result;

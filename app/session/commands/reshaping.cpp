@@ -28,11 +28,12 @@ constexpr StoredAmount storedAmounts[] = {
 Stroke widened(const Stroke &stroke, double k, const std::vector<bool> &chosen)
 {
     Stroke result = stroke;
+    const std::vector<bool> meant = chosen.empty() ? meantOfWhole(stroke) : chosen;
     for (std::size_t i = 0; i < result.segments.size(); ++i) {
         Segment wider = result.segments[i];
         wider.diffusion = float(double(wider.diffusion) * k * k);
         wider.density = float(double(wider.density) * k);
-        if ((chosen.empty() || chosen[i]) && problemOf(wider).isEmpty())
+        if ((meant.empty() || meant[i]) && problemOf(wider).isEmpty())
             result.segments[i] = std::move(wider);
     }
     return result;

@@ -21,6 +21,15 @@ std::vector<Chain> runsOf(const Stroke &stroke, const std::vector<bool> &chosen)
     return runs;
 }
 
+std::vector<bool> meantOfWhole(const Stroke &stroke)
+{
+    std::vector<bool> meant;
+    if (stroke.hasLift() && stroke.laysPaint())
+        for (const Segment &segment : stroke.segments)
+            meant.push_back(!segment.lift);
+    return meant;
+}
+
 bool breaksBetween(const Segment &before, const Segment &after)
 {
     return dot(endDirection(offsetsOf(before)), startDirection(offsetsOf(after))) < smoothCosine;

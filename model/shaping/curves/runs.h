@@ -15,6 +15,10 @@ bool breaksBetween(const Segment &before, const Segment &after);
 /// it is empty, all are.
 std::vector<Chain> runsOf(const Stroke &stroke, const std::vector<bool> &chosen);
 
+/// Which segments are meant where a stroke is selected as a whole: those that lay paint. What takes paint away keeps
+/// its values and its place, unless the stroke has nothing else. If it is empty, all are.
+std::vector<bool> meantOfWhole(const Stroke &stroke);
+
 /// The runs, divided at their corners.
 std::vector<Chain> smoothRunsOf(const Stroke &stroke, const std::vector<bool> &chosen);
 

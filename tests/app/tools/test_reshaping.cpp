@@ -5,6 +5,7 @@
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
 #include "tests/app/trunk.h"
+#include "undo/edits.h"
 
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -18,6 +19,24 @@ double widthOf(const Segment &s)
 {
     return std::sqrt(4 * double(s.diffusion) * double(s.maxAge));
 }
+
+/// A wave of four segments of paint, out of which two bent segments take some: no. 4 and 5.
+struct ErasedSession : WaveSession {
+    ErasedSession()
+    {
+        const auto erase = [](Stroke &stroke) {
+            std::vector<Segment> lifts(stroke.segments.begin(), stroke.segments.begin() + 2);
+            for (Segment &lift : lifts) {
+                lift.lift = true;
+                for (Offset &offset : lift.bezier)
+                    offset.y += 10;
+            }
+            appendChain(stroke, lifts);
+        };
+        editor().push(changeStrokes(editor().document(), {id}, erase), "erase");
+    }
+    const Segment &segment(int k) { return stroke().segments[std::size_t(k)]; }
+};
 
 } // namespace
 
@@ -157,6 +176,36 @@ private slots:
         s.use(Command::SmoothStrokes);
         QVERIFY(s.stroke().segments.front().bezier[0] == before.segments.front().bezier[0]);
         QCOMPARE(s.stroke().segments[0].born, before.segments[0].born);
+    }
+
+    /// The width of a stroke is that of its paint: what was erased out of it gets neither larger nor closed.
+    void erasuresKeepTheirWidth()
+    {
+        ErasedSession s;
+        const Stroke before = s.stroke();
+        for (const Command command : {Command::GrowPaint, Command::ShrinkPaint}) {
+            s.use(command);
+            for (int k = 0; k < 6; ++k)
+                QCOMPARE(s.segment(k) == before.segments[std::size_t(k)], k >= 4);
+            s.use(Command::Undo);
+        }
+        // Where erasures are selected, they are meant, and they alone.
+        s.editor().document().setSelection({{s.id}, {{s.id, 4}, {s.id, 5}}});
+        s.use(Command::GrowPaint);
+        for (int k = 0; k < 6; ++k)
+            QCOMPARE(s.segment(k) == before.segments[std::size_t(k)], k < 4);
+        // So they are in a stroke that has nothing else.
+        s.editor().push(changeStrokes(s.editor().document(), {s.id},
+                                      [](Stroke &stroke) {
+                                          for (Segment &segment : stroke.segments)
+                                              segment.lift = true;
+                                      }),
+                        "lift");
+        const Stroke lifts = s.stroke();
+        s.editor().document().setSelection({{s.id}, {}});
+        s.use(Command::GrowPaint);
+        for (int k = 0; k < 6; ++k)
+            QVERIFY(s.segment(k).density > lifts.segments[std::size_t(k)].density);
     }
 
     void lockedAndHiddenStrokesStay()
