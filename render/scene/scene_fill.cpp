@@ -78,7 +78,7 @@ public:
 
     static void appendNodesOf(const SceneFill &fill, const BoundaryArc &part, std::vector<FillNode> &out)
     {
-        const int order = orderFor(lengthOf(fill, part.arc.curve), fill.epsilon);
+        const int order = orderFor(fastestOf(fill, part.arc.curve), fill.epsilon);
         const QuadratureRule &rule = gaussLegendre(order);
         const double gain = part.enters * fill.c / std::sqrt(std::numbers::pi);
         for (std::size_t i = 0; i < std::size_t(order); ++i) {
@@ -98,6 +98,16 @@ private:
         const Point a = whitened(fill, c.p[1] - c.p[0]), b = whitened(fill, c.p[2] - c.p[1]);
         const Point d = whitened(fill, c.p[3] - c.p[2]);
         return std::sqrt(dot(a, a)) + std::sqrt(dot(b, b)) + std::sqrt(dot(d, d));
+    }
+    /// Its greatest speed, in spreads for the whole of it: nodes are as far apart there as on an even panel of this length.
+    static double fastestOf(const SceneFill &fill, const Cubic &c)
+    {
+        double fastest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point leg = whitened(fill, c.p[i + 1] - c.p[i]);
+            fastest = std::max(fastest, dot(leg, leg));
+        }
+        return 3 * std::sqrt(fastest);
     }
     bool isShort(const Cubic &c) const
     {

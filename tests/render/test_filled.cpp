@@ -155,6 +155,41 @@ private slots:
         QCOMPARE(beyond, 0);
     }
 
+    /// Curves as a hand's lasso has them: their speed changes along them, and so does what their nodes are off by. A jump of
+    /// coverage shows most of it.
+    void unevenCurves()
+    {
+        int beyond = 0;
+        const int all = trials(12, 300);
+        for (int i = 0; i < all; ++i) {
+            std::mt19937_64 random(1000 + i);
+            std::uniform_real_distribution<double> u(0, 1);
+            Stroke lasso = emptyFill(1, 8 + 24 * u(random), styleOf(StyleKind::Edge));
+            changeFill(lasso, [](Fill &f) { f.density = 0.8f; });
+            std::vector<Point> corners;
+            for (int k = 0; k < 5; ++k) {
+                const double angle = (k + 0.5 * u(random)) * 2 * std::numbers::pi / 5, radius = 18 + 25 * u(random);
+                corners.push_back({32 + radius * std::cos(angle), 24 + radius * std::sin(angle)});
+            }
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const Point a = corners[k], d = corners[(k + 1) % corners.size()], along = d - a;
+                const auto aside = [&](double length) {
+                    return length * (0.3 + u(random)) * along + (u(random) - 0.5) * Point{-along.y, along.x};
+                };
+                Segment g = bound({a, a + aside(0.8), d - aside(0.2), d});
+                if (k > 0)
+                    g.bezier[0] = lasso.segments.back().bezier[3];
+                lasso.segments.push_back(g);
+            }
+            const Worst w = compared(painting({lasso}, 64, 48), sheetView());
+            if (w.difference > 1) {
+                ++beyond;
+                qInfo("%d: %g/512 at %d, %d", i, w.difference, w.x, w.y);
+            }
+        }
+        QCOMPARE(beyond, 0);
+    }
+
     /// Segments that only bound a fill would be small in a small picture; they do not decide how the fill is sampled.
     void outlinesWithoutPaintAskForNoSamples()
     {
