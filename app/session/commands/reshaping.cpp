@@ -28,15 +28,31 @@ constexpr StoredAmount storedAmounts[] = {
 Stroke widened(const Stroke &stroke, double k, const std::vector<bool> &chosen)
 {
     Stroke result = stroke;
-    const std::vector<bool> meant = chosen.empty() ? meantOfWhole(stroke) : chosen;
     for (std::size_t i = 0; i < result.segments.size(); ++i) {
         Segment wider = result.segments[i];
         wider.diffusion = float(double(wider.diffusion) * k * k);
         wider.density = float(double(wider.density) * k);
-        if ((meant.empty() || meant[i]) && problemOf(wider).isEmpty())
+        if ((chosen.empty() || chosen[i]) && problemOf(wider).isEmpty())
             result.segments[i] = std::move(wider);
     }
     return result;
+}
+
+/// What a selection of a stroke's segments means; none are the whole stroke. One segment alone cannot become fewer, and
+/// every click with the Segments tool selects one: it means its stroke or, where it takes paint away, its chain.
+std::vector<bool> meantBy(const std::vector<bool> &chosen, const Stroke &stroke, Reshaping what)
+{
+    if (chosen.empty())
+        return meantOfWhole(stroke);
+    if (what != Reshaping::Simplify || std::ranges::count(chosen, true) != 1)
+        return chosen;
+    const auto one = int(std::ranges::find(chosen, true) - chosen.begin());
+    if (!stroke.segments[std::size_t(one)].lift)
+        return meantOfWhole(stroke);
+    const Chain chain = chainAt(stroke, one);
+    std::vector<bool> meant(chosen.size());
+    std::fill(meant.begin() + chain.first, meant.begin() + chain.last + 1, true);
+    return meant;
 }
 
 ReshapeRuns changeOf(Reshaping what, const ReshapeAmounts &a)
@@ -45,9 +61,7 @@ ReshapeRuns changeOf(Reshaping what, const ReshapeAmounts &a)
     switch (what) {
     case Reshaping::Simplify:
         return [a](const Stroke &stroke, Chosen chosen, std::vector<int> *sources) {
-            // One segment alone cannot become fewer; every click with the Segments tool selects one.
-            const bool isOne = std::ranges::count(chosen, true) == 1;
-            return simplified(stroke, {a.distance, a.values}, isOne ? std::vector<bool>() : chosen, sources);
+            return simplified(stroke, {a.distance, a.values}, chosen, sources);
         };
     case Reshaping::Smooth: {
         // A wiggle of wave length l loses ninety per cent where deviation·2π/l is 2.4.
@@ -110,7 +124,11 @@ QString nameOf(Reshaping what)
 Edit reshapeEdit(const Document &document, const Painting &before, const Selection &selection, Reshaping what,
                  const ReshapeAmounts &amounts)
 {
-    return reshapeSelection(document, before, selection, changeOf(what, amounts));
+    return reshapeSelection(document, before, selection,
+                            [what, change = changeOf(what, amounts)](
+                                const Stroke &stroke, const std::vector<bool> &chosen, std::vector<int> *sources) {
+                                return change(stroke, meantBy(chosen, stroke, what), sources);
+                            });
 }
 
 QString reshapeSelected(Editor &editor, Reshaping what, const ReshapeAmounts &amounts)

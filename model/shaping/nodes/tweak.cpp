@@ -255,13 +255,16 @@ void comb(Stroke &stroke, const Tweak &tweak, const std::vector<int> &under)
     }
 }
 
-/// The segments of a stroke of which the circle may touch something, in order.
+/// The segments of a stroke of which the circle may touch something, in order. A comb turns curves whatever lies around
+/// them, so it leaves what takes paint away where the paint is.
 std::vector<int> segmentsUnder(const Stroke &stroke, const Tweak &tweak)
 {
     const Point centre = tweak.centre - stroke.origin;
+    const bool leavesLifts = tweak.kind == TweakKind::Comb && stroke.laysPaint();
     std::vector<int> under;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k)
-        if (squaredDistanceTo(offsetsOf(stroke.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius)
+        if (squaredDistanceTo(offsetsOf(stroke.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius &&
+            !(leavesLifts && stroke.segments[k].lift))
             under.push_back(int(k));
     return under;
 }

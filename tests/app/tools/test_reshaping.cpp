@@ -208,6 +208,46 @@ private slots:
             QVERIFY(s.segment(k).density > lifts.segments[std::size_t(k)].density);
     }
 
+    /// The shape of a stroke is that of its paint: what was erased out of it stays where it was, to the last bit.
+    void erasuresStayWhereTheyAre()
+    {
+        ReshapeAmounts much;
+        much.distance = much.smoothing = 200;
+        for (const Reshaping what :
+             {Reshaping::Simplify, Reshaping::Smooth, Reshaping::Straighten, Reshaping::Offset}) {
+            ErasedSession s;
+            const Stroke before = s.stroke();
+            const auto same = [&](bool lift) {
+                const auto of = [lift](const Stroke &stroke) {
+                    std::vector<Segment> segments = stroke.segments;
+                    std::erase_if(segments, [lift](const Segment &segment) { return segment.lift != lift; });
+                    return segments;
+                };
+                return of(s.stroke()) == of(before);
+            };
+            s.editor().document().setSelection({{s.id}, {}});
+            QCOMPARE(reshapeSelected(s.editor(), what, much), QString());
+            QVERIFY2(same(true) && !same(false), qPrintable(nameOf(what)));
+            s.use(Command::Undo);
+            // Where erasures are selected, they are meant, and they alone.
+            s.editor().document().setSelection({{s.id}, {{s.id, 4}, {s.id, 5}}});
+            QCOMPARE(reshapeSelected(s.editor(), what, much), QString());
+            QVERIFY2(!same(true) && same(false), qPrintable(nameOf(what)));
+        }
+        // One segment of an erasure alone cannot become fewer, and means the erasure and not the stroke.
+        ErasedSession s;
+        s.editor().document().setSelection({{s.id}, {{s.id, 5}}});
+        QCOMPARE(reshapeSelected(s.editor(), Reshaping::Simplify, much), QString());
+        QCOMPARE(s.stroke().segments.size(), std::size_t(5));
+        QVERIFY(s.segment(4).lift && !s.segment(3).lift);
+        // And one of paint means the paint.
+        s.use(Command::Undo);
+        const Segment erasing = s.segment(5);
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}}});
+        QCOMPARE(reshapeSelected(s.editor(), Reshaping::Simplify, much), QString());
+        QVERIFY(s.stroke().segments.size() < 6 && s.stroke().segments.back() == erasing);
+    }
+
     void lockedAndHiddenStrokesStay()
     {
         for (const Command command : {Command::LockStrokes, Command::HideStrokes}) {

@@ -109,6 +109,30 @@ private slots:
         QVERIFY(!(rough(1) == before));
     }
 
+    /// The plane moves with all that lies in it, holes among it; but combing turns the hair and not the holes in it.
+    void whatWasErasedGoesWithThePlane()
+    {
+        Stroke before = line(40);
+        Segment across = before.segments[0];
+        across.lift = true;
+        across.bezier = toOffsets({{Point{200, -20}, Point{200, -10}, Point{200, 10}, Point{200, 20}}});
+        appendChain(before, {across});
+        const auto liftsOf = [](const Stroke &stroke) {
+            std::vector<Segment> lifts = stroke.segments;
+            std::erase_if(lifts, [](const Segment &s) { return !s.lift; });
+            return lifts;
+        };
+        for (const TweakKind kind : {TweakKind::Push, TweakKind::Comb, TweakKind::Pinch, TweakKind::Roughen}) {
+            const std::optional<Stroke> after = tweaked(before, {kind, {195, 3}, 60, {0, 10}, 0.3, 1});
+            QVERIFY(after && after->segments[20].bezier != before.segments[20].bezier);
+            QCOMPARE(liftsOf(*after) == liftsOf(before), kind == TweakKind::Comb);
+        }
+        // Where there is nothing else, it is what is combed.
+        Stroke alone = before;
+        alone.segments = {across};
+        QVERIFY(tweaked(alone, {TweakKind::Comb, {195, 3}, 60, {10, 10}, 0.3, 1}));
+    }
+
     void aLineTakesThePlaceOfThePartBetween()
     {
         const Stroke before = line(40);
