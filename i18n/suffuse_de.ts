@@ -6012,8 +6012,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Bilder mit Ebenen (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6028,8 +6028,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
     </message>
     <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>SVG-Zeichnungen (*.svg)</translation>
+        <source>Drawings (*.svg *.svgz *.pdf)</source>
+        <translation>Zeichnungen (*.svg *.svgz *.pdf)</translation>
     </message>
     <message>
         <source>Diffusion curves (*.xml)</source>
@@ -7224,6 +7224,33 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>could not be written: %1</source>
         <translation>ließ sich nicht schreiben: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n painting(s) in this PDF file the first one was opened.</source>
+        <translation>
+            <numerusform>Von %n Gemälde in dieser PDF-Datei wurde das erste geöffnet.</numerusform>
+            <numerusform>Von %n Gemälden in dieser PDF-Datei wurde das erste geöffnet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>PDF file</source>
+        <translation>PDF-Datei</translation>
+    </message>
+    <message>
+        <source>This is a PDF file, and %1.</source>
+        <translation>Das ist eine PDF-Datei, und %1.</translation>
+    </message>
+    <message>
+        <source>This PDF file is damaged: %1.</source>
+        <translation>Diese PDF-Datei ist beschädigt: %1.</translation>
+    </message>
+    <message>
+        <source>This PDF file holds no painting. Suffuse opens those that it wrote; open a picture of its pages as a layer instead.</source>
+        <translation>Diese PDF-Datei enthält kein Gemälde. Suffuse öffnet die, die es geschrieben hat; stattdessen ein Bild ihrer Seiten als Ebene öffnen.</translation>
+    </message>
+    <message>
+        <source>Another program changed this PDF file. What was opened is the painting as Suffuse exported it.</source>
+        <translation>Ein anderes Programm hat diese PDF-Datei geändert. Geöffnet wurde das Gemälde, wie Suffuse es exportiert hat.</translation>
     </message>
 </context>
 <context>

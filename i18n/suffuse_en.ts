@@ -371,6 +371,13 @@
             <numerusform>%n ruled or printed papers</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %n painting(s) in this PDF file the first one was opened.</source>
+        <translation>
+            <numerusform>Of %n painting in this PDF file the first one was opened.</numerusform>
+            <numerusform>Of %n paintings in this PDF file the first one was opened.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>

@@ -5991,8 +5991,8 @@ Arrow keys work too.</source>
         <translation>带图层的图片 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -6007,8 +6007,8 @@ Arrow keys work too.</source>
         <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
     </message>
     <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>SVG 图形 (*.svg)</translation>
+        <source>Drawings (*.svg *.svgz *.pdf)</source>
+        <translation>图形 (*.svg *.svgz *.pdf)</translation>
     </message>
     <message>
         <source>Diffusion curves (*.xml)</source>
@@ -7174,6 +7174,32 @@ Arrow keys work too.</source>
     <message>
         <source>could not be written: %1</source>
         <translation>无法写入：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n painting(s) in this PDF file the first one was opened.</source>
+        <translation>
+            <numerusform>此 PDF 文件中有 %n 幅画作，打开了第一幅。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>PDF file</source>
+        <translation>PDF 文件</translation>
+    </message>
+    <message>
+        <source>This is a PDF file, and %1.</source>
+        <translation>这是 PDF 文件，而%1。</translation>
+    </message>
+    <message>
+        <source>This PDF file is damaged: %1.</source>
+        <translation>此 PDF 文件已损坏：%1。</translation>
+    </message>
+    <message>
+        <source>This PDF file holds no painting. Suffuse opens those that it wrote; open a picture of its pages as a layer instead.</source>
+        <translation>此 PDF 文件中没有画作。Suffuse 只能打开自己写出的 PDF；请改为将其页面的图像作为图层打开。</translation>
+    </message>
+    <message>
+        <source>Another program changed this PDF file. What was opened is the painting as Suffuse exported it.</source>
+        <translation>另一个程序更改了此 PDF 文件。打开的是 Suffuse 导出时的画作。</translation>
     </message>
 </context>
 <context>

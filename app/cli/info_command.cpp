@@ -55,6 +55,8 @@ const char *idOf(FileFormat format)
         return "photoshop";
     case FileFormat::Xournal:
         return "xournal";
+    case FileFormat::Pdf:
+        return "pdf";
     case FileFormat::Unknown:
         break;
     }

@@ -5,6 +5,7 @@
 #include "model/formats/ink/recording.h"
 #include "model/formats/messages.h"
 #include "model/formats/ora/ora_parts.h"
+#include "model/formats/pdf/pdf_embedding.h"
 #include "model/formats/psd/psd_layers.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 
@@ -152,6 +153,8 @@ FileFormat detectFormat(const QByteArray &bytes)
 {
     if (startsAsSuffuse(bytes) || hasFirstChunk(bytes))
         return FileFormat::Suffuse;
+    if (pdf::isPdf(bytes))
+        return FileFormat::Pdf;
     if (ora::isOpenRaster(bytes))
         return FileFormat::OpenRaster;
     if (isXournalPackage(bytes))
@@ -200,6 +203,8 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("Photoshop picture");
     case FileFormat::Xournal:
         return FileMessages::tr("Xournal++ notebook");
+    case FileFormat::Pdf:
+        return FileMessages::tr("PDF file");
     case FileFormat::Unknown:
         break;
     }

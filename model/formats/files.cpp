@@ -6,6 +6,7 @@
 #include "model/formats/messages.h"
 #include "model/formats/ora/ora_layers.h"
 #include "model/formats/ora/ora_parts.h"
+#include "model/formats/pdf/pdf_embedding.h"
 #include "model/formats/picture_links.h"
 #include "model/formats/psd/psd_layers.h"
 #include "model/formats/suffuse/suffuse_layout.h"
@@ -81,6 +82,26 @@ Result<Painting> readOpenRaster(const QByteArray &bytes, const QString &fileName
     return readSuffuseFile(embedded->document, fileName);
 }
 
+/// The painting that a PDF file was made of. What its pages show is not read.
+Result<Painting> readPdf(const QByteArray &bytes, const QString &fileName, QString &leftOut)
+{
+    const Result<pdf::AttachedPainting> attached = pdf::readAttached(bytes);
+    if (!attached)
+        return fileError(fileName, attached.error());
+    if (attached->document.isEmpty())
+        return fileError(fileName, FileMessages::tr("This PDF file holds no painting. Suffuse opens those that it "
+                                                    "wrote; open a picture of its pages as a layer instead."));
+    QStringList said;
+    if (attached->isChanged)
+        said << FileMessages::tr("Another program changed this PDF file. What was opened is the painting as Suffuse "
+                                 "exported it.");
+    if (attached->count > 1)
+        said << FileMessages::tr("Of %n painting(s) in this PDF file the first one was opened.", nullptr,
+                                 attached->count);
+    leftOut = joinedSentences(said);
+    return readSuffuseFile(attached->document, fileName);
+}
+
 /// Reads a drawing: the painting that it was made of, if it is in it and no other program has changed the drawing
 /// since.
 Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
@@ -138,6 +159,8 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         Result<Painting> layers = psd::readLayers(bytes, leftOut);
         return layers ? std::move(layers) : Result<Painting>(fileError(fileName, layers.error()));
     }
+    case FileFormat::Pdf:
+        return readPdf(bytes, fileName, leftOut);
     case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;

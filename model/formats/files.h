@@ -26,7 +26,8 @@ enum class FileFormat {
     Svg,
     OpenRaster,
     Photoshop,
-    Xournal
+    Xournal,
+    Pdf
 };
 
 /// The format by the first bytes, never by the name.

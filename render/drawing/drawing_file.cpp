@@ -88,7 +88,8 @@ Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &pain
                            const std::atomic<bool> *cancel)
 {
     if (prepared.drawing.format == DrawingFormat::Pdf) {
-        Result<QByteArray> pdf = pdfOf({{prepared.drawing, prepared.png, prepared.paper}}, prepared.about, cancel);
+        Result<QByteArray> pdf = pdfOf({{prepared.drawing, prepared.png, prepared.paper, writeSuffuseFile(painting)}},
+                                       prepared.about, cancel);
         return pdf || !isCancelled(cancel) ? std::move(pdf) : Result<QByteArray>(drawingInterrupted());
     }
     const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);

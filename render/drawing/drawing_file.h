@@ -18,7 +18,7 @@ struct PreparedDrawing {
 /// Draws a painting. It fails if the renderer does, or if it was cancelled.
 Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const DrawingOptions &options, Renderer &renderer);
 
-/// The file's bytes: SVG with the painting in it, packed if the ending of `name` is .svgz, or PDF. It fails if it was
+/// The file's bytes, with the painting in it; SVG is packed if the ending of `name` is .svgz. It fails if it was
 /// cancelled, and if the packed file would be too large to be opened again.
 Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
                            const std::atomic<bool> *cancel = nullptr);

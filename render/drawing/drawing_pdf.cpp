@@ -1,5 +1,6 @@
 #include "render/drawing/drawing_pdf.h"
 
+#include "model/formats/pdf/pdf_embedding.h"
 #include "render/drawing/pdf_page.h"
 #include "render/image_io/image_io.h"
 
@@ -38,12 +39,14 @@ Result<QByteArray> pdfOf(const std::vector<PdfPage> &pages, const PdfAbout &abou
     const QByteArray rgb = isSrgb ? QByteArray() : "[/ICCBased " + pdf::reference(srgbProfile) + ']';
     std::vector<int> numbers, layers, hidden;
     QByteArray order;
+    QByteArrayList documents;
     for (const PdfPage &page : pages) {
         PdfPageWriter writer(page, objects, cancel);
         const Result<int> number = writer.write(rgb);
         if (!number)
             return Error{number.error()};
         numbers.push_back(*number);
+        documents.push_back(page.document);
         layers.insert(layers.end(), writer.layers().begin(), writer.layers().end());
         hidden.insert(hidden.end(), writer.hidden().begin(), writer.hidden().end());
         order += writer.layerOrder();
@@ -51,14 +54,15 @@ Result<QByteArray> pdfOf(const std::vector<PdfPage> &pages, const PdfAbout &abou
     objects.set(pdf::Objects::pages, "<< /Type /Pages /Count " + QByteArray::number(qsizetype(numbers.size())) +
                                          " /Kids " + references(numbers) + " >>");
     QByteArray catalogue = "<< /Type /Catalog /Pages " + pdf::reference(pdf::Objects::pages) + " /OutputIntents [" +
-                           outputIntent(intent, isSrgb) + "] /ViewerPreferences << /DisplayDocTitle true >>";
+                           outputIntent(intent, isSrgb) + "] /ViewerPreferences << /DisplayDocTitle true >> " +
+                           pdf::attach(objects, documents);
     if (!layers.empty())
         catalogue += " /OCProperties << /OCGs " + references(layers) + " /D << /Order [" + order + " ] /OFF " +
                      references(hidden) + " >> >>";
     objects.set(pdf::Objects::catalogue, catalogue + " >>");
     objects.set(pdf::Objects::information,
                 "<< /Title " + pdf::text(about.title) + " /Creator (Suffuse " + QByteArray(SUFFUSE_VERSION) + ") >>");
-    return objects.file("<< >>", cancel);
+    return pdf::sealedFile(objects, cancel);
 }
 
 } // namespace suffuse

@@ -14,6 +14,7 @@ struct PdfPage {
     const PathDrawing &drawing;
     const QByteArray &png;         ///< the picture of the whole sheet, if the drawing is one of unpainted paths
     std::optional<PageSize> paper; ///< no value: as large as the sheet
+    QByteArray document;           ///< the painting, which the file has as an attached .suffuse file
 };
 
 /// What is told of the file as a whole.

@@ -266,6 +266,13 @@ void TestCli::convertToDrawing()
     const CliOutcome page = runCli({"convert", path("a.json"), path("a.pdf"), "--as", "hybrid", "--page", "A5"});
     QVERIFY2(page.code == 0 && page.out.contains("of 255"), qPrintable(page.text()));
     QVERIFY(readFile(path("a.pdf")).startsWith("%PDF-1.7"));
+    QCOMPARE(runCli({"info", path("a.pdf"), "--json"}).json()["format"].toString(), QString("pdf"));
+    QVERIFY(runCli({"convert", path("a.pdf"), path("back.json")}).code == 0);
+    QCOMPARE(readFile(path("back.json")), readFile(path("direct.json")));
+    const CliOutcome drawn = runCli({"render", path("a.pdf"), "-o", path("a.pfm")});
+    QVERIFY2(drawn.code == 0 && runCli({"render", path("a.json"), "-o", path("b.pfm")}).code == 0,
+             qPrintable(drawn.text()));
+    QCOMPARE(readFile(path("a.pfm")), readFile(path("b.pfm")));
     const CliOutcome paper = runCli({"convert", path("a.json"), "-", "--format", "pdf"});
     QVERIFY(paper.code == 0 && paper.out.startsWith("%PDF-1.7") && paper.err.contains("of 255"));
     // A missing module is said, and nothing is written.

@@ -39,7 +39,10 @@ const QList<Rule> &rules()
         // Parts of zip files.
         {"model/formats/ora/", {"model/"}, {"QtCore"}, {"minizip"}},
         // Where the structure of PDF files is known, the program is not.
-        {"model/formats/pdf/module_", {"model/formats/pdf/pdf_module_api.h", "model/module_guard.h"}, {}, {"qpdf"}},
+        {"model/formats/pdf/module_",
+         {"model/formats/pdf/module_", "model/formats/pdf/pdf_module_api.h", "model/module_guard.h"},
+         {},
+         {"qpdf"}},
         {"model/module_guard.h", {}, {}, {}},
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},

@@ -2,10 +2,14 @@
 #define POINTERHOLDER_TRANSITION 4
 #include "render/drawing/drawing_file.h"
 
+#include "model/formats/files.h"
+#include "model/formats/pdf/pdf_embedding.h"
+#include "model/painting/validate.h"
 #include "tests/model/random_paintings.h"
 #include "tests/render/filled.h"
 #include "tests/render/paintings.h"
 #include "tests/render/pictured.h"
+#include "tests/trials.h"
 #include "tests/wide_profile.h"
 
 #include <QProcess>
@@ -15,6 +19,7 @@
 
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFWriter.hh>
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -338,6 +343,117 @@ private slots:
                 const double mean = sum / (0.75 * double(own.rgba.size()));
                 QVERIFY2(mean < 0.5 / 255, qPrintable(QString::number(255 * mean)));
             }
+    }
+
+    void comesBackBitForBit_data() { filesAreSound_data(); }
+    void comesBackBitForBit()
+    {
+        QFETCH(int, kind);
+        std::mt19937_64 random(11);
+        for (int i = 0; i < trials(3, 30); ++i) {
+            const PaintingPtr p = mixedFills(random, 3, 90, 70, PaperKind::Procedural);
+            const QByteArray pdf = pdfOf(p, DrawingKind(kind), 8);
+            QCOMPARE(detectFormat(pdf), FileFormat::Pdf);
+            const Result<LoadedDocument> back = readDocument(pdf, "a.pdf");
+            QVERIFY2(bool(back), qPrintable(back.error()));
+            QVERIFY(back->painting == *p);
+            QCOMPARE(writeSuffuseFile(back->painting), writeSuffuseFile(*p));
+            QVERIFY2(back->leftOut.isEmpty(), qPrintable(back->leftOut));
+        }
+    }
+
+    void changedAndForeignFilesAreTold()
+    {
+        const PaintingPtr p = oneStroke();
+        const QByteArray pdf = pdfOf(p, DrawingKind::Outlines);
+        const std::unique_ptr<QPDF> file = readBack(pdf);
+        QVERIFY(file);
+        // Another program writes it again: the painting is in it still.
+        QPDFWriter writer(*file);
+        writer.setOutputMemory();
+        writer.write();
+        const auto again = writer.getBufferSharedPointer();
+        const QByteArray changed(reinterpret_cast<const char *>(again->getBuffer()), qsizetype(again->getSize()));
+        const Result<LoadedDocument> back = readDocument(changed, "a.pdf");
+        QVERIFY(bool(back));
+        QVERIFY(back->painting == *p);
+        QVERIFY(back->leftOut.contains("changed"));
+        // One without a painting.
+        file->getRoot().removeKey("/Names");
+        QPDFWriter bare(*file);
+        bare.setOutputMemory();
+        bare.write();
+        const auto rest = bare.getBufferSharedPointer();
+        const QByteArray foreign(reinterpret_cast<const char *>(rest->getBuffer()), qsizetype(rest->getSize()));
+        const Result<LoadedDocument> none = readDocument(foreign, "a.pdf");
+        QVERIFY2(!none && none.error().startsWith("a.pdf: This PDF file holds no painting"), qPrintable(none.error()));
+        const Result<LoadedDocument> broken = readDocument("%PDF-1.7\nnothing", "a.pdf");
+        QVERIFY2(!broken && broken.error().startsWith("a.pdf: This PDF file is damaged"), qPrintable(broken.error()));
+    }
+
+    /// A painting, or a message; and whatever comes out is valid.
+    void mutatedFilesDoNoHarm()
+    {
+        std::mt19937_64 random(23);
+        const PaintingPtr p = mixedFills(random, 2, 60, 40, PaperKind::None);
+        const QByteArray whole = pdfOf(p, DrawingKind::Outlines);
+        const auto below = [&](qsizetype n) { return qsizetype(random() % quint64(n)); };
+        int opened = 0;
+        for (int i = 0; i < 2000; ++i) {
+            QByteArray bytes = whole;
+            for (qsizetype k = 1 + below(4); k > 0; --k) {
+                const qsizetype at = below(bytes.size()), length = std::min(1 + below(200), bytes.size() - at);
+                switch (random() % 6) {
+                case 0:
+                    bytes[at] = char(random());
+                    break;
+                case 1:
+                    bytes.remove(at, length);
+                    break;
+                case 2:
+                    bytes.insert(at, bytes.mid(below(bytes.size()), length));
+                    break;
+                case 3: // A number becomes another one.
+                    if (const qsizetype digit = bytes.indexOf('0', at); digit >= 0)
+                        bytes[digit] = char('0' + random() % 10);
+                    break;
+                case 4: // A name becomes another one.
+                    if (const qsizetype name = bytes.indexOf('/', at); name >= 0 && name + 2 < bytes.size())
+                        bytes[name + 1] = char('A' + random() % 26);
+                    break;
+                default:
+                    bytes.truncate(std::max<qsizetype>(8, at));
+                }
+            }
+            const Result<LoadedDocument> read = readDocument(bytes, "a.pdf");
+            if (read)
+                QCOMPARE(problemOf(read->painting), QString());
+            else
+                QVERIFY2(read.error().startsWith("a.pdf: ") && read.error().size() < 1000, qPrintable(read.error()));
+            opened += bool(read);
+        }
+        QVERIFY2(opened > 100 && opened < 1900, qPrintable(QString::number(opened)));
+    }
+
+    /// A small file does not become a large one in memory.
+    void bombsAreRefused()
+    {
+        const QByteArray zeros(64 << 20, 0);
+        const QByteArray bomb = qCompress(zeros, 9).mid(4); // behind Qt's own head
+        const QByteArray table =
+            "%PDF-1.7\n1 0 obj\n<< /Type /XRef /W [1 3 1] /Size 9 /Root 1 0 R /Filter /FlateDecode "
+            "/Length " +
+            QByteArray::number(bomb.size()) + " >>\nstream\n" + bomb + "\nendstream\nendobj\nstartxref\n9\n%%EOF\n";
+        const Result<LoadedDocument> read = readDocument(table, "a.pdf");
+        QVERIFY2(!read && read.error().contains("damaged"), qPrintable(read.error()));
+        pdf::Objects objects;
+        objects.set(pdf::Objects::pages, "<< /Type /Pages /Count 0 /Kids [] >>");
+        objects.set(pdf::Objects::catalogue, "<< /Type /Catalog /Pages 2 0 R " + pdf::attach(objects, {zeros}) + " >>");
+        objects.set(pdf::Objects::information, "<< >>");
+        const Result<QByteArray> file = pdf::sealedFile(objects);
+        QVERIFY(bool(file) && file->size() < 1 << 20);
+        const Result<LoadedDocument> large = readDocument(*file, "a.pdf");
+        QVERIFY2(!large && large.error().contains("cannot be unpacked"), qPrintable(large.error()));
     }
 
     void profilesAreIntents()

@@ -1,4 +1,5 @@
 // The module that writes and reads PDF files, by libqpdf.
+#include "model/formats/pdf/module_bounds.h"
 #include "model/formats/pdf/pdf_module_api.h"
 #include "model/module_guard.h"
 
@@ -91,6 +92,7 @@ bool writePdf(const PdfModuleWrite &job)
 
 bool readPdf(const PdfModuleRead &job)
 {
+    const UnpackedBound bound(job.most);
     QPDF file;
     file.setSuppressWarnings(true);
     file.processMemoryFile("PDF", static_cast<const char *>(job.bytes), job.size);
@@ -100,13 +102,9 @@ bool readPdf(const PdfModuleRead &job)
         QPDFObjectHandle stream = attached->getEmbeddedFileStream();
         if (!stream.isStream())
             continue;
-        std::size_t size = 0;
-        Sink sink([&](const void *bytes, std::size_t part) {
-            size += part;
-            return size <= job.most && job.content(job.context, bytes, part);
-        });
+        Sink sink([&](const void *bytes, std::size_t size) { return job.content(job.context, bytes, size); });
         if (!stream.pipeStreamData(&sink, 0, qpdf_dl_generalized, true))
-            throw std::runtime_error("an attached file cannot be read");
+            throw std::runtime_error("what is attached cannot be unpacked");
     }
     return true;
 }

@@ -32,7 +32,7 @@ struct PdfModuleWrite {
 struct PdfModuleRead {
     const void *bytes;
     std::size_t size;
-    std::size_t most; ///< how large an attached file may be, unpacked
+    std::size_t most; ///< to how many bytes a part of the file may unpack
     void *context;
     bool (*wanted)(void *context, const char *name);                     ///< whether the content of this one is wanted
     bool (*content)(void *context, const void *bytes, std::size_t size); ///< takes the next part of it; false: stop
