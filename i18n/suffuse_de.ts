@@ -1098,6 +1098,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>--page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in</source>
         <translation>--page %1: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in angeben</translation>
     </message>
+    <message>
+        <source>several INs become the pages of a PDF; give OUT the ending .pdf</source>
+        <translation>mehrere IN werden Seiten eines PDFs; OUT die Endung .pdf geben</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11230,8 +11234,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Zeichnung exportieren</translation>
     </message>
     <message>
-        <source>The ending chooses the format: svg, or svgz, which is packed.</source>
-        <translation>Die Endung bestimmt das Format: svg, oder gepackt svgz.</translation>
+        <source>The ending chooses the format: svg, svgz, which is packed, or pdf.</source>
+        <translation>Die Endung bestimmt das Format: svg, svgz, das gepackt ist, oder pdf.</translation>
     </message>
     <message>
         <source>Bands</source>
@@ -11278,12 +11282,24 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Unbekannt</translation>
     </message>
     <message>
-        <source>SVG drawings</source>
-        <translation>SVG-Zeichnungen</translation>
+        <source>Drawings</source>
+        <translation>Zeichnungen</translation>
     </message>
     <message>
         <source>“%1” has no ending of a drawing. Choose one of: %2.</source>
         <translation>„%1“ hat keine Endung einer Zeichnung. Möglich sind: %2.</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>So groß wie das Blatt</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
+        <translation>Eines PDFs: Das Blatt passt in die Seite, in ihre Mitte. Von selbst hat es 96 Einheiten je Zoll.</translation>
     </message>
 </context>
 <context>

@@ -1091,6 +1091,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>--page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in</source>
         <translation>--page %1：请给出 A3、A4、A5、Letter，或 200x150mm、8x6in 之类的尺寸</translation>
     </message>
+    <message>
+        <source>several INs become the pages of a PDF; give OUT the ending .pdf</source>
+        <translation>多个 IN 会成为 PDF 的页面；请让 OUT 的扩展名为 .pdf</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11158,8 +11162,8 @@ Arrow keys work too.</source>
         <translation>导出图形</translation>
     </message>
     <message>
-        <source>The ending chooses the format: svg, or svgz, which is packed.</source>
-        <translation>扩展名决定格式：svg，或压缩的 svgz。</translation>
+        <source>The ending chooses the format: svg, svgz, which is packed, or pdf.</source>
+        <translation>扩展名决定格式：svg、经过压缩的 svgz，或 pdf。</translation>
     </message>
     <message>
         <source>Bands</source>
@@ -11206,12 +11210,24 @@ Arrow keys work too.</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>SVG drawings</source>
-        <translation>SVG 图形</translation>
+        <source>Drawings</source>
+        <translation>图形</translation>
     </message>
     <message>
         <source>“%1” has no ending of a drawing. Choose one of: %2.</source>
         <translation>“%1”没有图形的扩展名。请选择：%2。</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>与画面一样大</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
+        <translation>用于 PDF：画面适应页面并居中。其自身大小为每英寸 96 单位。</translation>
     </message>
 </context>
 <context>

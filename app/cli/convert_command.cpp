@@ -69,6 +69,32 @@ Painting movedTo(const QString &out, const QString &in, const Painting &painting
     return from == to ? painting : withRelativeLinks(withAbsoluteLinks(painting, from), to);
 }
 
+/// A document as it is converted. What it has and nobody can write is said; it fails where too little is whole.
+Result<LoadedDocument> documentOf(const QString &in, const Brush *brush, bool salvages)
+{
+    Result<LoadedDocument> document = loadDocument(in, brush);
+    if (!document)
+        return document;
+    for (const QString &said : {document->leftOut, document->missing})
+        if (!said.isEmpty())
+            warn(QStringLiteral("%1: %2").arg(in, said));
+    using enum FileFormat;
+    if (const FileFormat format = document->format;
+        brush && (format == Suffuse || format == Text || format == DiffusionCurves || format == Pdf))
+        warn(QCoreApplication::translate("Cli", "--brush is ignored: the strokes of %1 have their looks already")
+                 .arg(in));
+    for (const QString &loss : document->losses)
+        warn(QStringLiteral("%1: %2").arg(in, loss));
+    if (!document->losses.empty() && !salvages)
+        return Error{
+            QCoreApplication::translate("Cli", "%1: is damaged; --salvage writes what is whole of it").arg(in)};
+    if (document->lostStrokes > 0 && document->painting.strokes.empty())
+        return Error{QCoreApplication::translate("Cli", "%1: none of its %n stroke(s) is whole; open a backup of it",
+                                                 nullptr, int(document->lostStrokes))
+                         .arg(in)};
+    return document;
+}
+
 } // namespace
 
 int convertCommand(const QStringList &arguments)
@@ -92,6 +118,7 @@ int convertCommand(const QStringList &arguments)
     line.add({"salvage"}, QCoreApplication::translate(
                               "Cli", "Of a damaged document takes what is whole, and says what is missing."));
     addDrawingOptions(line);
+    line.allowSeveral();
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
@@ -101,10 +128,15 @@ int convertCommand(const QStringList &arguments)
     const std::optional<DrawingFormat> drawing = drawingFormatOf(line, out);
     if (const QString problem = drawingProblem(line, drawing); !problem.isEmpty())
         return failUsage("convert", problem);
-    if (isSameFile(line.argument(0), out))
+    const QStringList ins = line.several();
+    if (ins.size() > 1 && drawing != DrawingFormat::Pdf)
         return failUsage("convert", QCoreApplication::translate(
-                                        "Cli", "%1: is IN itself, which would be lost; give OUT another name")
-                                        .arg(out));
+                                        "Cli", "several INs become the pages of a PDF; give OUT the ending .pdf"));
+    for (const QString &in : ins)
+        if (isSameFile(in, out))
+            return failUsage("convert", QCoreApplication::translate(
+                                            "Cli", "%1: is IN itself, which would be lost; give OUT another name")
+                                            .arg(out));
     std::optional<Brush> brush;
     if (line.isSet("brush")) {
         const Result<Brush> found = brushOf(line.value("brush"));
@@ -112,34 +144,22 @@ int convertCommand(const QStringList &arguments)
             return failUsage("convert", found.error());
         brush = *found;
     }
-    Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
-    if (!document)
-        return fail(document.error());
-    for (const QString &said : {document->leftOut, document->missing})
-        if (!said.isEmpty())
-            warn(QStringLiteral("%1: %2").arg(line.argument(0), said));
-    using enum FileFormat;
-    if (const FileFormat in = document->format; brush && (in == Suffuse || in == Text || in == DiffusionCurves))
-        warn(QCoreApplication::translate("Cli", "--brush is ignored: the strokes of %1 have their looks already")
-                 .arg(line.argument(0)));
-    for (const QString &loss : document->losses)
-        warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
-    if (!document->losses.empty() && !line.isSet("salvage"))
-        return fail(QCoreApplication::translate("Cli", "%1: is damaged; --salvage writes what is whole of it")
-                        .arg(line.argument(0)));
-    if (document->lostStrokes > 0 && document->painting.strokes.empty())
-        return fail(QCoreApplication::translate("Cli", "%1: none of its %n stroke(s) is whole; open a backup of it",
-                                                nullptr, int(document->lostStrokes))
-                        .arg(line.argument(0)));
-    if (drawing) {
+    std::vector<LoadedDocument> documents;
+    for (const QString &in : ins) {
+        Result<LoadedDocument> document = documentOf(in, brush ? &*brush : nullptr, line.isSet("salvage"));
+        if (!document)
+            return fail(document.error());
         if (out != QLatin1String("-"))
-            document->painting = movedTo(out, line.argument(0), document->painting);
-        return convertToDrawing(line, *document, *drawing, out);
+            document->painting = movedTo(out, in, document->painting);
+        documents.push_back(std::move(*document));
     }
-    const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
+    if (drawing)
+        return convertToDrawing(line, documents, *drawing, out);
+    const LoadedDocument &document = documents.front();
+    const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document.extras;
     if (out == QLatin1String("-"))
-        return printBytes(writeDocument(document->painting, extras, *format));
-    const Result<void> saved = saveDocument(movedTo(out, line.argument(0), document->painting), extras, out);
+        return printBytes(writeDocument(document.painting, extras, *format));
+    const Result<void> saved = saveDocument(document.painting, extras, out);
     return saved ? Done : fail(saved.error());
 }
 

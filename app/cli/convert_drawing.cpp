@@ -78,39 +78,62 @@ QString drawingProblem(const CommandLine &line, std::optional<DrawingFormat> for
     return {};
 }
 
-int convertToDrawing(const CommandLine &line, const LoadedDocument &document, DrawingFormat format, const QString &out)
+namespace {
+
+/// Draws one of the paintings, after a line of its own on stderr.
+Result<PreparedDrawing> drawnPage(const Painting &painting, DrawingOptions &options, Renderer &renderer)
 {
-    const Painting &painting = document.painting;
-    Result<DrawingOptions> options = drawingOptions(line, painting);
-    if (!options)
-        return failUsage("convert", options.error());
-    options->format = format;
-    const auto shared = std::make_shared<const Painting>(painting);
+    std::optional<ProgressLine> progress(QCoreApplication::translate("Cli", "Drawing"));
+    options.progress = [&](int done, int all) { progress->show(done, all); };
+    return prepareDrawing(std::make_shared<const Painting>(painting), options, renderer);
+}
+
+} // namespace
+
+int convertToDrawing(const CommandLine &line, const std::vector<LoadedDocument> &documents, DrawingFormat format,
+                     const QString &out)
+{
+    const bool isToStdout = out == QLatin1String("-");
     const Result<std::unique_ptr<Renderer>> renderer = makeRenderer({Backend::Cpu});
     if (!renderer)
         return fail(renderer.error());
-    options->cancel = &interrupted();
-    std::optional<ProgressLine> progress(QCoreApplication::translate("Cli", "Drawing"));
-    options->progress = [&](int done, int all) { progress->show(done, all); };
-    Result<PreparedDrawing> prepared = prepareDrawing(shared, *options, **renderer);
-    progress.reset();
-    if (!prepared)
-        return fail(QStringLiteral("%1: %2").arg(out, prepared.error()));
-    if (line.isSet("page"))
-        prepared->paper = pageSizeFrom(line.value("page"));
-    if (out != QLatin1String("-"))
-        prepared->about.title = QFileInfo(out).completeBaseName();
-    prepared->about.profile = document.extras.profile;
-    if (const QString leftOut = leftOutOf(*prepared); !leftOut.isEmpty())
-        warn(QStringLiteral("%1: %2").arg(out, leftOut));
-    if (out == QLatin1String("-")) {
-        warn(differenceText(prepared->difference));
-        const Result<QByteArray> bytes = bytesOf(*prepared, painting, QStringLiteral("svg"), options->cancel);
-        return bytes ? printBytes(*bytes) : fail(bytes.error());
+    std::vector<PreparedDrawing> drawings;
+    std::vector<Painting> paintings;
+    for (std::size_t k = 0; k < documents.size(); ++k) {
+        const Painting &painting = documents[k].painting;
+        Result<DrawingOptions> options = drawingOptions(line, painting);
+        if (!options)
+            return failUsage("convert", options.error());
+        options->format = format;
+        options->cancel = &interrupted();
+        Result<PreparedDrawing> prepared = drawnPage(painting, *options, **renderer);
+        if (!prepared)
+            return fail(QStringLiteral("%1: %2").arg(out, prepared.error()));
+        (*renderer)->invalidate();
+        // Which of several it is about.
+        const QString name = documents.size() > 1 ? line.several().at(qsizetype(k)) : out;
+        if (const QString leftOut = leftOutOf(*prepared); !leftOut.isEmpty())
+            warn(QStringLiteral("%1: %2").arg(name, leftOut));
+        const QString difference =
+            (documents.size() > 1 ? name + QStringLiteral(": ") : QString()) + differenceText(prepared->difference);
+        if (isToStdout)
+            warn(difference);
+        else if (const int code = print(difference + QLatin1Char('\n')); code != Done)
+            return code;
+        if (line.isSet("page"))
+            prepared->paper = pageSizeFrom(line.value("page"));
+        drawings.push_back(std::move(*prepared));
+        paintings.push_back(painting);
     }
-    if (const int code = print(differenceText(prepared->difference) + QLatin1Char('\n')); code != Done)
-        return code;
-    const Result<void> saved = saveDrawing(*prepared, painting, out, options->cancel);
+    drawings.front().about = {isToStdout ? QString() : QFileInfo(out).completeBaseName(),
+                              documents.front().extras.profile};
+    const QString name = isToStdout ? QStringLiteral("svg") : out;
+    const Result<QByteArray> bytes = bytesOf(drawings, paintings, name, &interrupted());
+    if (!bytes)
+        return fail(bytes.error());
+    if (isToStdout)
+        return printBytes(*bytes);
+    const Result<void> saved = writeFileAtomically(out, *bytes);
     return saved ? Done : fail(saved.error());
 }
 

@@ -11,7 +11,9 @@ namespace suffuse::cli {
 void addDrawingOptions(CommandLine &line);
 /// Which of them is of no use for what is written; empty if none.
 QString drawingProblem(const CommandLine &line, std::optional<DrawingFormat> format);
-/// Draws a painting into `out`, a file or "-", after saying how far that is from the picture. Returns an ExitCode.
-int convertToDrawing(const CommandLine &line, const LoadedDocument &document, DrawingFormat format, const QString &out);
+/// Draws paintings (one; several as the pages of a PDF) into `out`, a file or "-", after saying how far that is from
+/// the picture. Returns an ExitCode.
+int convertToDrawing(const CommandLine &line, const std::vector<LoadedDocument> &documents, DrawingFormat format,
+                     const QString &out);
 
 } // namespace suffuse::cli

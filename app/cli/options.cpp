@@ -97,7 +97,8 @@ QString CommandLine::help(int required) const
 {
     QString usage = QCoreApplication::translate("Cli", "Usage: suffuse-cli %1 [options]").arg(m_command);
     for (int k = 0; k < int(m_syntax.size()); ++k)
-        usage += (k < required ? QStringLiteral(" %1") : QStringLiteral(" [%1]")).arg(m_syntax.at(k));
+        usage += (k < required ? QStringLiteral(" %1") : QStringLiteral(" [%1]")).arg(m_syntax.at(k)) +
+                 (k == 0 && m_isSeveral ? QStringLiteral("…") : QString());
     const QString text = m_parser.helpText(); // its first line puts the options before the command
     return usage + text.mid(text.indexOf('\n'));
 }
@@ -117,7 +118,7 @@ std::optional<int> CommandLine::parse(const QStringList &arguments, int required
             a.remove(0, 1);
     if (m_positional.size() < (required < 0 ? m_syntax.size() : required))
         return failUsage(m_command, QCoreApplication::translate("Cli", "too few arguments"));
-    if (m_positional.size() > m_syntax.size())
+    if (m_positional.size() > m_syntax.size() && !m_isSeveral)
         return failUsage(
             m_command,
             QCoreApplication::translate("Cli", "one argument too many: %1").arg(m_positional.at(m_syntax.size())));

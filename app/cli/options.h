@@ -37,6 +37,8 @@ public:
 
     /// Adds an option; without `value` (its name in the help) it is a switch.
     void add(const QStringList &names, const QString &description, const QString &value = {});
+    /// Lets the first argument be given several times.
+    void allowSeveral() { m_isSeveral = true; }
     /// Parses. An exit code where the command ends here: help, unknown options, one given twice, a wrong number of
     /// arguments. Negative numbers are arguments, not options. `required` = -1: all of the positional ones.
     std::optional<int> parse(const QStringList &arguments, int required = -1);
@@ -44,10 +46,13 @@ public:
     /// False too for an option that the command does not have.
     bool isSet(const QString &option) const { return m_options.contains(option) && m_parser.isSet(option); }
     QString value(const QString &option) const { return m_parser.value(option); }
-    /// The positional argument i, or empty.
-    QString argument(int i) const { return m_positional.value(i); }
+    /// The positional argument i, or empty; of the first one the first.
+    QString argument(int i) const { return m_positional.value(i > 0 && m_isSeveral ? i + more() : i); }
+    /// All of the first one, where it may be given several times.
+    QStringList several() const { return m_positional.first(more() + 1); }
 
 private:
+    int more() const { return int(m_positional.size() - m_syntax.size()); }
     QStringList withProtectedNumbers(const QStringList &arguments) const;
     QString help(int required) const;
     /// An option that is given more than once, with dashes; or empty.
@@ -57,8 +62,9 @@ private:
     QStringList m_syntax; ///< the names of the positional arguments
     QCommandLineParser m_parser;
     QHash<QString, QString> m_options; ///< each name, and the first one of its option
-    QStringList m_valueOptions; ///< with dashes
+    QStringList m_valueOptions;        ///< with dashes
     QStringList m_positional;
+    bool m_isSeveral = false;
 };
 
 /// The painting of a file, or of the standard input for "-". What a foreign file has and a painting cannot have is left

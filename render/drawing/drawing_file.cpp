@@ -11,6 +11,7 @@
 #include <QLocale>
 
 #include <cmath>
+#include <span>
 
 namespace suffuse {
 
@@ -54,6 +55,16 @@ Result<QByteArray> pictureOfSheet(const PaintingPtr &painting, const DrawingOpti
     return encodeImage(ImageFormat::Png, picture, image, QStringLiteral("PNG"));
 }
 
+Result<QByteArray> pdfBytes(std::span<const PreparedDrawing> prepared, std::span<const Painting> paintings,
+                            const std::atomic<bool> *cancel)
+{
+    std::vector<PdfPage> pages;
+    for (std::size_t k = 0; k < prepared.size(); ++k)
+        pages.push_back({prepared[k].drawing, prepared[k].png, prepared[k].paper, writeSuffuseFile(paintings[k])});
+    Result<QByteArray> pdf = pdfOf(pages, prepared.front().about, cancel);
+    return pdf || !isCancelled(cancel) ? std::move(pdf) : Result<QByteArray>(drawingInterrupted());
+}
+
 QString ofLevels(double value)
 {
     return QLocale().toString(255 * value, 'f', 255 * value < 10 ? 2 : 0);
@@ -87,11 +98,8 @@ Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const Drawin
 Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
                            const std::atomic<bool> *cancel)
 {
-    if (prepared.drawing.format == DrawingFormat::Pdf) {
-        Result<QByteArray> pdf = pdfOf({{prepared.drawing, prepared.png, prepared.paper, writeSuffuseFile(painting)}},
-                                       prepared.about, cancel);
-        return pdf || !isCancelled(cancel) ? std::move(pdf) : Result<QByteArray>(drawingInterrupted());
-    }
+    if (prepared.drawing.format == DrawingFormat::Pdf)
+        return pdfBytes({&prepared, 1}, {&painting, 1}, cancel);
     const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);
     if (svg.isEmpty() || isCancelled(cancel))
         return drawingInterrupted();
@@ -106,6 +114,13 @@ Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &pain
                          .arg(whole.size() >> 20)};
     QByteArray packed = packedGzip(whole, cancel);
     return packed.isEmpty() ? Result<QByteArray>(drawingInterrupted()) : packed;
+}
+
+Result<QByteArray> bytesOf(const std::vector<PreparedDrawing> &prepared, const std::vector<Painting> &paintings,
+                           const QString &name, const std::atomic<bool> *cancel)
+{
+    return prepared.size() > 1 ? pdfBytes(prepared, paintings, cancel)
+                               : bytesOf(prepared.front(), paintings.front(), name, cancel);
 }
 
 Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,

@@ -22,6 +22,9 @@ Result<PreparedDrawing> prepareDrawing(const PaintingPtr &painting, const Drawin
 /// cancelled, and if the packed file would be too large to be opened again.
 Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &painting, const QString &name,
                            const std::atomic<bool> *cancel = nullptr);
+/// The same of several drawings, which are the pages of one PDF; what is told of it is told of the first.
+Result<QByteArray> bytesOf(const std::vector<PreparedDrawing> &prepared, const std::vector<Painting> &paintings,
+                           const QString &name, const std::atomic<bool> *cancel = nullptr);
 /// Replaces a file by them, or leaves it as it was.
 Result<void> saveDrawing(const PreparedDrawing &prepared, const Painting &painting, const QString &path,
                          const std::atomic<bool> *cancel = nullptr);

@@ -119,6 +119,7 @@ void TestCli::wrongUsage_data()
     row("bands of outlines", {"convert", in, path("a.svg"), "--as", "outlines", "--bands", "4"}, "--as bands");
     row("bands of a document", {"convert", in, path("a.json"), "--bands", "4"}, ".svg");
     row("a page of no size", {"convert", in, path("a.pdf"), "--page", "B9"}, "200x150mm");
+    row("pages of SVG", {"convert", in, in, path("a.svg")}, "the pages of a PDF");
     row("a page of SVG", {"convert", in, path("a.svg"), "--page", "A4"}, "--page is for PDF");
     row("a size given twice", {"render", in, "-o", out, "--size", "40", "--size", "80"}, "--size is given twice");
     row("an output given twice", {"render", in, "-o", out, "--output", path("b.png")}, "--output is given twice");
@@ -275,6 +276,13 @@ void TestCli::convertToDrawing()
     QCOMPARE(readFile(path("a.pfm")), readFile(path("b.pfm")));
     const CliOutcome paper = runCli({"convert", path("a.json"), "-", "--format", "pdf"});
     QVERIFY(paper.code == 0 && paper.out.startsWith("%PDF-1.7") && paper.err.contains("of 255"));
+    // Several are the pages of one.
+    const CliOutcome pages = runCli({"convert", path("a.json"), path("a.pdf"), path("c.pdf"), "--as", "outlines"});
+    QVERIFY2(pages.code == 0 && pages.out.count("of 255") == 2 && pages.out.contains("a.json: "),
+             qPrintable(pages.text()));
+    const CliOutcome first = runCli({"convert", path("c.pdf"), path("back.json")});
+    QVERIFY2(first.code == 0 && first.err.contains("2 paintings"), qPrintable(first.text()));
+    QCOMPARE(readFile(path("back.json")), readFile(path("direct.json")));
     // A missing module is said, and nothing is written.
     const CliOutcome bare = runCli({"convert", path("a.json"), path("b.pdf"), "--as", "outlines"}, {},
                                    {"SUFFUSE_MODULE_DIR=" + path("no such folder")});

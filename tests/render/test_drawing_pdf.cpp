@@ -118,9 +118,9 @@ std::unique_ptr<QPDF> readBack(const QByteArray &pdf)
     return file->anyWarnings() ? nullptr : std::move(file);
 }
 
-QPDFObjectHandle pageOf(QPDF &file)
+QPDFObjectHandle pageOf(QPDF &file, std::size_t page = 0)
 {
-    return file.getAllPages().at(0);
+    return file.getAllPages().at(page);
 }
 
 QByteArray contentOf(QPDF &file)
@@ -360,6 +360,30 @@ private slots:
             QCOMPARE(writeSuffuseFile(back->painting), writeSuffuseFile(*p));
             QVERIFY2(back->leftOut.isEmpty(), qPrintable(back->leftOut));
         }
+    }
+
+    void severalPaintingsArePages()
+    {
+        std::vector<PreparedDrawing> drawings;
+        std::vector<Painting> paintings;
+        for (const PaintingPtr &p : {oneStroke(), PaintingPtr(grouped()), oneStroke(StyleKind::Edge)}) {
+            Result<PreparedDrawing> drawing = prepared(p, DrawingKind::Hybrid);
+            QVERIFY(bool(drawing));
+            drawings.push_back(std::move(*drawing));
+            paintings.push_back(*p);
+        }
+        drawings[1].paper = pageSizeFrom("A5");
+        const QByteArray pdf = *bytesOf(drawings, paintings, "a.pdf");
+        const std::unique_ptr<QPDF> file = readBack(pdf);
+        QVERIFY(file);
+        QCOMPARE(file->getAllPages().size(), 3u);
+        QVERIFY(std::abs(numbersOf(pageOf(*file, 1).getKey("/MediaBox"))[2] - 210 * 72 / 25.4) < 1e-3);
+        // The outlines of each page, and the group.
+        QCOMPARE(file->getRoot().getKey("/OCProperties").getKey("/OCGs").getArrayNItems(), 4);
+        const Result<LoadedDocument> back = readDocument(pdf, "a.pdf");
+        QVERIFY(bool(back));
+        QVERIFY(back->painting == paintings[0]);
+        QVERIFY2(back->leftOut.contains('3'), qPrintable(back->leftOut));
     }
 
     void changedAndForeignFilesAreTold()

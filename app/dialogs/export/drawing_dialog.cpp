@@ -20,7 +20,7 @@ namespace suffuse {
 
 namespace {
 
-const QStringList drawingEndings = {QStringLiteral("svg"), QStringLiteral("svgz")};
+const QStringList drawingEndings = {QStringLiteral("svg"), QStringLiteral("svgz"), QStringLiteral("pdf")};
 constexpr int typingPause = 300; // ms
 
 QString drawingKey(const char *name)
@@ -70,7 +70,7 @@ DrawingDialog::DrawingDialog(Editor &editor, QWidget *parent)
 
 void DrawingDialog::addFields(QGridLayout &grid)
 {
-    addFile(0, tr("The ending chooses the format: svg, or svgz, which is packed."));
+    addFile(0, tr("The ending chooses the format: svg, svgz, which is packed, or pdf."));
     m_kind = new QComboBox(m_form);
     m_kind->addItem(tr("Bands"), int(DrawingKind::Bands));
     m_kind->addItem(tr("Outlines"), int(DrawingKind::Outlines));
@@ -83,14 +83,21 @@ void DrawingDialog::addFields(QGridLayout &grid)
     m_bands->setValue(DrawingOptions{}.bands);
     addField(3, tr("Steps"), m_bands,
              tr("How many bands full opacity is drawn in. More of them are smoother, and make a larger file."));
-    m_moment = new MomentRow(grid, 4, m_editor, m_form);
+    m_page = new QComboBox(m_form);
+    m_page->addItem(tr("As large as the sheet"), QString());
+    for (const char *name : {"A3", "A4", "A5", "Letter"})
+        m_page->addItem(QLatin1String(name), QLatin1String(name));
+    addField(4, tr("Page"), m_page,
+             tr("Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an "
+                "inch."));
+    m_moment = new MomentRow(grid, 5, m_editor, m_form);
     m_difference = new QLabel(m_form);
     m_difference->setWordWrap(true);
     m_difference->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     m_difference->setMinimumHeight(2 * m_difference->fontMetrics().lineSpacing()); // Most differences take so much.
     m_difference->setToolTip(tr("Of red, green and blue, over the sheet, with a pixel a unit"));
-    grid.addWidget(new QLabel(tr("Difference"), m_form), 5, 0, Qt::AlignTop);
-    grid.addWidget(m_difference, 5, 1, 1, 2);
+    grid.addWidget(new QLabel(tr("Difference"), m_form), 6, 0, Qt::AlignTop);
+    grid.addWidget(m_difference, 6, 1, 1, 2);
 }
 
 /// What the last drawing was, of whatever painting.
@@ -104,6 +111,7 @@ void DrawingDialog::restore()
         m_kind->setCurrentIndex(at);
     if (const int bands = store.value(drawingKey("bands")).toInt(&ok); ok && bands >= 1 && bands <= mostBands)
         m_bands->setValue(bands);
+    m_page->setCurrentIndex(std::max(0, m_page->findData(store.value(drawingKey("page")).toString())));
 }
 
 void DrawingDialog::remember()
@@ -112,6 +120,7 @@ void DrawingDialog::remember()
     store.setValue(drawingKey("ending"), QFileInfo(m_path->text()).suffix().toLower());
     store.setValue(drawingKey("kind"), m_kind->currentData().toInt());
     store.setValue(drawingKey("bands"), m_bands->value());
+    store.setValue(drawingKey("page"), m_page->currentData().toString());
 }
 
 DrawingKind DrawingDialog::chosenKind() const
@@ -138,6 +147,7 @@ void DrawingDialog::prepare()
     m_soon.stop();
     DrawingOptions options;
     options.kind = chosenKind();
+    options.format = m_format.value_or(DrawingFormat::Svg);
     options.bands = m_bands->value();
     options.time = m_moment->moment();
     options.threads = settings::threads();
@@ -164,22 +174,28 @@ void DrawingDialog::showPrepared(const QString &error)
 
 void DrawingDialog::browse()
 {
-    const FileKind drawings{tr("SVG drawings"), drawingEndings};
+    const FileKind drawings{tr("Drawings"), drawingEndings};
     const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(drawings), nullptr,
                                                       QFileDialog::DontConfirmOverwrite);
     if (!path.isEmpty())
         m_path->setText(withEnding(path, {drawings}, drawingEndings.front()));
 }
 
+/// What one format has nothing for, another one may have.
 void DrawingDialog::pathChanged()
 {
     m_hint->showHint({});
+    const std::optional<DrawingFormat> format = drawingFormatFor(m_path->text());
+    m_page->setEnabled(format == DrawingFormat::Pdf);
+    if (!format || std::exchange(m_format, format) == format)
+        return;
+    prepareSoon();
 }
 
 void DrawingDialog::startExport()
 {
     const QFileInfo target(m_path->text());
-    if (drawingFormatFor(target.filePath()) != DrawingFormat::Svg) {
+    if (!drawingFormatFor(target.filePath())) {
         m_hint->showHint(tr("“%1” has no ending of a drawing. Choose one of: %2.")
                              .arg(target.fileName(), drawingEndings.join(QStringLiteral(", "))));
         return;
@@ -188,7 +204,8 @@ void DrawingDialog::startExport()
         return;
     setBusy(true);
     m_progress->setRange(0, 0); // How far it is does not show.
-    m_job.write(target.absoluteFilePath());
+    m_job.write(target.absoluteFilePath(), pageSizeFrom(m_page->currentData().toString()),
+                {target.completeBaseName(), m_editor.extras().profile});
 }
 
 /// Nothing is exported before the difference is known.

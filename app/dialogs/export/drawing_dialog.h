@@ -22,6 +22,7 @@ public:
     explicit DrawingDialog(Editor &editor, QWidget *parent = nullptr);
 
     QComboBox *kind() const { return m_kind; }
+    QComboBox *page() const { return m_page; }
     QSpinBox *bands() const { return m_bands; }
     MomentRow *moment() const { return m_moment; }
     QLabel *difference() const { return m_difference; }
@@ -49,6 +50,8 @@ private:
     QComboBox *m_kind = nullptr;
     QLabel *m_purpose = nullptr;
     QSpinBox *m_bands = nullptr;
+    QComboBox *m_page = nullptr;
+    std::optional<DrawingFormat> m_format; ///< by the ending of the file's name
     MomentRow *m_moment = nullptr;
     QLabel *m_difference = nullptr;
 };

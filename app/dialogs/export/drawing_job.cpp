@@ -81,9 +81,11 @@ void DrawingJob::takePrepared(Result<PreparedDrawing> drawing)
     emit prepared(drawing ? QString() : drawing.error());
 }
 
-void DrawingJob::write(const QString &path)
+void DrawingJob::write(const QString &path, const std::optional<PageSize> &paper, const PdfAbout &about)
 {
     Q_ASSERT(m_ready && m_work == Work::None);
+    m_ready->paper = paper;
+    m_ready->about = about;
     begin(Work::Writing);
     m_thread = std::jthread([this, path] {
         Result<void> written;

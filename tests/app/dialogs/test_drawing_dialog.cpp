@@ -67,7 +67,7 @@ private slots:
         QFETCH(int, kind);
         Editor editor;
         fill(editor, 2);
-        for (const char *name : {"a.svg", "a.svgz"}) {
+        for (const char *name : {"a.svg", "a.svgz", "a.pdf"}) {
             DrawingDialog dialog(editor);
             dialog.show();
             QVERIFY(!dialog.exportButton()->isEnabled()); // The difference is not known yet.
@@ -86,6 +86,43 @@ private slots:
             QVERIFY(bool(back));
             QVERIFY(back->painting == *editor.document().painting());
         }
+    }
+
+    /// The ending chooses the format, and what it has nothing for is told anew.
+    void pdfHasAPage()
+    {
+        Editor editor;
+        fill(editor, 1);
+        auto painting = std::make_shared<Painting>(*editor.document().painting());
+        painting->groups = {{1, "Glow"}};
+        painting->groups[0].blend = BlendMode::Plus;
+        Stroke glowing = *painting->strokes[0];
+        glowing.group = 1;
+        painting->strokes = {std::make_shared<const Stroke>(glowing)};
+        editor.document().reset(painting);
+        DrawingDialog dialog(editor);
+        dialog.show();
+        choose(dialog, DrawingKind::Outlines);
+        dialog.path()->setText(m_folder.filePath("p.svg"));
+        QVERIFY(!dialog.page()->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.exportButton()->isEnabled(), waitMs);
+        QVERIFY(!dialog.difference()->text().contains("PDF"));
+        dialog.path()->setText(m_folder.filePath("p.pdf"));
+        QVERIFY(dialog.page()->isEnabled());
+        QVERIFY(!dialog.exportButton()->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.exportButton()->isEnabled(), waitMs);
+        QVERIFY2(dialog.difference()->text().contains("PDF has no groups"), qPrintable(dialog.difference()->text()));
+        dialog.page()->setCurrentIndex(dialog.page()->findData("A4"));
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), waitMs);
+        const Result<LoadedDocument> back = loadDocument(m_folder.filePath("p.pdf"));
+        QVERIFY(bool(back));
+        QVERIFY(back->painting == *painting);
+        // Both are remembered.
+        DrawingDialog next(editor);
+        QVERIFY(next.path()->text().endsWith(".pdf"));
+        QCOMPARE(next.page()->currentText(), QString("A4"));
+        QVERIFY(next.page()->isEnabled());
     }
 
     /// A change of what is asked for takes the difference back until it is known anew.
