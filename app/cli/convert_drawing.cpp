@@ -80,7 +80,7 @@ QString drawingProblem(const CommandLine &line, std::optional<DrawingFormat> for
 
 namespace {
 
-/// Draws one of the paintings, after a line of its own on stderr.
+/// Draws one of the paintings, with a line on stderr that says how far it is.
 Result<PreparedDrawing> drawnPage(const Painting &painting, DrawingOptions &options, Renderer &renderer)
 {
     std::optional<ProgressLine> progress(QCoreApplication::translate("Cli", "Drawing"));
