@@ -7802,6 +7802,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
         <translation>Ein Ende eines Farbverlaufs wird nicht allein gelöscht. „Entfernen“ neben „Farbverlauf“ im Inspektor nimmt den Farbverlauf weg; nach Esc meint „Löschen“ den Strich.</translation>
     </message>
+    <message>
+        <source>What was selected is deleted; its strokes are merely shown. Click what else is to go, or take whole strokes with the Select tool.</source>
+        <translation>Was ausgewählt war, ist gelöscht; seine Striche werden nur noch gezeigt. Anklicken, was noch weg soll, oder mit „Auswahl“ ganze Striche nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

@@ -7742,6 +7742,10 @@ Arrow keys work too.</source>
         <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
         <translation>渐变的一端不能单独删除。检查器中“渐变”旁的“移除”可去掉渐变；先按 Esc，“删除”便指笔画。</translation>
     </message>
+    <message>
+        <source>What was selected is deleted; its strokes are merely shown. Click what else is to go, or take whole strokes with the Select tool.</source>
+        <translation>所选部分已删除，其笔画只是仍然显示。请点击还要删除的部分，或用选择工具选取整条笔画。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NumberField</name>

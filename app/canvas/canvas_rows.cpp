@@ -88,7 +88,8 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
             // A tool that shows no outlines leaves open what was selected.
             if (!done.isEmpty() && !canvas.tool()->showsOutlines())
                 emit table.said(done, 5000);
-        });
+        })
+        .action->setAutoRepeat(false); // A key that is held does not go on with what was left.
 }
 
 void addViewRows(Commands &table, CanvasWidget &canvas)

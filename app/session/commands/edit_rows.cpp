@@ -30,12 +30,13 @@ void addEditRows(Commands &table, OpenPainting &open)
         if (!leftOut.isEmpty())
             emit table.said(leftOut, shownMs);
     };
-    table.add(Cut, "cut", Commands::tr("Cu&t"), "cut", keys(QKeySequence::Cut)).when(selected).runs([&editor, say] {
-        say(clipboard::cut(editor));
-    });
-    table.add(Copy, "copy", Commands::tr("&Copy"), "copy", keys(QKeySequence::Copy)).when(selected).runs([&editor, say] {
-        say(clipboard::copy(editor));
-    });
+    table.add(Cut, "cut", Commands::tr("Cu&t"), "cut", keys(QKeySequence::Cut))
+        .when(selected)
+        .runs([&editor, say] { say(clipboard::cut(editor)); })
+        .action->setAutoRepeat(false); // A key that is held does not cut what was left.
+    table.add(Copy, "copy", Commands::tr("&Copy"), "copy", keys(QKeySequence::Copy))
+        .when(selected)
+        .runs([&editor, say] { say(clipboard::copy(editor)); });
     table.add(Duplicate, "duplicate", Commands::tr("Dup&licate"), "duplicate", {QKeySequence(Commands::tr("Ctrl+D"))})
         .when(selected)
         .runs([&editor] { commands::duplicateSelected(editor); });

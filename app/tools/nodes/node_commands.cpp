@@ -303,8 +303,11 @@ bool NodeCommands::deleteNodes()
         return false;
     const double gap = NodeMarks::gap(m_canvas.view(), m_canvas.devicePixelRatioF());
     const Edit edit = suffuse::deleteNodes(m_editor.document(), m_nodes, gap);
+    const std::set<NodeRef> nodes = m_nodes;
+    const PaintingPtr before = m_editor.document().painting();
     emit chosen({});
     m_editor.push(edit, tr("Delete nodes"));
+    emit deleted(nodes, *before);
     return true;
 }
 
@@ -314,8 +317,10 @@ void NodeCommands::deleteSegments()
     std::set<StrokeId> strokes; // Strokes that take no part stay selected.
     for (const SegmentRef &segment : segments)
         strokes.insert(segment.stroke);
+    const PaintingPtr before = m_editor.document().painting();
     m_editor.document().setSelection({strokes, segments});
     m_editor.push(deleteSelection(m_editor.document(), Leaves::Chains), tr("Delete segments"));
+    emit deleted({}, *before);
 }
 
 void NodeCommands::bridge()

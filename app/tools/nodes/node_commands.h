@@ -1,6 +1,7 @@
 // The commands that the menu and the tool's row have for nodes and segments.
 #pragma once
 
+#include "model/painting/painting.h"
 #include "model/painting/segment.h"
 #include "model/painting/selection.h"
 #include "model/painting/stroke_places.h"
@@ -44,6 +45,8 @@ public:
 signals:
     /// Emitted when exactly these nodes are to be selected.
     void chosen(const std::set<suffuse::NodeRef> &nodes);
+    /// Emitted when nodes or, without any, segments were deleted from what the painting was before.
+    void deleted(const std::set<suffuse::NodeRef> &nodes, const suffuse::Painting &before);
 
 private:
     void askBeforeCopying();

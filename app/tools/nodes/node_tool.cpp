@@ -1,6 +1,7 @@
 #include "app/tools/nodes/node_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
@@ -53,8 +54,10 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
         followDocument(change);
     });
     connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
-        if (!isInUse())
+        if (!isInUse()) {
             m_nodes.clear();
+            m_deleted.reset(); // Other tools mean the strokes that are selected.
+        }
         // The eyedropper takes a colour for the knob, and comes back.
         const bool staysWithIt =
             isInUse() || (m_canvas.tool() && m_canvas.tool()->colourUse() == ColourTarget::ToolUse::Either);
@@ -65,6 +68,7 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
     });
     connect(&canvas, &CanvasWidget::viewChanged, this, &NodeTool::followView);
     connect(&m_commands, &NodeCommands::chosen, this, &NodeTool::selectNodes);
+    connect(&m_commands, &NodeCommands::deleted, this, &NodeTool::rememberDeleted);
     m_commands.update();
 }
 
@@ -131,6 +135,7 @@ QWidget *NodeTool::options()
 
 void NodeTool::followDocument(const Change &change)
 {
+    followDeleted(change);
     const std::size_t nodes = m_nodes.size();
     if (change.reset || change.selection)
         m_gradient.deselect();
@@ -157,6 +162,24 @@ void NodeTool::followDocument(const Change &change)
         m_marks.reset();
     }
     m_commands.update();
+}
+
+/// What was deleted counts until something else is selected, which no edit does; and undo brings its nodes back.
+void NodeTool::followDeleted(const Change &change)
+{
+    if (change.reset || (change.strokes.empty() && m_deleted && !m_deleted->leaves(selection())))
+        m_deleted.reset();
+    if (!m_deleted || change.strokes.empty())
+        return;
+    if (auto nodes = m_deleted->nodesIn(*m_editor.document().painting(), change.strokes))
+        m_nodes = std::move(*nodes);
+}
+
+void NodeTool::rememberDeleted(const std::set<NodeRef> &nodes, const Painting &before)
+{
+    const Painting &after = *m_editor.document().painting();
+    if (&after != &before) // what is locked stays
+        m_deleted.emplace(nodes, before, after, selection());
 }
 
 /// Whether a change comes from dragging few strokes, and from nothing else.
@@ -510,10 +533,19 @@ void NodeTool::selectNext(int step)
 
 bool NodeTool::deleteSelected()
 {
-    if (!m_gradient.isChosen())
+    if (m_gradient.isChosen()) {
+        m_commands.say(tr("An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes "
+                          "the gradient away; Esc first, and Delete means the stroke."));
+    } else if (m_nodes.empty() && m_deleted && m_deleted->leaves(selection())) {
+        m_commands.say(tr("What was selected is deleted; its strokes are merely shown. Click what else is to go, or "
+                          "take whole strokes with the Select tool."));
+    } else if (m_nodes.empty() && !selection().segments.empty()) {
+        const PaintingPtr before = m_editor.document().painting();
+        commands::deleteSelected(m_editor);
+        rememberDeleted({}, *before);
+    } else {
         return m_commands.deleteNodes();
-    m_commands.say(tr("An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the "
-                      "gradient away; Esc first, and Delete means the stroke."));
+    }
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/nodes/deleted_parts.h"
 #include "app/tools/nodes/gradient_handles.h"
 #include "app/tools/nodes/node_commands.h"
 #include "app/tools/nodes/node_drag.h"
@@ -38,8 +39,9 @@ public:
     void stepSize(int steps) override;
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
-    /// Deletes the selected nodes and bridges the gaps between their neighbours. Where the knob of a gradient was
-    /// clicked last, it only says how a gradient goes.
+    /// Deletes the selected nodes and bridges the gaps between their neighbours, or deletes the selected segments.
+    /// Where the knob of a gradient was clicked last, it only says how a gradient goes, and where nothing was selected
+    /// since parts were deleted, that nothing is.
     bool deleteSelected() override;
     /// Selects all nodes of the selected strokes.
     bool selectAll() override { return m_commands.selectAll(); }
@@ -62,6 +64,8 @@ protected:
 
 private:
     void followDocument(const Change &change);
+    void followDeleted(const Change &change);
+    void rememberDeleted(const std::set<NodeRef> &nodes, const Painting &before);
     bool isOfDrag(const Change &change) const;
     const NodeMarks &marks() const;
     bool isInUse() const;
@@ -105,6 +109,7 @@ private:
     bool m_inserted = false; ///< whether this press has inserted a node
     WidthHandle m_width;
     GradientHandles m_gradient;
+    std::optional<DeletedParts> m_deleted; ///< until something else is selected
     ValueEntry m_nodeNudges;
 };
 

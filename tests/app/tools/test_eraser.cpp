@@ -471,6 +471,10 @@ private slots:
         QCOMPARE(s.erasing(s.other), 0);
         QCOMPARE(s.erasing(s.id), int(lifts(s.id, 250).size()));
         QCOMPARE(s.steps(), steps + 1);
+        // The strokes that it ran through are seen as selected, but not meant by the next Delete.
+        QTest::keyClick(&s.canvas(), Qt::Key_Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.steps(), steps + 1);
         s.use(Command::Undo);
         // A second click means the part in this stroke, a third one its segment.
         s.editor().document().setSelection({});

@@ -41,6 +41,89 @@ private slots:
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
     }
 
+    /// Once parts are deleted, their strokes are selected to be seen. They are not what the next Delete means.
+    void deleteDoesNotGoOnWithTheStroke()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const Stroke before = s.stroke();
+        const auto deletesNoMore = [&s] {
+            const auto painting = s.editor().document().painting();
+            const int steps = s.steps();
+            s.window.statusBar()->clearMessage();
+            s.key(Qt::Key_Delete);
+            const QString said = s.window.statusBar()->currentMessage();
+            return s.editor().document().painting() == painting && s.steps() == steps &&
+                   said == NodeTool::tr("What was selected is deleted; its strokes are merely shown. Click what else "
+                                        "is to go, or take whole strokes with the Select tool.");
+        };
+        s.click(nodePlace[2]);
+        s.key(Qt::Key_Delete);
+        QCOMPARE(nodeCount(s.stroke()), 4);
+        QVERIFY(deletesNoMore());
+        // Undo selects the node again, and redo leaves nothing to be deleted.
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+        QCOMPARE(s.tool().nodes(), s.nodes({2}));
+        s.use(Command::Redo);
+        QVERIFY(s.tool().nodes().empty());
+        QVERIFY(deletesNoMore());
+        s.use(Command::Undo);
+        // So it is with segments, by either key.
+        for (const Qt::KeyboardModifiers modifiers : {Qt::NoModifier, Qt::ControlModifier}) {
+            s.editor().document().setSelection({{s.id}, {{s.id, 1}}});
+            s.key(Qt::Key_Delete, modifiers);
+            QCOMPARE(s.stroke().segments.size(), std::size_t(3));
+            QVERIFY(deletesNoMore());
+            // What is changed in the strokes meanwhile selects nothing.
+            s.use(Command::GrowPaint);
+            QVERIFY(deletesNoMore());
+            s.use(Command::Undo);
+            s.use(Command::Undo);
+            QCOMPARE(s.selection(), (Selection{{s.id}, {{s.id, 1}}}));
+            s.use(Command::Redo);
+            QVERIFY(deletesNoMore());
+            s.use(Command::Undo);
+        }
+        // What is clicked is meant again, and so are strokes that are selected by another tool.
+        s.key(Qt::Key_Delete);
+        s.click(nodePlace[1]);
+        s.key(Qt::Key_Delete);
+        QCOMPARE(s.stroke().segments.size(), std::size_t(2));
+        QVERIFY(deletesNoMore());
+        s.use(Command::Select);
+        s.key(Qt::Key_Delete);
+        QVERIFY(s.painting().strokes.empty());
+    }
+
+    /// A key that is held comes again and again. It has done what it was pressed for.
+    void aHeldDeleteDeletesOnce()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const std::set<SegmentRef> segment{{s.id, 1}};
+        const auto comesAgain = [&s](Qt::Key key, Qt::KeyboardModifiers modifiers) {
+            QTest::simulateEvent(&s.canvas(), true, key, modifiers, {}, true);
+        };
+        s.editor().document().setSelection({{s.id}, segment});
+        const int steps = s.steps();
+        QTest::keyPress(&s.canvas(), Qt::Key_Delete);
+        QCOMPARE(s.steps(), steps + 1);
+        comesAgain(Qt::Key_Delete, {});
+        s.editor().document().setSelection({{s.id}, segment});
+        comesAgain(Qt::Key_Delete, {});
+        comesAgain(Qt::Key_X, Qt::ControlModifier);
+        QTest::keyRelease(&s.canvas(), Qt::Key_Delete);
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.stroke().segments.size(), std::size_t(3));
+        s.key(Qt::Key_Delete); // pressed anew
+        QCOMPARE(s.steps(), steps + 2);
+    }
+
     void segmentsBetweenNodesAreDeletedOrBridged()
     {
         NodeSession s;
