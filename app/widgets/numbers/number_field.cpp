@@ -148,6 +148,11 @@ void NumberField::take(const QString &typedText)
 
 void NumberField::stepBy(double steps)
 {
+    if (isModified()) { // A number goes on from what is read in the field.
+        takeTyped();
+        if (m_complains)
+            return;
+    }
     if (!m_value) {
         complain({});
         emit steppedMixed(steps);

@@ -88,6 +88,37 @@ private slots:
         QVERIFY(!refused.isEmpty() && !refused.last().first().toString().isEmpty());
     }
 
+    /// Keys and the wheel step from what was typed, though it has not been entered yet; what cannot be read is not
+    /// stepped.
+    void stepsGoOnFromWhatWasTyped()
+    {
+        NumberField field;
+        field.setRange(0, 1000);
+        field.setStep(1);
+        QSignalSpy entered(&field, &NumberField::entered), stepped(&field, &NumberField::stepped);
+        const auto typed = [&](const QString &text) {
+            field.setValue(207.6);
+            field.selectAll();
+            QTest::keyClicks(&field, text);
+        };
+        typed(QStringLiteral("300"));
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.value(), std::optional(301.0));
+        QCOMPARE(int(entered.size()), 1);
+        typed(QStringLiteral("400"));
+        QWheelEvent wheel({3, 3}, field.mapToGlobal(QPointF(3, 3)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&field, &wheel);
+        QCOMPARE(field.value(), std::optional(399.0));
+        stepped.clear();
+        typed(QStringLiteral("4x"));
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.value(), std::optional(207.6));
+        QVERIFY(stepped.isEmpty());
+        QTest::keyClick(&field, Qt::Key_Up); // The number that stands there again does go on.
+        QCOMPARE(field.value(), std::optional(208.6));
+    }
+
     /// A step beyond the end says what the end is, and one back is taken.
     void aStepBeyondTheEndSaysSo()
     {
