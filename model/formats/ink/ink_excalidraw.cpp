@@ -112,7 +112,7 @@ Result<Recording> readExcalidraw(const QByteArray &bytes, const QString &fileNam
     if (!top)
         return Error{top.error()};
     Recording recording;
-    Microseconds clock = 0;
+    AssumedTimes times;
     int others = 0, fills = 0;
     for (const auto &[listPath, elements] : elementLists(*top)) {
         for (qsizetype k = 0; k < elements.size(); ++k) {
@@ -126,12 +126,8 @@ Result<Recording> readExcalidraw(const QByteArray &bytes, const QString &fileNam
             auto path = pathOf(element, fileName, QStringLiteral("%1[%2]").arg(listPath).arg(k));
             if (!path)
                 return Error{path.error()};
-            for (PenSample &s : path->samples) {
-                s.time = clock;
-                clock += assumedStep;
-            }
-            clock += assumedPause;
             fills += isFilled(element, *path) ? 1 : 0;
+            times.give(*path);
             recording.paths.push_back(std::move(*path));
         }
     }

@@ -157,14 +157,18 @@ double secondsPerStep(double step)
     return step < 0.5 ? 1 : step < 500 ? 1e-3 : 1e-6;
 }
 
-/// Sets the times. Some recorders write for the start of a stroke the milliseconds since 1970, and add the seconds
-/// since then. Such a stroke keeps its start in milliseconds and its steps in seconds.
+/// Sets the times where there are some. Some recorders write for the start of a stroke the milliseconds since 1970, and
+/// add the seconds since then. Such a stroke keeps its start in milliseconds and its steps in seconds.
 void setTimes(Recording &recording, const std::vector<std::vector<Row>> &paths, const Header &header)
 {
-    const bool timed = header.columns[Time] >= 0;
+    if (header.columns[Time] < 0) {
+        AssumedTimes times;
+        for (Recording::Path &path : recording.paths)
+            times.give(path);
+        return;
+    }
     const double unit = header.secondsPerUnit > 0 ? header.secondsPerUnit : secondsPerStep(medianStep(paths));
     constexpr double millisecondsIn1973 = 1e11;
-    Microseconds clock = 0;
     double first = std::numeric_limits<double>::infinity();
     for (const auto &rows : paths) {
         for (const Row &row : rows)
@@ -175,10 +179,8 @@ void setTimes(Recording &recording, const std::vector<std::vector<Row>> &paths, 
         const double startUnit = unit == 1 && start > millisecondsIn1973 ? 1e-3 : unit;
         for (std::size_t k = 0; k < paths[j].size(); ++k) {
             const double t = (start - first) * startUnit + (paths[j][k].values[Time] - start) * unit;
-            recording.paths[j].samples[k].time = timed ? toMicroseconds(std::clamp(t, -1e9, 1e9)) : clock;
-            clock += assumedStep;
+            recording.paths[j].samples[k].time = toMicroseconds(std::clamp(t, -1e9, 1e9));
         }
-        clock += assumedPause;
     }
 }
 

@@ -227,9 +227,7 @@ Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, 
     for (std::size_t k = 0; k < count; ++k) {
         const double at = count > 1 ? double(k) / double(count - 1) : 0;
         const double pressure = most > 0 ? std::clamp(sampled(pressures, at) * scale, 0.0, 1.0) : 1;
-        double seconds = double(k) * toSeconds(assumedStep);
-        if (sensor && !sensor->times.empty())
-            seconds = std::clamp(sampled(sensor->times, at), 0.0, 1e9);
+        const double seconds = sensor && !sensor->times.empty() ? std::clamp(sampled(sensor->times, at), 0.0, 1e9) : 0;
         result.samples.push_back({{(*xs)[k], (*ys)[k]},
                                   toMicroseconds(seconds),
                                   float(pressure),
@@ -256,7 +254,7 @@ Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileN
     const Shapes shapes = shapesOf(top->value(QLatin1String("brushes")).toObject());
     Losses losses;
     Recording recording;
-    Microseconds clock = 0;
+    AssumedTimes times;
     for (qsizetype k = 0; k < strokes.size(); ++k) {
         const QJsonObject stroke = strokes.at(k).toObject();
         const auto found = sensors->constFind(stroke.value(QLatin1String("sensorDataID")).toString());
@@ -267,10 +265,12 @@ Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileN
         if (!path)
             return Error{path.error()};
         const bool timed = sensor && !sensor->times.empty();
-        const Microseconds start = timed ? toMicroseconds(sensor->start) : clock;
+        if (!timed)
+            times.give(*path);
         for (PenSample &s : path->samples)
-            s.time += start;
-        clock = (path->samples.empty() ? start : path->samples.back().time) + assumedPause;
+            s.time += timed ? toMicroseconds(sensor->start) : 0;
+        if (timed && !path->samples.empty())
+            times.setNow(path->samples.back().time + assumedPause);
         recording.paths.push_back(std::move(*path));
     }
     recording.leftOut = losses.sentence(*top);

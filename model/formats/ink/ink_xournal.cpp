@@ -190,12 +190,11 @@ private:
         if (widths.size() > 1)
             widths.erase(widths.begin());
         for (std::size_t k = 0; k + 1 < places.size(); k += 2) {
-            path.samples.push_back({{places[k], places[k + 1] + m_bottom}, m_clock});
+            path.samples.push_back({{places[k], places[k + 1] + m_bottom}});
             const double width = widths.size() == 1 ? usual : widths[std::min(k / 2, widths.size() - 1)];
             path.widths.push_back(std::max(width, 0.0));
-            m_clock += assumedStep;
         }
-        m_clock += assumedPause;
+        m_times.give(path);
         if (!path.samples.empty())
             m_recording.paths.push_back(std::move(path));
     }
@@ -277,7 +276,7 @@ private:
     double m_width = 0, m_bottom = 0; ///< units of the pages so far, and of the gap below them
     int m_pages = 0;
     std::size_t m_samples = 0;
-    Microseconds m_clock = 0;
+    AssumedTimes m_times;
     qint64 m_imageBytes = 0;
     int m_texts = 0, m_fills = 0, m_dashes = 0, m_images = 0, m_sounds = 0, m_papers = 0;
 };

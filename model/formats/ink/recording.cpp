@@ -14,6 +14,39 @@ namespace suffuse {
 
 namespace {
 
+constexpr Microseconds denseStep = 8'000, sparseStep = 17'000; ///< the latter takes a knot of the spline
+constexpr double besideCorner = 4; ///< how far the points next to a corner lie from it at most, units
+constexpr double longest = 24;     ///< pens that move fast have points so far apart on a curve
+constexpr double cornersCosine = 0.7;
+
+/// Whether the way turns by more than 45° at a sample.
+bool isCorner(const std::vector<PenSample> &samples, std::size_t k)
+{
+    if (k == 0 || k + 1 >= samples.size())
+        return false;
+    const Point before = samples[k].position - samples[k - 1].position;
+    const Point after = samples[k + 1].position - samples[k].position;
+    return dot(before, after) < cornersCosine * length(before) * length(after);
+}
+
+/// How a line between points far apart is cut: into pieces that double from both ends to its middle, the outermost of
+/// which are not longer than `besideCorner`.
+std::vector<double> sharesAlong(double length)
+{
+    int doublings = 0;
+    double pieces = 1; // as many of the outermost ones as the line is long: 2 (2^m − 1) + 2^m
+    while (length > besideCorner * pieces && doublings < 40)
+        pieces = 3 * std::ldexp(1, ++doublings) - 2;
+    std::vector<double> shares;
+    double at = 0;
+    for (int k = -doublings; k <= doublings; ++k) {
+        at += std::ldexp(1, doublings - std::abs(k));
+        shares.push_back(at / pieces);
+    }
+    shares.back() = 1;
+    return shares;
+}
+
 struct TimesAndBox {
     Rect box;
     Microseconds start = std::numeric_limits<Microseconds>::max();
@@ -161,6 +194,41 @@ private:
 };
 
 } // namespace
+
+void AssumedTimes::give(Recording::Path &path)
+{
+    const bool hasWidths = path.widths.size() == path.samples.size();
+    std::vector<PenSample> samples;
+    std::vector<double> widths;
+    for (std::size_t k = 0; k < path.samples.size(); ++k) {
+        const PenSample here = path.samples[k];
+        const PenSample before = k > 0 ? path.samples[k - 1] : here;
+        const double way = length(here.position - before.position);
+        std::vector<double> shares{1};
+        if (way > longest || isCorner(path.samples, k) || (k > 0 && isCorner(path.samples, k - 1)))
+            shares = sharesAlong(way);
+        if (shares.size() - 1 > m_spare)
+            shares = {1};
+        m_spare -= shares.size() - 1;
+        for (const double share : shares) {
+            if (k > 0)
+                m_now += shares.size() > 1 ? sparseStep : denseStep;
+            PenSample sample = here;
+            if (share < 1)
+                sample.position = before.position + share * (here.position - before.position);
+            sample.pressure = std::lerp(before.pressure, here.pressure, float(share));
+            sample.tilt = std::lerp(before.tilt, here.tilt, float(share));
+            sample.time = m_now;
+            samples.push_back(sample);
+            if (hasWidths)
+                widths.push_back(std::lerp(path.widths[k > 0 ? k - 1 : 0], path.widths[k], share));
+        }
+    }
+    path.samples = std::move(samples);
+    if (hasWidths)
+        path.widths = std::move(widths);
+    m_now += denseStep + assumedPause;
+}
 
 float tiltOf(double altitude)
 {

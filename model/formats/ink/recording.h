@@ -40,14 +40,30 @@ struct Recording {
     QString leftOut;                  ///< what else is in the file, as a sentence for people; empty if nothing is
 };
 
-/// If a recording has no times, each point takes this time, and there is a pause between strokes.
-inline constexpr Microseconds assumedStep = 8'000;
+/// If a recording has no times, there is this pause between strokes.
 inline constexpr Microseconds assumedPause = 300'000;
 /// How many points the recordings have at most that are small as files and large in memory, and how many groups.
 inline constexpr std::size_t mostSamples = std::size_t(1) << 21;
 inline constexpr std::size_t mostGroups = std::size_t(1) << 14;
 /// What a recording that is packed may have once it is unpacked, bytes.
 inline constexpr qint64 largestInk = qint64(64) << 20;
+
+/// Gives times to the paths of a recording that has none: 8 ms to a point that follows the one before closely, as
+/// points of a moving pen do. Where points lie far apart the file means a line with corners, such as a rectangle. There
+/// further points are set on the line, closer together towards its ends, where a hand is slower, too: the spline
+/// through them is straight between the corners and round for about a unit at them.
+class AssumedTimes {
+public:
+    /// Sets the times of a path. `widths` go along; they are empty or as many as the samples.
+    void give(Recording::Path &path);
+    /// The clock, at which the next path begins.
+    Microseconds now() const { return m_now; }
+    void setNow(Microseconds now) { m_now = now; }
+
+private:
+    Microseconds m_now = 0;
+    std::size_t m_spare = mostSamples; ///< how many points may still be added to the recording
+};
 
 /// The PenSample::tilt of a pen that stands at `altitude` radians over the tablet.
 float tiltOf(double altitude);

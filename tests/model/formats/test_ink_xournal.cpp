@@ -51,6 +51,35 @@ class TestInkXournal : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A rectangle has five points. Its sides stay straight and its corners where they are.
+    void linesBetweenFarPointsAreStraight()
+    {
+        const auto read = opened(notebook(page("<layer><stroke tool='pen' color='#000000ff' width='3'>30 30 180 30 180 "
+                                               "105 30 105 30 30</stroke></layer>")));
+        QVERIFY2(read, read ? "" : qPrintable(read.error()));
+        QCOMPARE(read->painting.strokes.size(), std::size_t(1));
+        const Stroke &s = *read->painting.strokes[0];
+        QVERIFY(s.segments.size() < 80);
+        const std::vector<Point> corners{{40, 40}, {240, 40}, {240, 140}, {40, 140}};
+        std::vector<double> nearest(corners.size(), 1e9);
+        double farthest = 0;
+        for (const Segment &segment : s.segments) {
+            const Cubic curve = offsetsOf(segment);
+            for (int k = 0; k <= 16; ++k) {
+                const Point p = s.origin + curve.at(k / 16.0);
+                // from the nearest side
+                const double x = std::min(std::abs(p.x - 40), std::abs(p.x - 240));
+                const double y = std::min(std::abs(p.y - 40), std::abs(p.y - 140));
+                farthest = std::max(farthest, std::min(x, y));
+                for (std::size_t i = 0; i < corners.size(); ++i)
+                    nearest[i] = std::min(nearest[i], length(p - corners[i]));
+            }
+        }
+        QVERIFY2(farthest < 0.6, qPrintable(QString::number(farthest)));
+        for (const double distance : nearest)
+            QVERIFY2(distance < 0.3, qPrintable(QString::number(distance)));
+    }
+
     void layersAreGroups()
     {
         const auto read = opened(notebook(page("<layer name='Red'>" + line + "</layer><layer>" + image() + marker +
