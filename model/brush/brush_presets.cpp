@@ -74,7 +74,7 @@ std::vector<Brush> inkBrushes()
                      {{Size, Pressure, {{{0, 0.08f}, {0.35f, 0.4f}, {1, 1}}}}, {Size, Speed, ramp(1, 0.7f)}});
     pen.fullSpeed = 200;
     pen.taper = {2, 3.5f, 0.05f};
-    pen.stabiliser = {Stabiliser::Kind::Weighted, 0.35f, 30};
+    pen.stabiliser = {Stabiliser::Kind::Weighted, 0.1f, 30};
 
     // It runs out of ink on the way, sooner where the hand hurries. Only the hills of the paper take what is left.
     Brush dry = make({"dry-brush", uniform(0.68f, 0.05f), 18, 0.25f, 1.65f}, {0.88f, 0.84f, 0.94f, 0.95f}, 0,
@@ -100,7 +100,7 @@ std::vector<Brush> inkBrushes()
     Brush nib = make({"broad-nib", uniform(0.5f, 0.03f), 2.6, 0.2f, 1.7f}, {0.9f, 0.86f, 0.97f, 0.97f}, 1,
                      {{Size, Pressure, ramp(0.7f, 1)}});
     nib.tip = {14, -0.7853982f, false};
-    nib.stabiliser = {Stabiliser::Kind::Weighted, 0.35f, 30};
+    nib.stabiliser = {Stabiliser::Kind::Weighted, 0.1f, 30};
     return {wash, pen, dry, splash, nib};
 }
 
@@ -118,7 +118,7 @@ Brush roundWash()
     round.taper = {0.6f, 1.1f, 0.5f};
     round.jitter = {0.05f, 0.05f, 0.05f, 0.06f, true};
     round.driftLength = 2.5f;
-    round.stabiliser = {Stabiliser::Kind::Weighted, 0.2f, 30};
+    round.stabiliser = {Stabiliser::Kind::Weighted, 0.06f, 30};
     return round;
 }
 
