@@ -200,7 +200,7 @@ private slots:
     void hybridIsThePicture()
     {
         std::mt19937_64 random(3);
-        const PaintingPtr p = mixedFills(random, 6, 200, 150, PaperKind::Procedural);
+        const PaintingPtr p = mixedFills(random, 6, isTried(1) ? 200 : 60, isTried(1) ? 150 : 45, PaperKind::Procedural);
         const QByteArray svg = drawingBytes(p, DrawingKind::Hybrid);
         const std::optional<FloatPicture> shown = shownByLibrsvg(svg);
         if (!shown)
