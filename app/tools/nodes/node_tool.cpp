@@ -541,6 +541,10 @@ bool NodeTool::deleteSelected()
                           "take whole strokes with the Select tool."));
     } else if (m_nodes.empty() && !selection().segments.empty()) {
         const PaintingPtr before = m_editor.document().painting();
+        Selection parts{{}, selection().segments}; // Strokes that take no part are merely shown.
+        for (const SegmentRef &segment : parts.segments)
+            parts.strokes.insert(segment.stroke);
+        select(std::move(parts));
         commands::deleteSelected(m_editor);
         rememberDeleted({}, *before);
     } else {

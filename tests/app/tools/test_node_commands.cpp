@@ -98,6 +98,23 @@ private slots:
         QVERIFY(s.painting().strokes.empty());
     }
 
+    /// Where segments are selected, strokes that are shown beside them are not deleted with them.
+    void segmentsAreDeletedAlone()
+    {
+        NodeSession s;
+        const StrokeId other = s.addWave(200, 420, false);
+        s.editor().document().setSelection({{s.id, other}, {{s.id, 1}, {other, 1}}});
+        s.use(Command::Delete);
+        QCOMPARE(s.selection(), (Selection{{s.id, other}, {}}));
+        s.editor().document().setSelection({{s.id, other}, {{s.id, 0}}}); // as Shift+click adds it
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.stroke().segments.size(), std::size_t(2));
+        QCOMPARE(s.stroke(other).segments.size(), std::size_t(3));
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+    }
+
     /// A key that is held comes again and again. It has done what it was pressed for.
     void aHeldDeleteDeletesOnce()
     {
