@@ -79,6 +79,10 @@ std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &samp
             }
             if (part.segments.empty())
                 continue;
+            if (part.births.front() > part.births.back()) { // The stroke was reversed, and the hand went the other way.
+                std::swap(part.from, part.to);
+                part.start = Point() - std::exchange(part.end, Point() - part.start);
+            }
             std::ranges::sort(part.births);
             parts.push_back(std::move(part));
         }

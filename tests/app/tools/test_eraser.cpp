@@ -3,6 +3,7 @@
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/tools/nodes/erasures.h"
 #include "app/tools/shaping/eraser_tool.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"
@@ -525,6 +526,12 @@ private slots:
             }
         QCOMPARE(s.selection().segments.size(), above.size() + below.size());
         QCOMPARE(s.selection().strokes, (std::set<StrokeId>{s.id, s.other}));
+        // So it is where the strokes run the other way now: their births tell which way the hand went.
+        const Selection both = s.selection();
+        s.use(Command::ReverseStrokes);
+        const SegmentRef reversed = *s.selection().segments.begin();
+        QVERIFY(s.selection() != both && s.stroke(reversed.stroke).segments[std::size_t(reversed.segment)].lift);
+        QCOMPARE(wholeErasureOf(s.painting(), reversed), s.selection().segments);
         s.use(Command::ShowErasures);
     }
 
