@@ -1191,6 +1191,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1: %Ln stroke(s); Undo takes it back.</source>
+        <translation>
+            <numerusform>%1: %Ln Strich; Rückgängig nimmt es zurück.</numerusform>
+            <numerusform>%1: %Ln Striche; Rückgängig nimmt es zurück.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
             <numerusform>%Ln Strich gelöscht; Rückgängig bringt ihn zurück.</numerusform>
@@ -3288,8 +3295,8 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
         <translation>Hex</translation>
     </message>
     <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
+        <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
+        <translation>sRGB-Farbe als #rrggbb, #rgb oder wie in CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</translation>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
@@ -8209,8 +8216,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Hex</translation>
     </message>
     <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
+        <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
+        <translation>sRGB-Farbe als #rrggbb, #rgb oder wie in CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</translation>
     </message>
     <message>
         <source>Swatches</source>

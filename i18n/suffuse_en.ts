@@ -11,6 +11,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1: %Ln stroke(s); Undo takes it back.</source>
+        <translation>
+            <numerusform>%1: %Ln stroke; Undo takes it back.</numerusform>
+            <numerusform>%1: %Ln strokes; Undo takes it back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
             <numerusform>%Ln stroke deleted; Undo brings it back.</numerusform>

@@ -1178,6 +1178,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         </translation>
     </message>
     <message numerus="yes">
+        <source>%1: %Ln stroke(s); Undo takes it back.</source>
+        <translation>
+            <numerusform>%1：%Ln 个笔画；撤销可恢复。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
             <numerusform>已删除 %Ln 个笔画；撤销可恢复。</numerusform>
@@ -3272,8 +3278,8 @@ Shift: all change as the shown one does, and keep their differences.</source>
         <translation>十六进制</translation>
     </message>
     <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
+        <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
+        <translation>sRGB 颜色：#rrggbb、#rgb 或 CSS 写法，如 rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
@@ -8148,8 +8154,8 @@ Arrow keys work too.</source>
         <translation>十六进制</translation>
     </message>
     <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
+        <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
+        <translation>sRGB 颜色：#rrggbb、#rgb 或 CSS 写法，如 rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
     </message>
     <message>
         <source>Swatches</source>

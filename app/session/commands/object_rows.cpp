@@ -33,10 +33,7 @@ void addOrderRows(Commands &table, Editor &editor)
     using enum Command;
     const auto selected = anySelected(editor);
     const auto arranges = [&table, &editor](Arrange how) {
-        return [&table, &editor, how] {
-            if (const QString why = commands::arrangeSelected(editor, how); !why.isEmpty())
-                emit table.said(why, 5000);
-        };
+        return [&table, &editor, how] { emit table.said(commands::arrangeSelected(editor, how), 5000); };
     };
     table.add(Raise, "raise", Commands::tr("&Raise"), "raise", {QKeySequence(Qt::Key_PageUp)})
         .when(selected)
@@ -276,12 +273,18 @@ void addShapeRows(Commands &table, Editor &editor)
 {
     using enum Command;
     const auto selected = anySelected(editor);
+    const auto flips = [&table, &editor](Axis axis) {
+        return [&table, &editor, axis] {
+            if (const QString done = commands::flipSelected(editor, axis, spreadRule(table)); !done.isEmpty())
+                emit table.said(done, 5000);
+        };
+    };
     table.add(FlipAcross, "flipAcross", Commands::tr("Flip Hori&zontally"), "flip-across", key(Commands::tr("Shift+H")))
         .when(selected)
-        .runs([&editor, &table] { commands::flipSelected(editor, Axis::Horizontal, spreadRule(table)); });
+        .runs(flips(Axis::Horizontal));
     table.add(FlipDown, "flipDown", Commands::tr("Flip &Vertically"), "flip-down", key(Commands::tr("Shift+V")))
         .when(selected)
-        .runs([&editor, &table] { commands::flipSelected(editor, Axis::Vertical, spreadRule(table)); });
+        .runs(flips(Axis::Vertical));
     table
         .add(QuarterLeft, "quarterLeft", Commands::tr("Rotate by &90° Left"), "quarter-left",
              key(Commands::tr("Ctrl+[")))

@@ -30,6 +30,14 @@ void leaveDeletedLayer(Editor &editor, const Painting &before, const std::vector
         layer.chooseByStep(layerBeside(before, layer.group(), after));
 }
 
+/// What a single key has done to a selection that the tool in hand may not show.
+QString doneTo(Editor &editor, const QString &what)
+{
+    return QCoreApplication::translate("Commands", "%1: %Ln stroke(s); Undo takes it back.", "",
+                                       int(editor.document().selection().strokes.size()))
+        .arg(what);
+}
+
 } // namespace
 
 bool canDelete(const Editor &editor)
@@ -79,7 +87,7 @@ QString arrangeSelected(Editor &editor, Arrange how)
     if (edit.isEmpty())
         return QCoreApplication::translate("Commands", "Nothing changes.");
     editor.push(std::move(edit), tr(names[int(how)]));
-    return {};
+    return doneTo(editor, tr(names[int(how)]));
 }
 
 void selectAll(Editor &editor)
@@ -129,16 +137,17 @@ void selectSameAs(Editor &editor, Same what)
     editor.document().setSelection(std::move(same));
 }
 
-void flipSelected(Editor &editor, Axis axis, SpreadRule rule)
+QString flipSelected(Editor &editor, Axis axis, SpreadRule rule)
 {
     const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
     if (box.isEmpty())
-        return;
+        return {};
     const bool across = axis == Axis::Horizontal;
     const Affine map = Affine::scaling(box.centre(), across ? -1 : 1, across ? 1 : -1);
-    editor.push(transformSelection(editor.document(), map, rule),
-                across ? QCoreApplication::translate("Commands", "Flip horizontally")
-                       : QCoreApplication::translate("Commands", "Flip vertically"));
+    const QString text = across ? QCoreApplication::translate("Commands", "Flip horizontally")
+                                : QCoreApplication::translate("Commands", "Flip vertically");
+    editor.push(transformSelection(editor.document(), map, rule), text);
+    return doneTo(editor, text);
 }
 
 void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)

@@ -16,7 +16,8 @@ QString deleteSelected(Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
 /// their stroke. Then the copies are selected.
 void duplicateSelected(Editor &editor);
-/// Raises or lowers the selected strokes. Returns what to say where nothing changes, or an empty text.
+/// Raises or lowers the selected strokes. Returns what to say: the keys are single ones, and a painting tool shows no
+/// selection.
 QString arrangeSelected(Editor &editor, Arrange how);
 void selectAll(Editor &editor);
 /// Selects all strokes that can be selected and are not.
@@ -26,8 +27,8 @@ void selectSameAs(Editor &editor, Same what);
 void deselect(Editor &editor);
 /// Moves the strokes by canvas units. Moves of one run are one step.
 void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, ValueEntry *entry);
-/// Mirrors the selection about its middle.
-void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
+/// Mirrors the selection about its middle. Returns what to say, as above.
+QString flipSelected(Editor &editor, Axis axis, SpreadRule rule);
 /// Turns the selection about its middle, clockwise, by so many quarters of a turn.
 void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule);
 /// Both return an empty string, or why there is nothing to be done.
