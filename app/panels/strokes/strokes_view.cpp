@@ -17,6 +17,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -208,13 +209,25 @@ void StrokesView::mousePressEvent(QMouseEvent *event)
     const bool onArrow = index.isValid() && event->position().x() < visualRect(index).left();
     const QPersistentModelIndex pressed = index;
     QTreeView::mousePressEvent(event);
-    const bool isPlain = event->button() == Qt::LeftButton || (event->button() == Qt::RightButton && pressed.isValid());
-    if (isPlain && !event->modifiers() && !onArrow) // The menu of a row is about its layer, too.
+    if (event->modifiers() || onArrow)
+        return;
+    if (event->button() == Qt::RightButton && pressed.isValid()) // The menu of a row is about its layer, too.
         emit chosen(pressed);
+    m_isClick = event->button() == Qt::LeftButton;
+    m_clicked = pressed;
+}
+
+/// A press chooses a layer only where it becomes no drag: one that is given up leaves all as it was.
+void StrokesView::mouseReleaseEvent(QMouseEvent *event)
+{
+    QTreeView::mouseReleaseEvent(event);
+    if (std::exchange(m_isClick, false) && event->button() == Qt::LeftButton)
+        emit chosen(m_clicked);
 }
 
 void StrokesView::startDrag(Qt::DropActions actions)
 {
+    m_isClick = false;
     if (!m_filter.text().isEmpty()) {
         emit dragRefused();
         return;

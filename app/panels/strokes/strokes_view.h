@@ -49,6 +49,7 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
     /// A press takes the row of a group for selected if it looks so.
     void mousePressEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
     void rowsAboutToBeRemoved(const QModelIndex &parent, int start, int end) override;
     void startDrag(Qt::DropActions actions) override;
     /// Of many ranges all is painted: looking for where each of them stands would take longer.
@@ -66,6 +67,8 @@ private:
     const StrokesModel &m_model;
     const StrokesFilter &m_filter;
     mutable bool m_ranging = false; ///< what the last event selected
+    bool m_isClick = false;         ///< the mouse is down and nothing is dragged
+    QPersistentModelIndex m_clicked;
     WeakPalette m_weak;
 };
 

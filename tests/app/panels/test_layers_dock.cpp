@@ -369,6 +369,18 @@ private slots:
         QVERIFY(!dock.view().viewport()->findChild<QLineEdit *>("groupOpacity"));
     }
 
+    /// A press that becomes a drag and is given up has chosen nothing to paint on.
+    void aLayerIsChosenWhenTheButtonIsLetGo()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        const QPoint at = dock.view().visualRect(dock.groupRow()).center();
+        QTest::mousePress(dock.view().viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(bench.editor.layer().group(), GroupId(0));
+        QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(bench.editor.layer().group(), GroupId(1));
+    }
+
     /// What was given up, or taken back by an undo, stays so until the button is let go, wherever the pointer goes.
     void aDragThatIsGivenUpIsOver()
     {
