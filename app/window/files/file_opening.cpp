@@ -17,8 +17,10 @@
 #include "model/formats/atomic_save.h"
 #include "model/journal/recovery.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHash>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStatusBar>
@@ -147,8 +149,14 @@ void FileOpening::fillRecentMenu(QMenu &menu)
 {
     menu.clear();
     const QStringList files = settings::recentFiles();
+    QHash<QString, int> named;
+    for (const QString &path : files)
+        ++named[QFileInfo(path).fileName()];
     for (const QString &path : files) {
-        QString text = QFileInfo(path).fileName();
+        const QFileInfo file(path);
+        QString text = file.fileName();
+        if (named.value(text) > 1) // Those of one name are told apart by their folders.
+            text += QStringLiteral(" — ") + file.dir().dirName();
         QAction *entry = menu.addAction(text.replace('&', "&&"));
         entry->setToolTip(path);
         connect(entry, &QAction::triggered, this, [this, path] { open(path); });
