@@ -145,9 +145,8 @@ void RecolourDialog::addColour(QVBoxLayout &column, const std::vector<Swatch> &s
     auto *row = new QHBoxLayout;
     auto *label = new QLabel(tr("Hex"), this);
     m_hex = new EntryField(this);
-    m_hex->setMaxLength(9);
     m_hex->setAccessibleName(tr("Hex"));
-    m_hex->setToolTip(tr("sRGB colour as #rrggbb, or #rgb"));
+    m_hex->setToolTip(tr("sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal"));
     m_hex->setFixedWidth(m_hex->fontMetrics().horizontalAdvance("#ddddddd") + 18);
     label->setBuddy(m_hex);
     row->addWidget(label);
@@ -264,7 +263,7 @@ void RecolourDialog::give(const Colour &colour)
 
 void RecolourDialog::takeHex(const QString &text)
 {
-    const std::optional<Colour> colour = colourOfHex(text);
+    const std::optional<Colour> colour = typedColour(text);
     if (!colour) {
         m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
         return showColour();

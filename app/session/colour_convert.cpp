@@ -1,5 +1,6 @@
 #include "app/session/colour_convert.h"
 
+#include "model/formats/svg/css_colours.h"
 #include "model/painting/ryb.h"
 
 #include <QMimeData>
@@ -37,11 +38,16 @@ Colour fromScreen(const QColor &colour)
     return result;
 }
 
-std::optional<Colour> colourOfHex(const QString &text)
+std::optional<Colour> typedColour(const QString &text)
 {
     static const QRegularExpression form("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$");
     const QRegularExpressionMatch match = form.match(text.trimmed());
-    return match.hasMatch() ? std::optional(fromScreen(QColor("#" + match.captured(1)))) : std::nullopt;
+    if (match.hasMatch())
+        return fromScreen(QColor("#" + match.captured(1)));
+    const auto css = text.contains('#') ? std::nullopt : cssColour(text.trimmed());
+    if (!css || (*css)[3] == 0) // "transparent" names no colour
+        return {};
+    return fromScreen(QColor::fromRgbF(float((*css)[0]), float((*css)[1]), float((*css)[2])));
 }
 
 QString textOf(const Colour &colour)

@@ -19,8 +19,9 @@ QColor toOpaqueScreen(const Colour &colour);
 /// The RYB form of a screen colour; the opacity is its alpha.
 Colour fromScreen(const QColor &colour);
 
-/// The colour of "#rrggbb" or "#rgb", with or without #, opaque; nothing for any other text.
-std::optional<Colour> colourOfHex(const QString &text);
+/// The opaque colour of "#rrggbb" or "#rgb", with or without #, or of what else CSS calls a colour ("rgb(255, 0, 128)",
+/// "teal"); nothing for any other text.
+std::optional<Colour> typedColour(const QString &text);
 
 /// Writes exactly this colour, to the last bit, as a line of text: "red yellow blue opacity".
 QString textOf(const Colour &colour);

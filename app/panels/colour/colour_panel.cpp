@@ -127,9 +127,8 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
     m_previous->setSide(28);
     auto *label = new QLabel(tr("Hex"), this);
     m_hex = new EntryField(this);
-    m_hex->setMaxLength(9);
     m_hex->setAccessibleName(tr("Hex"));
-    m_hex->setToolTip(tr("sRGB colour as #rrggbb, or #rgb"));
+    m_hex->setToolTip(tr("sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal"));
     m_hex->setFixedWidth(m_hex->fontMetrics().horizontalAdvance("#ddddddd") + 18);
     label->setBuddy(m_hex);
     row->addWidget(m_current);
@@ -268,7 +267,7 @@ void ColourPanel::showHex()
 
 void ColourPanel::takeHex(const QString &text)
 {
-    if (const std::optional<Colour> colour = colourOfHex(text)) {
+    if (const std::optional<Colour> colour = typedColour(text)) {
         m_hint->showHint({});
         m_editor.colourTarget().setPaint(*colour);
     } else {

@@ -182,6 +182,24 @@ private slots:
         }
     }
 
+    /// What CSS calls a colour is one here, as in drawings that come in.
+    void coloursAreTypedAsInCss()
+    {
+        for (const char *text : {"rgb(255, 0, 255)", "#f0f", "ff00ff", "fuchsia", "hsl(300, 100%, 50%)"}) {
+            const std::optional<Colour> colour = typedColour(text);
+            QVERIFY2(colour, text);
+            QCOMPARE(toOpaqueScreen(*colour).name(), QString("#ff00ff"));
+        }
+        for (const char *text : {"rgb(255, ", "transparent", "#ff00ff80", "nocolour", ""})
+            QVERIFY2(!typedColour(text), text);
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        panel.hex()->setText({});
+        QTest::keyClicks(panel.hex(), "rgb(0, 128, 255)");
+        QTest::keyClick(panel.hex(), Qt::Key_Return);
+        QCOMPARE(panel.hex()->text(), QString("#0080ff"));
+    }
+
     void swatchesAreUndoable()
     {
         Bench bench;

@@ -355,7 +355,7 @@ private slots:
         QVERIFY(!hint->isVisible());
         type(*panel.hex(), "#202020");
         QVERIFY(!hint->isVisible());
-        type(*panel.hex(), "grey");
+        type(*panel.hex(), "greyish");
         QVERIFY(hint->isVisible());
         bench.editor.setColour({0.2f, 0.2f, 0.2f, 1}); // set by other means
         QVERIFY(!hint->isVisible());
