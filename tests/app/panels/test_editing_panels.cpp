@@ -57,7 +57,7 @@ private slots:
         };
         auto *colour = s.window.findChild<ColourPanel *>();
         s.window.findChild<QDockWidget *>("colourDock")->raise();
-        type(*colour->hex(), "grey");
+        type(*colour->hex(), "greyish");
         QVERIFY(isSeen(colour->findChild<HintLabel *>()));
         QVERIFY(colour->hex()->visibleRegion().boundingRect().height() >= colour->hex()->height());
 
