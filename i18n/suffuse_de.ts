@@ -1102,6 +1102,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>several INs become the pages of a PDF; give OUT the ending .pdf</source>
         <translation>mehrere IN werden Seiten eines PDFs; OUT die Endung .pdf geben</translation>
     </message>
+    <message>
+        <source>%1 is a picture: suffuse-cli render IN -o OUT writes pictures</source>
+        <translation>%1 ist ein Bild: Bilder schreibt suffuse-cli render IN -o OUT</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

@@ -1095,6 +1095,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>several INs become the pages of a PDF; give OUT the ending .pdf</source>
         <translation>多个 IN 会成为 PDF 的页面；请让 OUT 的扩展名为 .pdf</translation>
     </message>
+    <message>
+        <source>%1 is a picture: suffuse-cli render IN -o OUT writes pictures</source>
+        <translation>%1 是图片：请用 suffuse-cli render IN -o OUT 来写图片</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

@@ -3,6 +3,8 @@
 #include "model/formats/files.h"
 #include "model/formats/picture_links.h"
 #include "render/drawing/drawing_file.h"
+#include "render/image_io/image_io.h"
+#include "render/layered/layered_file.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -48,6 +50,10 @@ Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
         formatForSaving(isToStdout ? QLatin1Char('.') + (line.isSet("format") ? line.value("format") : "json") : out);
     if (format != FileFormat::Unknown)
         return format;
+    if (!isToStdout &&
+        (imageFormatForPath(out) != ImageFormat::Unknown || layeredFormatFor(out) != LayeredFormat::None))
+        return Error{QCoreApplication::translate("Cli", "%1 is a picture: suffuse-cli render IN -o OUT writes pictures")
+                         .arg(out)};
     return Error{
         isToStdout ? QCoreApplication::translate("Cli", "--format %1: give suffuse, json, svg or pdf")
                          .arg(line.value("format"))

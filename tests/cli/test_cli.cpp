@@ -114,6 +114,8 @@ void TestCli::wrongUsage_data()
     row("info of two things", {"info", in, "--backends"}, "--backends");
     row("convert without a target", {"convert", in}, "too few");
     row("convert to an unknown ending", {"convert", in, path("a.txt")}, ".suffuse, .json");
+    row("convert to a picture", {"convert", in, path("a.png")}, "suffuse-cli render");
+    row("convert to layers", {"convert", in, path("a.psd")}, "suffuse-cli render");
     row("a drawing of no kind", {"convert", in, path("a.svg"), "--as", "dots"}, "outlines, bands or hybrid");
     row("a drawing of no bands", {"convert", in, path("a.svg"), "--bands", "0"}, "from 1 to 256");
     row("bands of outlines", {"convert", in, path("a.svg"), "--as", "outlines", "--bands", "4"}, "--as bands");
