@@ -9,6 +9,7 @@
 #include "tests/model/random_paintings.h"
 #include "tests/render/filled.h"
 #include "tests/render/paintings.h"
+#include "tests/render/picture_difference.h"
 #include "tests/render/pictured.h"
 #include "tests/trials.h"
 
@@ -54,28 +55,6 @@ FloatPicture exactPicture(const PaintingPtr &painting, int scale = 1)
     request.view = View::ofArea(area, scale * int(area.width()), scale * int(area.height()));
     FloatPicture picture;
     return cpu()->render(request, picture) ? std::move(picture) : FloatPicture();
-}
-
-/// The means of squares of a picture's pixels.
-FloatPicture meansOf(const FloatPicture &picture, int side)
-{
-    FloatPicture means;
-    means.resize(picture.width / side, picture.height / side);
-    for (int y = 0; y < means.height * side; ++y)
-        for (int x = 0; x < means.width * side; ++x)
-            for (int c = 0; c < 4; ++c)
-                means.rgba.data()[4 * ((y / side) * means.width + x / side) + c] +=
-                    picture.rgba.data()[4 * (y * picture.width + x) + c] / float(side * side);
-    return means;
-}
-
-double largestDifference(const FloatPicture &a, const FloatPicture &b)
-{
-    double largest = a.width == b.width && a.height == b.height ? 0 : 1;
-    for (std::size_t i = 0; largest < 1 && i < a.rgba.size(); ++i)
-        if (i % 4 != 3)
-            largest = std::max(largest, double(std::abs(a.rgba.data()[i] - b.rgba.data()[i])));
-    return largest;
 }
 
 /// What librsvg shows of a drawing, with so many pixels a unit; empty where it cannot be asked.
@@ -200,7 +179,8 @@ private slots:
     void hybridIsThePicture()
     {
         std::mt19937_64 random(3);
-        const PaintingPtr p = mixedFills(random, 6, isTried(1) ? 200 : 60, isTried(1) ? 150 : 45, PaperKind::Procedural);
+        const PaintingPtr p =
+            mixedFills(random, 6, isTried(1) ? 200 : 60, isTried(1) ? 150 : 45, PaperKind::Procedural);
         const QByteArray svg = drawingBytes(p, DrawingKind::Hybrid);
         const std::optional<FloatPicture> shown = shownByLibrsvg(svg);
         if (!shown)
