@@ -1,7 +1,7 @@
 // Which part of the canvas a picture shows.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

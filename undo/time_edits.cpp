@@ -5,7 +5,7 @@
 #include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "undo/history/order_tree.h"
-#include "undo/layer_edits.h"
+#include "undo/layers/layer_edits.h"
 
 #include <limits>
 #include <numbers>

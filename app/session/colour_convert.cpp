@@ -1,6 +1,6 @@
 #include "app/session/colour_convert.h"
 
-#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/css/css_colours.h"
 #include "model/painting/ryb.h"
 
 #include <QMimeData>

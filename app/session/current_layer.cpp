@@ -2,9 +2,9 @@
 
 #include "app/session/painting_clock.h"
 #include "app/session/settings/settings.h"
-#include "undo/emptied_groups.h"
-#include "undo/group_alone.h"
 #include "undo/history/order_tree.h"
+#include "undo/layers/emptied_groups.h"
+#include "undo/layers/group_alone.h"
 #include "undo/time_edits.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "app/session/layer_steps.h"
 #include "model/formats/files.h"
-#include "undo/layer_edits.h"
+#include "undo/layers/layer_edits.h"
 
 #include <QObject>
 

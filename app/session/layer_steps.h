@@ -1,7 +1,7 @@
 // Which layer was painted on, for undo and redo.
 #pragma once
 
-#include "undo/painted_layer.h"
+#include "undo/layers/painted_layer.h"
 
 #include <map>
 #include <optional>

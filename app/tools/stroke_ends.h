@@ -1,7 +1,7 @@
 // Ends of strokes with which a tool can go on.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/stroke_places.h"
 
 #include <optional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/area/area_effort.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/fill.h"
-#include "model/painting/geometry.h"
 
 #include <vector>
 

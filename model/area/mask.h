@@ -1,7 +1,7 @@
 // Pixels that are chosen or not: the region around one of them, its distances and its outline.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <cstdint>
 #include <vector>

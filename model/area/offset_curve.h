@@ -1,7 +1,7 @@
 // Curves beside a curve.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/area/area_effort.h"
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <cstdint>
 #include <vector>

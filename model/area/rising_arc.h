@@ -1,7 +1,7 @@
 // A part of a curve along which y rises and x never turns.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Lines of text as a font shapes them. Fonts themselves are not known in this room: who knows them is a LetterShaper.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // A picture as the paint of a stroke.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,7 +1,7 @@
 // One segment of a stroke: a cubic that is a source of the heat equation.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/style.h"
 
 #include <algorithm>

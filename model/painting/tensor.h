@@ -1,7 +1,7 @@
 // The diffusion tensor of a segment or a fill: D·ratio along its angle, D across it.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 #include "model/painting/fill.h"
 
 namespace suffuse {

@@ -1,8 +1,8 @@
 // What a group of letters was made from, so that it can be typed in again.
 #pragma once
 
-#include "model/painting/affine.h"
-#include "model/painting/geometry.h"
+#include "model/geometry/affine.h"
+#include "model/geometry/geometry.h"
 
 #include <QString>
 

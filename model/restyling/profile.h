@@ -1,7 +1,7 @@
 // How a value runs along a stroke, as a curve with few points.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Lengths along a chain of curves.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

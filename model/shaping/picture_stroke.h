@@ -1,7 +1,7 @@
 // What an imported picture becomes.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 #include "model/painting/stroke.h"
 
 namespace suffuse {

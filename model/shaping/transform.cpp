@@ -1,6 +1,6 @@
 #include "model/shaping/transform.h"
 
-#include "model/painting/bernstein.h"
+#include "model/geometry/bernstein.h"
 #include "model/painting/decimal.h"
 #include "model/painting/tensor.h"
 #include "model/painting/validate.h"

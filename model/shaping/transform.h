@@ -1,7 +1,7 @@
 // Maps strokes by affine maps, with their spread or without it.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 #include "model/painting/stroke.h"
 
 #include <optional>

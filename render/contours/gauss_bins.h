@@ -2,7 +2,7 @@
 // points, and for its slope.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "render/contours/gauss_sums.h"
 
 #include <cstdint>

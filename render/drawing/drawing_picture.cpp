@@ -1,6 +1,6 @@
 #include "render/drawing/drawing_picture.h"
 
-#include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/css/css_blending.h"
 #include "model/painting/ryb.h"
 #include "render/drawing/drawn_picture.h"
 #include "render/drawing/path_coverage.h"

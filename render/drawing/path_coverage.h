@@ -1,7 +1,7 @@
 // How much of each pixel lies within closed paths, exactly but for curves that become short lines.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "render/drawing/path_drawing.h"
 
 #include "model/area/area_sets.h"
-#include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/css/css_blending.h"
 #include "render/composition/washes.h"
 #include "render/scene/picture.h"
 #include "render/threads/parallel.h"

@@ -1,7 +1,7 @@
 // This computes how many Gauss-Legendre nodes a cubic source needs (docs/solver.md, "Nodes").
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "render/math/panels.h"
 
 namespace suffuse {

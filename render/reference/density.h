@@ -2,7 +2,7 @@
 // it.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -12,7 +12,7 @@
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/window/files/recovery.h"
 #include "app/window/palette_entries.h"
 #include "tests/app/shapes.h"

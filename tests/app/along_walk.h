@@ -2,7 +2,7 @@
 // and knows what must be seen.
 #pragma once
 
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/formats/files.h"
 #include "tests/app/panel_bench.h"

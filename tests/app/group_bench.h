@@ -5,7 +5,7 @@
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/numbers/number_field.h"
 #include "tests/app/panel_bench.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>

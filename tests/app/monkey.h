@@ -1,7 +1,7 @@
 // A hand without sense: it presses, drags, types and clicks whatever the window has, the same for the same seed.
 #pragma once
 
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"

@@ -1,7 +1,7 @@
 // A pen that draws by itself, at the pace of a device.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QCoreApplication>
 #include <QPointingDevice>

@@ -1,7 +1,7 @@
 // What a painter meets who fills a scribble that crosses itself all over: the window's own time, by each thing they do.
 // bench_scribble [--segments N] [--samples N]
 #include "tests/bench/bench_start.h"
-#include "tests/bench/editing_session.h"
+#include "tests/bench/editing/editing_session.h"
 #include "tests/bench/filled_shapes.h"
 
 #include <QElapsedTimer>

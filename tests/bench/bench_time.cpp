@@ -10,7 +10,7 @@
 #include "render/sequence.h"
 #include "tests/app/pen_hand.h"
 #include "tests/bench/bench_start.h"
-#include "tests/bench/editing_session.h"
+#include "tests/bench/editing/editing_session.h"
 #include "undo/edits.h"
 
 #include <QDockWidget>

@@ -44,6 +44,7 @@ const QList<Rule> &rules()
          {},
          {"qpdf"}},
         {"model/module_guard.h", {}, {}, {}},
+        {"model/geometry/", {"model/geometry/"}, {}, {}},
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},

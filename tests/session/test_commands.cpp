@@ -6,7 +6,7 @@
 #include "model/shaping/shapes.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 #include "undo/time_edits.h"
 
 #include <QSignalSpy>

@@ -5,8 +5,8 @@
 #include "app/session/files/import_strokes.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
-#include "undo/group_alone.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_alone.h"
+#include "undo/layers/group_edits.h"
 
 #include <QSignalSpy>
 #include <QTest>

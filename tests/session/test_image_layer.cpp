@@ -4,7 +4,7 @@
 #include "app/session/open_painting.h"
 #include "model/formats/files.h"
 #include "model/shaping/transform.h"
-#include "undo/group_roles.h"
+#include "undo/layers/group_roles.h"
 #include "undo/transform_edits.h"
 
 #include <QDir>

@@ -4,10 +4,10 @@
 #include "app/session/commands/session_rows.h"
 #include "app/session/current_layer.h"
 #include "model/painting/validate.h"
-#include "undo/group_edits.h"
-#include "undo/group_roles.h"
 #include "undo/history/order_tree.h"
-#include "undo/merge_layers.h"
+#include "undo/layers/group_edits.h"
+#include "undo/layers/group_roles.h"
+#include "undo/layers/merge_layers.h"
 
 #include <QSignalSpy>
 

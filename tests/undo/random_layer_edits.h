@@ -2,11 +2,11 @@
 #pragma once
 
 #include "tests/undo/random_edits.h"
-#include "undo/emptied_groups.h"
-#include "undo/group_edits.h"
-#include "undo/group_roles.h"
-#include "undo/layer_edits.h"
-#include "undo/merge_layers.h"
+#include "undo/layers/emptied_groups.h"
+#include "undo/layers/group_edits.h"
+#include "undo/layers/group_roles.h"
+#include "undo/layers/layer_edits.h"
+#include "undo/layers/merge_layers.h"
 
 namespace suffuse::test {
 

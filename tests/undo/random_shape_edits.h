@@ -8,7 +8,7 @@
 #include "undo/area_edits.h"
 #include "undo/colour_edits.h"
 #include "undo/fill_edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 #include "undo/node_edits.h"
 #include "undo/transform_edits.h"
 

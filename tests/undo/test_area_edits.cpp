@@ -11,7 +11,7 @@
 #include "tests/undo/steps.h"
 #include "undo/area_edits.h"
 #include "undo/edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QTest>
 

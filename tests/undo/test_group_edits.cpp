@@ -2,8 +2,8 @@
 #include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
-#include "undo/group_edits.h"
 #include "undo/history/edit_command.h"
+#include "undo/layers/group_edits.h"
 #include "undo/transform_edits.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // Groups as layers: where what is painted comes, copies, merging, moving, and the only one that shows.
 #include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
-#include "undo/group_edits.h"
-#include "undo/layer_edits.h"
-#include "undo/merge_layers.h"
+#include "undo/layers/group_edits.h"
+#include "undo/layers/layer_edits.h"
+#include "undo/layers/merge_layers.h"
 
 using namespace suffuse;
 

@@ -1,7 +1,7 @@
 // Texts as they are typed in: what stays of their letters, and that every step has its way back.
 #include "model/painting/validate.h"
 #include "tests/undo/steps.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 #include "undo/lettering/text_layout.h"
 #include "undo/text_edits.h"
 #include "undo/transform_edits.h"

@@ -1,7 +1,7 @@
 // A text as it is set: its letters with their outlines and places, and where a caret can stand between them.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 #include "model/painting/letters.h"
 #include "model/painting/text.h"
 

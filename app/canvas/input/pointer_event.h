@@ -1,7 +1,7 @@
 // A report of mouse, pen or finger, in the form that tools and the view use.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/segment.h"
 
 #include <QPointF>

@@ -1,7 +1,7 @@
 // What fingers do on the canvas.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // Decides which parts of what lies over the picture are painted again, and when.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/ids.h"
 #include "render/view.h"
 

@@ -1,7 +1,7 @@
 // Rows that all dialogs for exports have.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/segment.h"
 
 #include <QCoreApplication>

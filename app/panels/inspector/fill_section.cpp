@@ -1,7 +1,7 @@
 #include "app/panels/inspector/fill_section.h"
 
-#include "app/panels/inspector/combo_row.h"
-#include "app/panels/inspector/gradient_rows.h"
+#include "app/panels/inspector/rows/combo_row.h"
+#include "app/panels/inspector/rows/gradient_rows.h"
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/look/section.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/panels/inspector/combo_row.h"
-#include "app/panels/inspector/wash_rows.h"
-#include "undo/group_roles.h"
+#include "app/panels/inspector/rows/combo_row.h"
+#include "app/panels/inspector/rows/wash_rows.h"
+#include "undo/layers/group_roles.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include "app/panels/inspector/inspector_panel.h"
 
-#include "app/panels/inspector/along_dialog.h"
-#include "app/panels/inspector/figures_section.h"
+#include "app/panels/inspector/along/along_dialog.h"
+#include "app/panels/inspector/figures/figures_section.h"
 #include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/group_section.h"
 #include "app/panels/inspector/picture_section.h"

@@ -1,6 +1,6 @@
 #include "app/panels/inspector/segment_section.h"
 
-#include "app/panels/inspector/rewet_rows.h"
+#include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/colour/colour_swatch.h"

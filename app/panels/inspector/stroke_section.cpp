@@ -1,6 +1,6 @@
 #include "app/panels/inspector/stroke_section.h"
 
-#include "app/panels/inspector/combo_row.h"
+#include "app/panels/inspector/rows/combo_row.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"

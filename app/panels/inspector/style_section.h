@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/panels/inspector/inspected.h"
-#include "app/panels/inspector/xi_fields.h"
+#include "app/panels/inspector/rows/xi_fields.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #include "app/panels/strokes/group_cells.h"
 
-#include "app/panels/strokes/row_look.h"
+#include "app/panels/strokes/rows/row_look.h"
 #include "app/widgets/look/group_tags.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/numbers/blend_modes.h"

@@ -6,7 +6,7 @@
 #include "app/widgets/numbers/blend_modes.h"
 #include "app/widgets/numbers/display.h"
 #include "app/widgets/numbers/number_field.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QActionGroup>
 #include <QApplication>

@@ -1,8 +1,8 @@
 #include "app/panels/strokes/strokes_model.h"
 
-#include "app/panels/strokes/dragged_rows.h"
-#include "app/panels/strokes/row_changes.h"
-#include "app/panels/strokes/row_data.h"
+#include "app/panels/strokes/rows/dragged_rows.h"
+#include "app/panels/strokes/rows/row_changes.h"
+#include "app/panels/strokes/rows/row_data.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"

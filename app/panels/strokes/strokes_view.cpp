@@ -1,8 +1,8 @@
 #include "app/panels/strokes/strokes_view.h"
 
-#include "app/panels/strokes/drag_picture.h"
-#include "app/panels/strokes/row_delegate.h"
-#include "app/panels/strokes/row_look.h"
+#include "app/panels/strokes/rows/drag_picture.h"
+#include "app/panels/strokes/rows/row_delegate.h"
+#include "app/panels/strokes/rows/row_look.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/panels/strokes/group_cells.h"
-#include "app/panels/strokes/row_look.h"
+#include "app/panels/strokes/rows/row_look.h"
 
 #include <QTreeView>
 

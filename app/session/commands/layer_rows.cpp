@@ -3,7 +3,7 @@
 
 #include "app/session/commands/selection_commands.h"
 #include "app/session/current_layer.h"
-#include "undo/merge_layers.h"
+#include "undo/layers/merge_layers.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "app/session/current_layer.h"
 #include "app/session/selecting/pick.h"
 #include "model/painting/decimal.h"
-#include "undo/emptied_groups.h"
 #include "undo/history/order_tree.h"
+#include "undo/layers/emptied_groups.h"
 #include "undo/node_edits.h"
 
 #include <QCoreApplication>

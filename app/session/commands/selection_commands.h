@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/session/editor.h"
-#include "undo/group_edits.h"
-#include "undo/group_roles.h"
+#include "undo/layers/group_edits.h"
+#include "undo/layers/group_roles.h"
 #include "undo/transform_edits.h"
 
 namespace suffuse::commands {

@@ -1,7 +1,7 @@
 // Commands for the underlay. Each is an edit and one undo step.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QString>
 

@@ -3,7 +3,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/files/svg_widths.h"
 #include "model/area/outline.h"
-#include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/css/css_blending.h"
 #include "model/formats/svg/svg_group_writer.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"

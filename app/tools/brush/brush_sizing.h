@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/brush/brush.h"
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QBasicTimer>
 #include <QObject>

@@ -1,7 +1,7 @@
 // What clicking and dragging with the Select tool will do, for the status bar.
 #pragma once
 
-#include "model/painting/affine.h"
+#include "model/geometry/affine.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // What was typed of the node that comes next in an outline.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/window/workplace.h"
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // The menu at a point of the canvas.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 #include "model/painting/selection.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/panels/inspector/fill_section.h"
-#include "app/panels/inspector/rewet_rows.h"
+#include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"

@@ -1,6 +1,6 @@
 // Excalidraw's drawings and libraries: their freedraw elements. They hold no times.
 #include "model/formats/ink/ink_json.h"
-#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/css/css_colours.h"
 #include "model/painting/ryb.h"
 
 #include <cmath>

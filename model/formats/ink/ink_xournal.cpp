@@ -4,7 +4,7 @@
 #include "model/formats/gzip.h"
 #include "model/formats/ink/recording.h"
 #include "model/formats/ora/zip_parts.h"
-#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/css/css_colours.h"
 #include "model/painting/ryb.h"
 
 #include <QXmlStreamReader>

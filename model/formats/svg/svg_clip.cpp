@@ -1,7 +1,7 @@
 #include "model/formats/svg/svg_clip.h"
 
-#include "model/formats/svg/svg_outlines.h"
-#include "model/formats/svg/svg_shapes.h"
+#include "model/formats/svg/paths/svg_outlines.h"
+#include "model/formats/svg/paths/svg_shapes.h"
 #include "model/shaping/transform.h"
 
 namespace suffuse {

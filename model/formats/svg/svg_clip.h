@@ -3,7 +3,7 @@
 
 #include "model/area/area_sets.h"
 #include "model/formats/svg/svg_style.h"
-#include "model/formats/svg/svg_text.h"
+#include "model/formats/svg/text/svg_text.h"
 
 #include <array>
 #include <functional>

@@ -1,8 +1,8 @@
 // What a document of SVG shows, as curves with their colours.
 #pragma once
 
+#include "model/geometry/geometry.h"
 #include "model/painting/blend.h"
-#include "model/painting/geometry.h"
 #include "model/painting/text.h"
 
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/formats/svg/svg_tree.h"
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 namespace suffuse {
 

@@ -1,6 +1,6 @@
 #include "model/formats/svg/svg_frame.h"
 
-#include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/css/css_blending.h"
 #include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 

@@ -1,7 +1,7 @@
 #include "model/formats/svg/svg_gradient.h"
 
 #include "model/area/offset_curve.h"
-#include "model/formats/svg/svg_outlines.h"
+#include "model/formats/svg/paths/svg_outlines.h"
 #include "model/formats/svg/svg_shingles.h"
 #include "model/painting/ryb.h"
 

@@ -1,6 +1,6 @@
 #include "model/formats/svg/svg_group_writer.h"
 
-#include "model/formats/svg/css_blending.h"
+#include "model/formats/svg/css/css_blending.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The transforms of SVG.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <QString>
 #include <QXmlStreamAttributes>

@@ -1,10 +1,10 @@
 // Paints shapes of SVG: their fills and strokes become the paths of a drawing.
 #pragma once
 
+#include "model/formats/svg/paths/svg_outlines.h"
 #include "model/formats/svg/svg_clip.h"
 #include "model/formats/svg/svg_drawing.h"
 #include "model/formats/svg/svg_gradient.h"
-#include "model/formats/svg/svg_outlines.h"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/brush/brush.h"
-#include "model/formats/svg/svg_paths.h"
+#include "model/formats/svg/paths/svg_paths.h"
 #include "model/painting/painting.h"
 
 namespace suffuse {

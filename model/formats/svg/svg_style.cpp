@@ -1,8 +1,8 @@
 #include "model/formats/svg/svg_style.h"
 
-#include "model/formats/svg/css_blending.h"
-#include "model/formats/svg/css_colours.h"
-#include "model/formats/svg/svg_shapes.h"
+#include "model/formats/svg/css/css_blending.h"
+#include "model/formats/svg/css/css_colours.h"
+#include "model/formats/svg/paths/svg_shapes.h"
 
 #include <QRegularExpression>
 #include <QSet>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "model/area/pen_outline.h"
-#include "model/formats/svg/svg_font.h"
 #include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_matrix.h"
 #include "model/formats/svg/svg_tree.h"
+#include "model/formats/svg/text/svg_font.h"
 #include "model/painting/blend.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // An SVG document as a tree of elements: what refers to what, and which styles apply.
 #pragma once
 
-#include "model/formats/svg/css_sheet.h"
+#include "model/formats/svg/css/css_sheet.h"
 
 #include <QHash>
 #include <QXmlStreamReader>

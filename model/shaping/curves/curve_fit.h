@@ -1,7 +1,7 @@
 // Fits one cubic to many points by least squares, with the directions at its ends given.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "model/shaping/erasing/erase.h"
 
 #include "model/area/outline.h"
-#include "model/painting/bernstein.h"
+#include "model/geometry/bernstein.h"
 #include "model/shaping/curves/split.h"
 #include "model/shaping/erasing/fill_cut.h"
 #include "model/shaping/erasing/unfilled.h"

@@ -2,7 +2,7 @@
 
 #include "model/area/offset_curve.h"
 #include "model/area/outline.h"
-#include "model/painting/bernstein.h"
+#include "model/geometry/bernstein.h"
 #include "model/shaping/curves/split.h"
 #include "model/shaping/erasing/fill_rings.h"
 

@@ -1,7 +1,7 @@
 // A path that is drawn node by node.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "model/shaping/nodes/reshape.h"
 
-#include "model/painting/bernstein.h"
+#include "model/geometry/bernstein.h"
 #include "model/shaping/curves/merge.h"
 #include "model/shaping/curves/runs.h"
 #include "model/shaping/curves/split.h"

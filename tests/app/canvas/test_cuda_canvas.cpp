@@ -5,7 +5,7 @@
 #include "render/cuda/device/failing_device.h"
 #include "render/fallback_renderer.h"
 #include "tests/app/worker_frames.h"
-#include "tests/render/emulated_device.h"
+#include "tests/render/cuda/emulated_device.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "tests/app/slow_renderer.h"
 #include "tests/app/worker_frames.h"
 #include "undo/edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

@@ -12,7 +12,7 @@
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 #include "undo/node_edits.h"
 
 #include <QClipboard>

@@ -4,8 +4,8 @@
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
-#include "undo/group_edits.h"
 #include "undo/history/kept_history.h"
+#include "undo/layers/group_edits.h"
 
 #include <QFile>
 #include <QLabel>

@@ -1,5 +1,5 @@
 // Paintings that are open, and the list of those that were: in several windows, and in several running instances.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/session/files/journal.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"

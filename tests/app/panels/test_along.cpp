@@ -1,5 +1,5 @@
 // Values along the stroke, by real events.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/numbers/number_field.h"

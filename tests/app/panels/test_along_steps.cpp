@@ -1,5 +1,5 @@
 // Cancel, undo, redo and saving while the window "Along the Stroke" is open, by real events.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/formats/files.h"

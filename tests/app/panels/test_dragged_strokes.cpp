@@ -1,7 +1,7 @@
 // The list of strokes: rows are dragged to other places, groups with what is in them.
-#include "app/panels/strokes/drag_picture.h"
-#include "app/panels/strokes/dragged_rows.h"
-#include "app/panels/strokes/row_moves.h"
+#include "app/panels/strokes/rows/drag_picture.h"
+#include "app/panels/strokes/rows/dragged_rows.h"
+#include "app/panels/strokes/rows/row_moves.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
@@ -9,7 +9,7 @@
 #include "app/widgets/habits/held_button.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QAbstractItemModelTester>
 #include <QLineEdit>

@@ -2,8 +2,8 @@
 // canvas handle for the width.
 #include "app/panels/brushes/brush_panel.h"
 #include "app/panels/colour/colour_panel.h"
-#include "app/panels/inspector/cross_section_plot.h"
-#include "app/panels/inspector/figures_section.h"
+#include "app/panels/inspector/figures/cross_section_plot.h"
+#include "app/panels/inspector/figures/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/style_section.h"

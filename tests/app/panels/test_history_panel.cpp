@@ -2,7 +2,7 @@
 #include "app/panels/history/history_panel.h"
 #include "app/panels/history/stroke_history_list.h"
 #include "tests/app/panel_bench.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QLabel>
 #include <QScrollBar>

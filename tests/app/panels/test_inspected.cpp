@@ -1,5 +1,5 @@
 // What the inspector looks at, and what it keeps of it.
-#include "app/panels/inspector/figure_warnings.h"
+#include "app/panels/inspector/figures/figure_warnings.h"
 #include "tests/app/selecting.h"
 #include "undo/edits.h"
 

@@ -1,6 +1,6 @@
 // Layers in the Strokes dock: which one is painted on, and how it is chosen there.
 #include "app/panels/strokes/group_hand.h"
-#include "app/panels/strokes/row_look.h"
+#include "app/panels/strokes/rows/row_look.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
@@ -8,8 +8,8 @@
 #include "app/widgets/look/group_tags.h"
 #include "app/widgets/look/theme.h"
 #include "tests/app/panel_bench.h"
-#include "undo/group_edits.h"
-#include "undo/layer_edits.h"
+#include "undo/layers/group_edits.h"
+#include "undo/layers/layer_edits.h"
 
 #include <QLabel>
 #include <QMenu>

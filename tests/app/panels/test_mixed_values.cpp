@@ -2,7 +2,7 @@
 // and given up.
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/brushes/brush_menu.h"
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/stroke_section.h"

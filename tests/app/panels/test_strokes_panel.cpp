@@ -1,14 +1,14 @@
 // The list of strokes: it follows the document by difference and changes it in single steps.
-#include "app/panels/strokes/group_thumbnails.h"
-#include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
+#include "app/panels/strokes/thumbnails/group_thumbnails.h"
+#include "app/panels/strokes/thumbnails/stroke_thumbnails.h"
 #include "app/widgets/habits/entry_field.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/shapes.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QAbstractItemModelTester>
 #include <QDockWidget>

@@ -1,11 +1,11 @@
 // The rows of the Strokes dock as they are seen.
-#include "app/panels/strokes/row_look.h"
-#include "app/panels/strokes/stroke_thumbnails.h"
+#include "app/panels/strokes/rows/row_look.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/panels/strokes/thumbnails/stroke_thumbnails.h"
 #include "tests/app/panel_bench.h"
 #include "undo/edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>

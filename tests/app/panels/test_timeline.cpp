@@ -1,5 +1,5 @@
 // Time in the window: playing, painting in the past, drying.
-#include "app/panels/inspector/rewet_rows.h"
+#include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/widgets/numbers/time_text.h"
 #include "tests/app/timed.h"
 #include "undo/time_edits.h"

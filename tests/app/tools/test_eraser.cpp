@@ -1,6 +1,6 @@
 // The eraser that lifts paint, and what it leaves: erasures that can be seen, moved, weakened and taken out.
-#include "app/panels/inspector/density_plot.h"
-#include "app/panels/inspector/figures_section.h"
+#include "app/panels/inspector/figures/density_plot.h"
+#include "app/panels/inspector/figures/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/tools/nodes/erasures.h"
@@ -13,7 +13,7 @@
 #include "tests/app/nodes.h"
 #include "undo/edits.h"
 #include "undo/fill_edits.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 #include "undo/transform_edits.h"
 
 #include <QComboBox>

@@ -1,6 +1,6 @@
 // Every drag of a tool or a panel, interrupted at each report, with no event in between: whoever reads, draws, saves or
 // undoes finds a true state.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/timeline/timeline_view.h"

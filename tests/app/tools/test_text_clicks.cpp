@@ -1,6 +1,6 @@
 // Where the pointer means a text, a letter of it, or the place between two.
 #include "tests/app/typed_text.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QCheckBox>
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // What nobody means to do: undo, Esc or another painting in the middle of a drag, edits while a picture is being
 // rendered, nodes dropped onto each other, dialogs about strokes that go.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/tools/nodes/node_tool.h"
 #include "app/tools/select/select_tool.h"

@@ -1,5 +1,5 @@
 // Whatever is given up leaves the painting and its steps, those to be redone too, as they were.
-#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/along/along_dialog.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/timeline/timeline_view.h"
 #include "app/widgets/numbers/bar_slider.h"

@@ -5,7 +5,7 @@
 #include "app/widgets/numbers/number_field.h"
 #include "app/window/layout/window_layout.h"
 #include "tests/app/window/hands_on_widgets.h"
-#include "undo/group_edits.h"
+#include "undo/layers/group_edits.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>

@@ -1,7 +1,7 @@
 // Winding numbers of closed loops, counted at points.
 #pragma once
 
-#include "model/painting/geometry.h"
+#include "model/geometry/geometry.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "model/formats/brushes/gimp_palette.h"
 #include "model/formats/brushes/mypaint_brush.h"
 #include "model/formats/files.h"
-#include "model/formats/svg/svg_paths.h"
+#include "model/formats/svg/paths/svg_paths.h"
 #include "model/painting/validate.h"
 
 #include <QDir>
@@ -35,8 +35,8 @@ void readAsAnything(const QByteArray &bytes, const QString &name)
         QVERIFY(palette.error().contains(name));
 }
 
-/// Sanitizers look at every step: there, what is made here is a twentieth as large. They also keep what is freed, so that
-/// memory is measured without them alone.
+/// Sanitizers look at every step: there, what is made here is a twentieth as large. They also keep what is freed, so
+/// that memory is measured without them alone.
 #ifdef SUFFUSE_SANITIZED
 constexpr int shrink = 20;
 constexpr qint64 mostMemory = std::numeric_limits<qint64>::max();

@@ -1,7 +1,7 @@
 // Recordings become paintings: what is found in them, their timing, and what is said of damaged ones.
 #include "model/formats/files.h"
 #include "model/formats/ink/recording.h"
-#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/css/css_colours.h"
 #include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"

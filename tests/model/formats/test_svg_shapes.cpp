@@ -1,6 +1,6 @@
 // Basic shapes and <use> of SVG as curves.
-#include "model/formats/svg/svg_paths.h"
-#include "model/formats/svg/svg_shapes.h"
+#include "model/formats/svg/paths/svg_paths.h"
+#include "model/formats/svg/paths/svg_shapes.h"
 
 #include <QTest>
 

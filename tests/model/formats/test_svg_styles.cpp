@@ -1,6 +1,6 @@
 // Style sheets in SVG drawings: which rule reaches which element, and which of them wins.
-#include "model/formats/svg/css_sheet.h"
-#include "model/formats/svg/svg_paths.h"
+#include "model/formats/svg/css/css_sheet.h"
+#include "model/formats/svg/paths/svg_paths.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // Splitting, joining and bending strokes.
-#include "model/painting/bernstein.h"
+#include "model/geometry/bernstein.h"
 #include "model/painting/validate.h"
 #include "model/shaping/curves/split.h"
 #include "model/shaping/erasing/erase.h"
