@@ -8,6 +8,9 @@ namespace suffuse {
 class CanvasWidget;
 class Editor;
 
+/// What a step of Tool::stepSize multiplies a size by: four steps double it.
+inline constexpr double sizeStep = 1.189207115002721;
+
 /// A tool of one canvas.
 class CanvasTool : public Tool {
 public:

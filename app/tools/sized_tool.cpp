@@ -13,8 +13,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< Four steps double the size.
-constexpr double edge = 4;                     ///< pixels beside the circle that the pen of the ring takes
+constexpr double edge = 4; ///< pixels beside the circle that the pen of the ring takes
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "app/tools/brush/brush_sizing.h"
 
 #include "app/session/editor.h"
+#include "app/tools/canvas_tool.h"
 #include "app/widgets/numbers/quantity.h"
 #include "model/brush/brush_width.h"
 
@@ -10,7 +11,6 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< Four steps double the size.
 constexpr double opacityStep = 0.1;
 constexpr double leastSpread = 1e-7;
 constexpr double greatestSpread = 1e5;
