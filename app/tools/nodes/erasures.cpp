@@ -152,6 +152,27 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
     return segments;
 }
 
+bool isWholeErasure(const Painting &painting, const std::set<SegmentRef> &selected, const SegmentRef &segment)
+{
+    return selected == wholeErasureOf(painting, segment) && selected != erasureOf(painting, segment);
+}
+
+std::optional<Selection> withErasure(const Painting &painting, const Selection &selected, const SegmentRef &hit,
+                                     bool add)
+{
+    std::set<SegmentRef> erasure = wholeErasureOf(painting, hit);
+    if (!add && selected.segments == erasure && !erasure.empty())
+        erasure = erasureOf(painting, hit);
+    const bool isChosen = selected.segments == erasure;
+    if (erasure.empty() || (!add && isChosen))
+        return std::nullopt;
+    Selection chosen = add ? selected : Selection();
+    for (const SegmentRef &ref : erasure)
+        chosen.strokes.insert(ref.stroke);
+    chosen.segments.merge(erasure);
+    return chosen;
+}
+
 std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach)
 {
     std::optional<ErasurePlace> found;

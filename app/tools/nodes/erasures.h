@@ -17,6 +17,13 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
 /// touch, or the hand may have gone straight on from one to the other at its pace. An erasure that was doubled is a
 /// thing of its own.
 std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &segment);
+/// Whether an erasure of several parts, one of which has the segment, is what is selected.
+bool isWholeErasure(const Painting &painting, const std::set<SegmentRef> &selected, const SegmentRef &segment);
+/// What is selected after a click on what takes paint away, which means all of the erasure, in all strokes; a second
+/// one means its part in this stroke. `add` leaves what was selected. None where the click means the segment: where it
+/// lays paint, or that part is what is selected already.
+std::optional<Selection> withErasure(const Painting &painting, const Selection &selected, const SegmentRef &hit,
+                                     bool add);
 /// A place on an erasure.
 struct ErasurePlace {
     StrokeId stroke = 0;

@@ -7,6 +7,7 @@
 #include "app/session/selecting/pick.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/tools/nodes/erasures.h"
+#include "app/tools/nodes/node_sets.h"
 #include "app/tools/tool_fields.h"
 #include "model/painting/editable.h"
 #include "model/shaping/nodes/coarse_nodes.h"
@@ -19,32 +20,12 @@
 
 namespace suffuse {
 
-namespace {
-
-/// The nodes at both ends of segments.
-std::set<NodeRef> nodesAround(const Painting &painting, const std::set<SegmentRef> &segments)
-{
-    std::set<NodeRef> nodes;
-    StrokePtr stroke;
-    for (const SegmentRef &ref : segments) {
-        if (!stroke || stroke->id != ref.stroke)
-            stroke = painting.find(ref.stroke);
-        if (!stroke || ref.segment >= int(stroke->segments.size()))
-            continue;
-        nodes.insert({ref.stroke, ref.segment});
-        nodes.insert({ref.stroke, endNode(*stroke, ref.segment)});
-    }
-    return nodes;
-}
-
-} // namespace
-
 NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
-    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_drag(canvas, m_reach),
-      m_width(canvas), m_gradient(canvas)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_inReach(canvas, m_nodes),
+      m_drag(canvas, m_reach), m_width(canvas), m_gradient(canvas)
 {
     connect(&m_editor.layer(), &CurrentLayer::changed, this, [this] { // what is reached may be other strokes
-        m_marks.reset();
+        m_inReach.reset();
         m_canvas.updateSelection();
     });
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
@@ -63,7 +44,7 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
             isInUse() || (m_canvas.tool() && m_canvas.tool()->colourUse() == ColourTarget::ToolUse::Either);
         if (!staysWithIt)
             m_gradient.deselect();
-        m_marks.reset();
+        m_inReach.reset();
         m_commands.update();
     });
     connect(&canvas, &CanvasWidget::viewChanged, this, &NodeTool::followView);
@@ -141,26 +122,11 @@ void NodeTool::followDocument(const Change &change)
         m_gradient.deselect();
     if (change.reset || !selection().segments.empty())
         m_nodes.clear();
-    if (!m_nodes.empty()) {
-        const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-        std::map<StrokeId, int> counts; // the nodes of each selected stroke that has selected nodes
-        const std::set<StrokeId> wanted = strokesOfNodes();
-        for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
-            if (wanted.contains(stroke->id) && shown.contains(stroke->id))
-                counts[stroke->id] = nodeCount(*stroke);
-        std::erase_if(m_nodes,
-                      [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
-    }
-    if (m_marks && m_nodes.size() == nodes && isOfDrag(change)) {
-        m_marks->follow(*m_editor.layer().reached(), change.strokes, m_nodes);
-    } else {
-        for (const StrokeId stroke : change.strokes)
-            if (!m_drag.holds(stroke))
-                m_shown.ofStrokes.erase(stroke);
-        if (change.reset)
-            m_shown.ofStrokes.clear();
-        m_marks.reset();
-    }
+    keepNodesOf(*m_editor.document().painting(), m_canvas.selection().strokes, m_nodes);
+    if (m_nodes.size() == nodes && isOfDrag(change))
+        m_inReach.followDrag(change);
+    else
+        m_inReach.follow(change, m_drag);
     m_commands.update();
 }
 
@@ -191,100 +157,22 @@ bool NodeTool::isOfDrag(const Change &change) const
            std::all_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_drag.holds(id); });
 }
 
-std::set<StrokeId> NodeTool::strokesOfNodes() const
-{
-    std::set<StrokeId> strokes;
-    for (const NodeRef &node : m_nodes)
-        strokes.insert(node.stroke);
-    return strokes;
-}
-
-/// Nodes with the other ends of closed chains: a seam is one node for people.
-std::set<NodeRef> NodeTool::withSeams(const std::set<NodeRef> &nodes) const
-{
-    std::set<NodeRef> all;
-    StrokePtr stroke;
-    for (const NodeRef &ref : nodes) {
-        if (!stroke || stroke->id != ref.stroke)
-            stroke = m_editor.document().painting()->find(ref.stroke);
-        if (stroke)
-            for (const int node : nodesTogether(*stroke, ref.node))
-                all.insert(all.end(), {ref.stroke, node});
-    }
-    return all;
-}
-
 void NodeTool::selectNodes(std::set<NodeRef> nodes)
 {
-    m_nodes = withSeams(nodes);
+    m_nodes = withSeams(*m_editor.document().painting(), nodes);
     m_gradient.deselect();
     // Segments and nodes are never both selected; where no node is left, this deselects the segments.
     if (!selection().segments.empty())
         select(Selection{selection().strokes, {}});
-    m_marks.reset();
+    m_inReach.reset();
     m_commands.update();
     m_canvas.updateSelection();
 }
 
-const NodeMarks &NodeTool::marks() const
-{
-    if (!m_marks || m_marks->view() != m_canvas.view())
-        m_marks.emplace(*m_editor.layer().reached(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
-                        m_canvas.devicePixelRatioF(), m_shown);
-    return *m_marks;
-}
-
-/// Whether a node belongs to an erasure of which no node is selected.
-bool NodeTool::meansErasure(const NodeRef &node) const
-{
-    const std::set<NodeRef> nodes = nodesOfErasureAt(*m_editor.document().painting(), node);
-    return !nodes.empty() && std::ranges::none_of(nodes, [this](const NodeRef &n) { return m_nodes.contains(n); });
-}
-
 /// Where the knob of a gradient lies on a node, the middle is the node's, and the ring around it the knob's.
-NodeMarks::Hit NodeTool::markAt(Point pixel) const
-{
-    return marks().hit(pixel, m_gradient.isAt(pixel) ? NodeMarks::narrowReach : NodeMarks::reach);
-}
-
 NodeHit NodeTool::hitAt(const PointerEvent &event) const
 {
-    NodeHit hit;
-    hit.mark = markAt(event.pixel);
-    double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-    const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-    const PaintingPtr reached = m_editor.layer().reached();
-    const Painting &painting = *reached;
-    if (hit.mark.node && meansErasure(*hit.mark.node)) {
-        hit.within = std::exchange(hit.mark.node, std::nullopt);
-        hit.curve = hit.within->stroke;
-        hit.place = placeOfNode(*painting.find(hit.curve), hit.within->node);
-    }
-    if (!hit.mark.isEmpty() || hit.within)
-        return hit;
-    const Editable isEditable(painting.groups);
-    for (const StrokePtr &stroke : painting.strokes) {
-        if (!shown.contains(stroke->id) || !isEditable(*stroke))
-            continue;
-        const auto isNear = [&](const Segment &segment) {
-            return stroke->cubicOf(segment).controlBox().grown(nearest).contains(event.point);
-        };
-        if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
-            continue;
-        double distance = 0;
-        const CurvePlace place = nearestPlace(*stroke, event.point, &distance);
-        if (distance <= nearest) {
-            nearest = distance;
-            hit.curve = stroke->id;
-            hit.place = place;
-        }
-    }
-    if (!hit.curve && m_canvas.showsAllErasures())
-        if (const auto erasure = erasureAt(painting, event.point, nearest)) {
-            hit.curve = erasure->stroke;
-            hit.place = {erasure->segment, erasure->p};
-        }
-    return hit;
+    return m_inReach.hitAt(event, m_gradient.isAt(event.pixel));
 }
 
 void NodeTool::setHovered(const Hovered &hovered)
@@ -316,7 +204,7 @@ void NodeTool::leave()
 
 void NodeTool::press(const PointerEvent &event)
 {
-    const bool isFree = markAt(event.pixel).isEmpty();
+    const bool isFree = m_inReach.markAt(event.pixel, m_gradient.isAt(event.pixel)).isEmpty();
     if (isFree && m_gradient.press(event))
         return;
     m_gradient.deselect();
@@ -385,12 +273,13 @@ void NodeTool::clicked(const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const bool goesOnWithSegments = add && !selection().segments.empty();
     const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
-    if (m_hit.within && nodesCount && selection().segments.contains(m_hit.segment()) && !isWhole(m_hit.segment())) {
+    if (m_hit.within && nodesCount && selection().segments.contains(m_hit.segment()) &&
+        !isWholeErasure(*m_editor.document().painting(), selection().segments, m_hit.segment())) {
         selectNodes({*m_hit.within});
     } else if (m_hit.mark.node && nodesCount) {
         std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
         const bool takesOff = nodes.contains(*m_hit.mark.node);
-        for (const NodeRef &node : withSeams({*m_hit.mark.node}))
+        for (const NodeRef &node : withSeams(*m_editor.document().painting(), {*m_hit.mark.node}))
             if (takesOff)
                 nodes.erase(node);
             else
@@ -401,39 +290,13 @@ void NodeTool::clicked(const PointerEvent &event)
     }
 }
 
-/// Whether an erasure of several parts, one of which has the segment, is what is selected.
-bool NodeTool::isWhole(const SegmentRef &segment) const
-{
-    const Painting &painting = *m_editor.document().painting();
-    return selection().segments == wholeErasureOf(painting, segment) &&
-           selection().segments != erasureOf(painting, segment);
-}
-
-/// A click on what takes paint away means all of the erasure, in all strokes; a second one its part in this stroke, and
-/// one more the segment.
-bool NodeTool::chooseErasure(const SegmentRef &hit, bool add)
-{
-    const Painting &painting = *m_editor.document().painting();
-    std::set<SegmentRef> erasure = wholeErasureOf(painting, hit);
-    if (!add && selection().segments == erasure && !erasure.empty())
-        erasure = erasureOf(painting, hit);
-    const bool isChosen = selection().segments == erasure;
-    if (erasure.empty() || (!add && isChosen))
-        return false;
-    Selection chosen = add ? selection() : Selection();
-    for (const SegmentRef &ref : erasure)
-        chosen.strokes.insert(ref.stroke);
-    chosen.segments.merge(erasure);
-    select(std::move(chosen));
-    return true;
-}
-
 void NodeTool::clickedSegment(const PointerEvent &event)
 {
     const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier));
     const bool shift = (event.modifiers & Qt::ShiftModifier) && m_nodes.empty();
-    if (m_hit.curve && (plain || shift) && chooseErasure(m_hit.segment(), shift))
-        return;
+    if (m_hit.curve && (plain || shift))
+        if (auto chosen = withErasure(*m_editor.document().painting(), selection(), m_hit.segment(), shift))
+            return select(std::move(*chosen));
     if (event.modifiers & Qt::ShiftModifier && selectRun(event))
         return;
     std::optional<SegmentRef> hit = m_hit.curve ? m_hit.segment() : pick(event);
@@ -474,13 +337,7 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const PaintingPtr reached = m_editor.layer().reached();
     const Painting &painting = *reached;
-    std::set<NodeRef> nodes;
-    const Editable isEditable(painting.groups);
-    for (const StrokePtr &stroke : painting.strokes)
-        if (m_canvas.selection().strokes.contains(stroke->id) && isEditable(*stroke))
-            for (int k = 0; k < nodeCount(*stroke); ++k)
-                if (band.contains(m_canvas.view().toPixels(nodePosition(*stroke, k))))
-                    nodes.insert({stroke->id, k});
+    std::set<NodeRef> nodes = nodesWithin(painting, m_canvas.selection().strokes, m_canvas.view(), band);
     if (!nodes.empty()) {
         if (add)
             nodes.insert(m_nodes.begin(), m_nodes.end());
@@ -607,7 +464,8 @@ bool NodeTool::dragErasure(const PointerEvent &press)
     if (erasureOf(painting, m_hit.segment()).empty())
         return false;
     if (!selection().segments.contains(m_hit.segment()))
-        chooseErasure(m_hit.segment(), false);
+        if (auto chosen = withErasure(painting, selection(), m_hit.segment(), false))
+            select(std::move(*chosen));
     m_hit.erasure = true;
     NodeHit node = m_hit;
     node.mark.node = NodeRef{m_hit.curve, m_hit.place.segment};
@@ -627,7 +485,7 @@ void NodeTool::endDrag(bool cancelled)
         m_drag.giveUp();
     else
         m_drag.commit();
-    m_marks.reset();
+    m_inReach.reset();
     if (std::exchange(m_hit.erasure, false))
         emit hintChanged();
 }
@@ -657,7 +515,7 @@ void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
     m_width.paint(painter, view, dpr);
     m_gradient.paint(painter, view, dpr);
     m_drag.paint(painter, view, dpr);
-    marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
+    m_inReach.marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
     SelectionTool::paint(painter, view, dpr);
 }
 

@@ -4,6 +4,7 @@
 #include "app/tools/nodes/gradient_handles.h"
 #include "app/tools/nodes/node_commands.h"
 #include "app/tools/nodes/node_drag.h"
+#include "app/tools/nodes/nodes_in_reach.h"
 #include "app/tools/nodes/width_handle.h"
 #include "app/tools/selection_tool.h"
 
@@ -52,7 +53,6 @@ public:
     const std::set<NodeRef> &nodes() const { return m_nodes; }
     /// Selects nodes of selected strokes, and deselects the segments.
     void selectNodes(std::set<NodeRef> nodes);
-    std::set<NodeRef> withSeams(const std::set<NodeRef> &nodes) const;
 
 protected:
     void pressed(const PointerEvent &event) override;
@@ -67,7 +67,6 @@ private:
     void followDeleted(const Change &change);
     void rememberDeleted(const std::set<NodeRef> &nodes, const Painting &before);
     bool isOfDrag(const Change &change) const;
-    const NodeMarks &marks() const;
     bool isInUse() const;
     void followView();
     /// What lies under the pointer, besides paint.
@@ -80,27 +79,19 @@ private:
         friend bool operator==(const Hovered &, const Hovered &) = default;
     };
     void setHovered(const Hovered &hovered);
-    /// The node, the handle, or the place on the curve of a selected stroke that the pointer is over.
-    bool meansErasure(const NodeRef &node) const;
-    NodeMarks::Hit markAt(Point pixel) const;
     NodeHit hitAt(const PointerEvent &event) const;
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);
-    bool chooseErasure(const SegmentRef &hit, bool add);
-    bool isWhole(const SegmentRef &segment) const;
     bool dragErasure(const PointerEvent &press);
     QString erasureHint() const;
     void insertNode(const NodeHit &at);
-    std::set<StrokeId> strokesOfNodes() const;
     void selectNext(int step);
     bool nudge(QKeyEvent *event);
 
     QPointer<QWidget> m_options;
     std::set<NodeRef> m_nodes;
     NodeCommands m_commands;
-    mutable ShownNodes m_shown;
-    /// the marks of the present state; none after a change, until they are needed
-    mutable std::optional<NodeMarks> m_marks;
+    NodesInReach m_inReach;
     Hovered m_hovered;
 
     SoftReach m_reach;
