@@ -317,6 +317,36 @@ private slots:
         QCOMPARE(selectedGroups(d), Ids());
     }
 
+    /// What comes into a group that was hidden or locked as a whole is hidden or locked, too.
+    void aWholeGroupIsHiddenAndLockedItself()
+    {
+        Document d;
+        d.reset(makePainting(5));
+        select(d, {1, 2});
+        Edit grouping = groupSelection(d, {});
+        d.exchange(grouping);
+        const GroupId group = strokeOf(d, 1).group;
+        select(d, {1, 2, 3});
+        Edit hiding = hideSelection(d);
+        d.exchange(hiding);
+        QVERIFY(!d.painting()->findGroup(group)->visible && !strokeOf(d, 3).visible);
+        QVERIFY(strokeOf(d, 1).visible && strokeOf(d, 2).visible && strokeOf(d, 4).visible);
+        QVERIFY(d.selection().isEmpty());
+        d.exchange(hiding);
+        QVERIFY(d.painting()->findGroup(group)->visible && strokeOf(d, 3).visible);
+        QCOMPARE(d.selection().strokes, (std::set<StrokeId>{1, 2, 3}));
+        select(d, {1}); // a part of the group
+        Edit locking = lockSelection(d);
+        d.exchange(locking);
+        QVERIFY(strokeOf(d, 1).locked && !d.painting()->findGroup(group)->locked);
+        select(d, {1, 2});
+        Edit lockingAll = lockSelection(d);
+        d.exchange(lockingAll);
+        QVERIFY(d.painting()->findGroup(group)->locked && !strokeOf(d, 2).locked);
+        select(d, {});
+        QVERIFY(hideSelection(d).isEmpty());
+    }
+
     void locksNamesAndLikeness()
     {
         Document d;

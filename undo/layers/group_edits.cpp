@@ -125,6 +125,28 @@ Edit changeEverything(const Document &document, Strokes needsChange, const std::
     return edit;
 }
 
+/// Changes the outermost groups that are selected as a whole, and the other selected strokes.
+Edit closeSelection(const Document &document, Edit (*changeStrokes)(const Document &, const std::set<StrokeId> &, bool),
+                    const std::function<void(Group &)> &change, bool value)
+{
+    std::set<StrokeId> strokes;
+    std::set<GroupId> groups;
+    const std::vector<Sibling> tree = orderTree(*document.painting(), document.selection().strokes);
+    for (const Sibling *unit : selectedUnits(tree))
+        if (unit->group != 0)
+            groups.insert(unit->group);
+        else
+            strokes.insert(unit->stroke);
+    Edit edit = changeStrokes(document, strokes, value);
+    edit.groups = changeGroups(*document.painting(), [&](Group &g) {
+                      if (groups.contains(g.id))
+                          change(g);
+                  }).groups;
+    if (!edit.isEmpty())
+        edit.selection = Selection();
+    return edit;
+}
+
 /// Of what is painted: of a fill alone the outline has a colour that nobody sees, and what takes paint away has none.
 std::array<double, 3> meanColour(const Stroke &stroke)
 {
@@ -256,6 +278,18 @@ Edit setLocked(const Document &document, const std::set<StrokeId> &strokes, bool
 Edit setVisible(const Document &document, const std::set<StrokeId> &strokes, bool visible)
 {
     return changeStrokes(document, strokes, [visible](Stroke &s) { s.visible = visible; });
+}
+
+Edit lockSelection(const Document &document)
+{
+    return closeSelection(
+        document, setLocked, [](Group &g) { g.locked = true; }, true);
+}
+
+Edit hideSelection(const Document &document)
+{
+    return closeSelection(
+        document, setVisible, [](Group &g) { g.visible = false; }, false);
 }
 
 Edit setGroupLocked(const Document &document, GroupId group, bool locked)

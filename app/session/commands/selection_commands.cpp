@@ -239,18 +239,12 @@ void removeSelectedErasures(Editor &editor)
 
 void lockSelected(Editor &editor)
 {
-    Edit edit = setLocked(editor.document(), editor.document().selection().strokes, true);
-    if (!edit.isEmpty())
-        edit.selection = Selection();
-    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Lock strokes"));
+    editor.push(lockSelection(editor.document()), QCoreApplication::translate("Commands", "Lock strokes"));
 }
 
 void hideSelected(Editor &editor)
 {
-    Edit edit = setVisible(editor.document(), editor.document().selection().strokes, false);
-    if (!edit.isEmpty())
-        edit.selection = Selection();
-    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Hide strokes"));
+    editor.push(hideSelection(editor.document()), QCoreApplication::translate("Commands", "Hide strokes"));
 }
 
 void deselectHidden(Editor &editor)
