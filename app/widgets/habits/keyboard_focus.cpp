@@ -2,7 +2,7 @@
 
 #include "app/session/commands/keys.h"
 #include "app/widgets/habits/entry_field.h"
-#include "app/widgets/look/theme.h"
+#include "app/widgets/habits/panel_walk.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -14,7 +14,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMainWindow>
-#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -31,34 +30,6 @@
 #include <utility>
 
 namespace suffuse {
-
-/// A frame that lies on top of a panel and lets all events through.
-class PanelFrame : public QWidget {
-public:
-    explicit PanelFrame(QWidget &panel) : QWidget(panel.window()), m_panel(panel)
-    {
-        setAttribute(Qt::WA_TransparentForMouseEvents);
-        setFocusPolicy(Qt::NoFocus);
-        follow();
-        show();
-        raise();
-    }
-
-    const QWidget &panel() const { return m_panel; }
-    /// Follows the panel, which has moved or has another size.
-    void follow()
-    {
-        constexpr int width = 2;
-        setGeometry(QRect(m_panel.mapTo(window(), QPoint()), m_panel.size()));
-        setMask(QRegion(rect()) - rect().adjusted(width, width, -width, -width)); // the widgets below paint freely
-    }
-
-protected:
-    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), focusFrame()); }
-
-private:
-    QWidget &m_panel;
-};
 
 namespace {
 
@@ -135,16 +106,6 @@ bool searchesFor(const QWidget &widget, const QKeyEvent &key)
            !(isTree && QStringLiteral("+-*").contains(text[0]));
 }
 
-/// The place of a dock among the tabs of docks that share a place; −1 if it has a place for itself.
-int tabOf(const QMainWindow &window, const QString &title)
-{
-    for (const auto *bar : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
-        for (int i = 0; bar->isVisible() && i < bar->count(); ++i)
-            if (bar->tabText(i) == title)
-                return i;
-    return -1;
-}
-
 /// Something is being done that may ask what stands in a panel.
 bool actsOnPanels(QEvent::Type type)
 {
@@ -208,11 +169,6 @@ bool isRowEditor(const QWidget *widget)
     return view && view->viewport() == viewport;
 }
 
-bool takesFocus(const QWidget &widget)
-{
-    return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
-}
-
 /// Does with Return what Qt does with Space alone.
 void press(QAbstractButton &button)
 {
@@ -240,7 +196,7 @@ bool leadsOutOf(const QWidget &panel, QWidget &button, const QKeyEvent &key)
 } // namespace
 
 KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
-    : QObject(&window), m_window(window), m_canvas(canvas)
+    : QObject(&window), m_window(window), m_canvas(canvas), m_walk(*new PanelWalk(window, canvas, this))
 {
     qApp->installEventFilter(this);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget *old, QWidget *now) {
@@ -249,20 +205,21 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
         // What had the keyboard has gone, with its section for example, and Qt has given it to whatever came next.
         if (old && now && !old->isVisible() && old->window() == &m_window && panelOf(now))
             QTimer::singleShot(0, this, &KeyboardFocus::toCanvas);
-        if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
-            unframe();
+        m_walk.leave(now);
         if (m_told && now && panelOf(now) != m_told) { // not while the window is being closed
             m_told = nullptr;
             m_window.statusBar()->clearMessage();
         }
         if (const int tab = std::exchange(m_tab, 0); tab && now && panelOf(now) != panelOf(old))
-            tabbed(*now, tab > 0);
+            if (m_walk.tabbed(*now, tab > 0) == &m_canvas)
+                say(m_canvas);
     });
-}
-
-KeyboardFocus::~KeyboardFocus()
-{
-    delete m_frame;
+    connect(&m_walk, &PanelWalk::framed, this, [this](QWidget *panel) {
+        const bool isPanel = panel && panel != &m_canvas;
+        if (isPanel)
+            say(*panel);
+        emit framed(isPanel ? sentenceOf(*panel) : QString());
+    });
 }
 
 void KeyboardFocus::leaveAfterClicks(QWidget &widget)
@@ -283,20 +240,17 @@ void KeyboardFocus::toCanvas()
 
 void KeyboardFocus::toDock(QDockWidget &dock)
 {
-    m_front = nullptr; // It is meant to stay there.
-    enter(dock);
+    m_walk.toDock(dock);
+}
+
+void KeyboardFocus::walk(bool forward)
+{
+    m_walk.walk(forward);
 }
 
 QWidget *KeyboardFocus::panelOf(QWidget *widget) const
 {
-    for (; widget && widget != &m_window; widget = widget->parentWidget()) {
-        const bool isPanel = qobject_cast<QDockWidget *>(widget) || qobject_cast<QToolBar *>(widget);
-        if (isPanel && widget->parentWidget() == &m_window)
-            return widget;
-        if (widget->isWindow())
-            return nullptr; // a dialog has keys of its own
-    }
-    return nullptr;
+    return m_walk.panelOf(widget);
 }
 
 bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
@@ -467,7 +421,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         if (widget == m_opened)
             m_opened = nullptr;
         if (widget && panelOf(widget) && isUse(*static_cast<QKeyEvent *>(event)))
-            m_front = nullptr; // what is used stays in front
+            m_walk.keepInFront();
         if (widget && keyPressed(*widget, *static_cast<QKeyEvent *>(event)))
             return true;
         break;
@@ -480,7 +434,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::MouseButtonPress:
         m_namesByKey = false;
-        unframe();
+        m_walk.unframe();
         if (qobject_cast<QComboBox *>(widget))
             m_opened = widget;
         break;
@@ -490,118 +444,12 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::Resize:
     case QEvent::Move:
-        if (m_frame && widget == &m_frame->panel())
-            m_frame->follow();
+        m_walk.follow(widget);
         break;
     default:
         break;
     }
     return QObject::eventFilter(watched, event);
-}
-
-QList<QWidget *> KeyboardFocus::stops() const
-{
-    QList<QWidget *> panels;
-    for (auto *bar : m_window.findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
-        if (bar->isVisible())
-            panels << bar;
-    for (auto *dock : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
-        if (!dock->isHidden())
-            panels << dock;
-    // Docks that lie behind another one have no place of their own. They count as standing where the shown one stands.
-    const auto place = [this](QWidget *panel) {
-        const QWidget *front = inFrontOf(*panel), *shown = front ? front : panel;
-        const QPoint at = shown->mapToGlobal(QPoint());
-        return std::tuple(at.x(), at.y(), tabOf(m_window, panel->windowTitle()));
-    };
-    std::ranges::sort(panels, {}, place);
-    return QList<QWidget *>{&m_canvas} + panels;
-}
-
-void KeyboardFocus::walk(bool forward)
-{
-    const QList<QWidget *> all = stops();
-    QWidget *focus = QApplication::focusWidget();
-    const qsizetype count = all.size(), here = std::max<qsizetype>(0, all.indexOf(panelOf(focus)));
-    for (qsizetype i = 1; i <= count; ++i)
-        if (QWidget *stop = all[(here + (forward ? i : count - i)) % count]) {
-            QDockWidget *front = inFrontOf(*stop);
-            if (enter(*stop)) {
-                putBack(*stop);
-                if (!m_front)
-                    m_front = front;
-                return;
-            }
-            if (front)
-                front->raise();
-        }
-}
-
-/// The dock behind which another one stands; null if it stands behind none.
-QDockWidget *KeyboardFocus::inFrontOf(QWidget &stop) const
-{
-    auto *dock = qobject_cast<QDockWidget *>(&stop);
-    if (dock && dock->visibleRegion().isEmpty())
-        for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
-            if (!other->visibleRegion().isEmpty())
-                return other;
-    return nullptr;
-}
-
-/// Docks that the walk has brought to the front, and in which nothing was done, go back behind the one that stood
-/// there.
-void KeyboardFocus::putBack(const QWidget &stop)
-{
-    if (!m_front || m_front == &stop)
-        return;
-    for (const QDockWidget *other : m_window.tabifiedDockWidgets(m_front))
-        if (other == &stop)
-            return;
-    m_front->raise();
-    m_front = nullptr;
-}
-
-bool KeyboardFocus::enter(QWidget &stop)
-{
-    QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
-    QWidget *last = stop.focusWidget(); // the widget that had the keyboard when it was here last
-    if (auto *dock = qobject_cast<QDockWidget *>(&stop))
-        dock->raise();
-    // In a row of fields one types: its buttons come by Tab.
-    if (qobject_cast<QToolBar *>(&stop) && !qobject_cast<QLineEdit *>(last))
-        for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
-            if (qobject_cast<QLineEdit *>(w) && stop.isAncestorOf(w) && takesFocus(*w) && w->isVisibleTo(&stop))
-                goal = w;
-    if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
-        goal = last;
-    for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
-        if (stop.isAncestorOf(w) && takesFocus(*w) && w->isVisibleTo(&stop))
-            goal = w;
-    if (!goal)
-        return false;
-    stop.window()->activateWindow();
-    stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // from now on styles show the focus
-    goal->setFocus(Qt::TabFocusReason);
-    frame(stop);
-    return true;
-}
-
-/// Shows where the keyboard is.
-void KeyboardFocus::frame(QWidget &stop)
-{
-    delete m_frame;
-    m_frame = new PanelFrame(stop);
-    if (&stop != &m_canvas)
-        say(stop);
-    emit framed(&stop != &m_canvas ? sentenceOf(stop) : QString());
-}
-
-void KeyboardFocus::unframe()
-{
-    if (!m_frame)
-        return;
-    delete m_frame;
-    emit framed({});
 }
 
 void KeyboardFocus::noteKey(const QWidget *widget, const QKeyEvent &key)
@@ -612,32 +460,6 @@ void KeyboardFocus::noteKey(const QWidget *widget, const QKeyEvent &key)
     m_tab = key.key() == Qt::Key_Tab ? 1 : key.key() == Qt::Key_Backtab ? -1 : 0;
     if (!isRowEditor(widget)) // what is typed in one does not tell how it was opened
         m_namesByKey = true;
-}
-
-/// Whether a widget is in a dock that is hidden behind another one.
-bool KeyboardFocus::isBehind(QWidget &widget) const
-{
-    const auto *dock = qobject_cast<QDockWidget *>(panelOf(&widget));
-    return dock && dock->visibleRegion().isEmpty();
-}
-
-/// Tab has come to a widget of another panel.
-void KeyboardFocus::tabbed(QWidget &to, bool forward)
-{
-    QWidget *goal = &to;
-    while (isBehind(*goal) || !takesFocus(*goal) || !goal->isVisible() || goal->window() != to.window()) {
-        goal = forward ? goal->nextInFocusChain() : goal->previousInFocusChain();
-        if (goal == &to)
-            return;
-    }
-    if (goal != &to)
-        goal->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
-    if (QWidget *panel = panelOf(goal)) {
-        frame(*panel);
-    } else if (goal == &m_canvas) { // Shift+Tab in the first field of a row
-        frame(m_canvas);
-        say(m_canvas);
-    }
 }
 
 } // namespace suffuse

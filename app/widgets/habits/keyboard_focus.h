@@ -1,6 +1,7 @@
 // Decides who has the keyboard in a window: the canvas or a panel.
 #pragma once
 
+#include <QEvent>
 #include <QObject>
 #include <QPointer>
 
@@ -10,7 +11,7 @@ class QMainWindow;
 
 namespace suffuse {
 
-class PanelFrame;
+class PanelWalk;
 
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
@@ -28,7 +29,6 @@ class KeyboardFocus : public QObject {
 public:
     /// The window owns this object.
     KeyboardFocus(QMainWindow &window, QWidget &canvas);
-    ~KeyboardFocus() override;
 
     /// A click on the widget gives the keyboard back to the canvas, though it can be typed into: what was clicked there
     /// is what the hand goes on with.
@@ -62,28 +62,19 @@ private:
     void letClicked(const QWidget *clicked);
     void listClosed(const QWidget &popup);
     void takeTypedBefore(const QObject &watched, QEvent::Type type);
-    void putBack(const QWidget &stop);
     QString sentenceOf(const QWidget &panel) const;
     void say(QWidget &panel);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
-    QList<QWidget *> stops() const;
-    QDockWidget *inFrontOf(QWidget &stop) const;
-    bool enter(QWidget &stop);
     void noteKey(const QWidget *widget, const QKeyEvent &key);
-    void tabbed(QWidget &to, bool forward);
-    bool isBehind(QWidget &widget) const;
-    void frame(QWidget &stop);
-    void unframe();
 
     QMainWindow &m_window;
     QWidget &m_canvas;
-    QPointer<PanelFrame> m_frame;
-    QPointer<QDockWidget> m_front; ///< the dock that stood in front of the one to which the walk has gone
-    QPointer<QWidget> m_opened;    ///< the widget that was pressed last, and got no key since
-    int m_tab = 0;                 ///< 1 after Tab, −1 after Shift+Tab
-    bool m_namesByKey = false;     ///< a key was pressed, as F2 in a list, and no button since
-    bool m_endsName = false;       ///< the key that is being handled ends a name in a list
-    QPointer<QWidget> m_told;      ///< the panel of which the status bar has said that it has the keyboard
+    PanelWalk &m_walk;
+    QPointer<QWidget> m_opened; ///< the widget that was pressed last, and got no key since
+    int m_tab = 0;              ///< 1 after Tab, −1 after Shift+Tab
+    bool m_namesByKey = false;  ///< a key was pressed, as F2 in a list, and no button since
+    bool m_endsName = false;    ///< the key that is being handled ends a name in a list
+    QPointer<QWidget> m_told;   ///< the panel of which the status bar has said that it has the keyboard
 };
 
 } // namespace suffuse

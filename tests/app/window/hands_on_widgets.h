@@ -1,10 +1,12 @@
-// What the tests of wheel, keys and typed fields share.
+// What the tests of wheel, keys, panels and typed fields share.
 #pragma once
 
 #include "app/widgets/numbers/number_field.h"
 #include "tests/app/all_dialogs.h"
 
+#include <QDockWidget>
 #include <QTemporaryDir>
+#include <QToolBar>
 
 namespace suffuse {
 
@@ -29,6 +31,27 @@ inline NumberField *fieldCalled(QWidget &root, const QString &name)
         if (field->accessibleName() == name && field->isVisible())
             return field;
     return nullptr;
+}
+
+/// The docks and tool bars of a window.
+inline QList<QWidget *> panelsOf(MainWindow &window)
+{
+    QList<QWidget *> panels;
+    for (auto *dock : window.findChildren<QDockWidget *>())
+        panels << dock;
+    for (auto *bar : window.findChildren<QToolBar *>())
+        panels << bar;
+    return panels;
+}
+
+/// What in a panel can have the keyboard.
+inline QList<QWidget *> focusableIn(QWidget &panel)
+{
+    QList<QWidget *> widgets = panel.findChildren<QWidget *>();
+    widgets.removeIf([&](QWidget *w) {
+        return !(w->focusPolicy() & Qt::StrongFocus) || w->focusProxy() || w->window() != panel.window();
+    });
+    return widgets;
 }
 
 } // namespace suffuse

@@ -1,0 +1,49 @@
+// Two waves, and the eraser in hand.
+#pragma once
+
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "tests/app/shapes.h"
+
+#include <QLabel>
+
+#include <algorithm>
+
+namespace suffuse {
+
+/// Two waves whose paint is 20 wide and more; the lifting eraser in hand, 24 across.
+struct EraserSession : WaveSession {
+    StrokeId other = addWave(200, 420, false);
+
+    EraserSession()
+    {
+        editor().document().setSelection({});
+        use(Command::Eraser);
+        eraser().setChoice({});
+        eraser().setRadius(12);
+    }
+    EraserTool &eraser() { return *window.findChild<EraserTool *>(); }
+    /// As a hand does: the clock goes on, and it takes a moment from one path to the next.
+    void erase(Point from, Point to, Qt::KeyboardModifiers modifiers = {}, bool release = true)
+    {
+        advance(200'000);
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
+        for (int i = 1; i <= 12; ++i) {
+            advance(interval);
+            move(from + (i / 12.0) * (to - from), modifiers);
+        }
+        if (release)
+            QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, at(to));
+    }
+    QString hint() { return canvas().tool()->hint(); }
+    int erasing(StrokeId which) { return int(std::ranges::count_if(stroke(which).segments, &Segment::lift)); }
+    QString summary()
+    {
+        for (const QLabel *label : window.findChild<InspectorPanel *>()->findChildren<QLabel *>())
+            if (label->text().contains(QStringLiteral("stroke(s)")))
+                return label->text();
+        return {};
+    }
+};
+
+} // namespace suffuse
