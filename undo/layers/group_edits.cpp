@@ -131,7 +131,15 @@ Edit closeSelection(const Document &document, Edit (*changeStrokes)(const Docume
 {
     std::set<StrokeId> strokes;
     std::set<GroupId> groups;
-    const std::vector<Sibling> tree = orderTree(*document.painting(), document.selection().strokes);
+    // What is hidden or locked in a group already does not keep it from being selected as a whole.
+    const Painting &painting = *document.painting();
+    Painting open = painting;
+    open.strokes.clear();
+    const Editable isEditable(painting.groups);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (isEditable(*stroke))
+            open.strokes.push_back(stroke);
+    const std::vector<Sibling> tree = orderTree(open, document.selection().strokes);
     for (const Sibling *unit : selectedUnits(tree))
         if (unit->group != 0)
             groups.insert(unit->group);

@@ -25,8 +25,8 @@ Edit ungroup(const Document &document, GroupId group);
 /// These lock or unlock, and show or hide, strokes or a group.
 Edit setLocked(const Document &document, const std::set<StrokeId> &strokes, bool locked);
 Edit setVisible(const Document &document, const std::set<StrokeId> &strokes, bool visible);
-/// The same of what is selected. Of a group that is selected as a whole the group is, so that what comes into it later
-/// is, too; nothing is selected any more.
+/// The same of what is selected. Of a group that is selected as a whole, but for what is hidden or locked in it already,
+/// the group is, so that what comes into it later is, too; nothing is selected any more.
 Edit lockSelection(const Document &document);
 Edit hideSelection(const Document &document);
 Edit setGroupLocked(const Document &document, GroupId group, bool locked);

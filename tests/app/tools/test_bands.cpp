@@ -204,9 +204,6 @@ private slots:
         QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
     }
 
-private:
-    QTemporaryDir m_folder;
-
     /// With "This Layer Only" tools leave what is elsewhere alone, say so, and take what is in the layer one by one.
     void onlyTheLayerIsReached()
     {
@@ -243,12 +240,12 @@ private:
         QCOMPARE(int(noted.count()), 1);
 
         s.use(Command::Knife);
-        s.drag({{200, 50}, {200, 450}});
-        QCOMPARE(s.painting().strokes.size(), std::size_t(6));
-        QVERIFY(s.painting().find(1)->segments == painting->find(1)->segments);
+        s.drag({{170, 50}, {170, 450}});
+        for (const StrokeId id : {1, 2, 3, 4})
+            QCOMPARE(nodeCount(*s.painting().find(id)) > nodeCount(*painting->find(id)), id == 2 || id == 3);
         s.use(Command::Undo);
         const int steps = s.steps();
-        s.drag({{200, 50}, {200, 150}});
+        s.drag({{170, 50}, {170, 150}});
         QCOMPARE(int(noted.count()), 2);
         for (const Command tool : {Command::Eraser, Command::Push, Command::Redraw}) {
             s.use(tool);
@@ -259,6 +256,9 @@ private:
         QCOMPARE(s.steps(), steps);
         s.use(Command::Select);
     }
+
+private:
+    QTemporaryDir m_folder;
 };
 
 QTEST_MAIN(TestBands)
