@@ -11197,10 +11197,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>das Blatt ist zu groß für ein Bild mit einem Pixel je Einheit</translation>
     </message>
     <message numerus="yes">
-        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <source>SVG has no groups that erase what lies below: %n group(s) became plain.</source>
         <translation>
-            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppe wurde gewöhnlich.</numerusform>
-            <numerusform>SVG kennt keine Gruppen, die maskieren, was darunter liegt, es löschen oder sich darauf beschränken: %n Gruppen wurden gewöhnlich.</numerusform>
+            <numerusform>SVG kennt keine Gruppen, die löschen, was darunter liegt: %n Gruppe wurde gewöhnlich.</numerusform>
+            <numerusform>SVG kennt keine Gruppen, die löschen, was darunter liegt: %n Gruppen wurden gewöhnlich.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -11219,10 +11219,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1: hätte entpackt %2 MB und ließe sich nicht mehr öffnen. Bitte weniger Bänder oder die Endung .svg wählen.</translation>
     </message>
     <message numerus="yes">
-        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <source>PDF has no groups that erase what lies below, or add to it: %n group(s) became plain.</source>
         <translation>
-            <numerusform>PDF kennt keine Gruppen, die maskieren, was darunter liegt, es löschen, sich darauf beschränken oder dazuzählen: %n Gruppe wurde gewöhnlich.</numerusform>
-            <numerusform>PDF kennt keine Gruppen, die maskieren, was darunter liegt, es löschen, sich darauf beschränken oder dazuzählen: %n Gruppen wurden gewöhnlich.</numerusform>
+            <numerusform>PDF kennt keine Gruppen, die löschen, was darunter liegt, oder dazuzählen: %n Gruppe wurde gewöhnlich.</numerusform>
+            <numerusform>PDF kennt keine Gruppen, die löschen, was darunter liegt, oder dazuzählen: %n Gruppen wurden gewöhnlich.</numerusform>
         </translation>
     </message>
     <message>

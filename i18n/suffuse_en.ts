@@ -540,10 +540,10 @@
 <context>
     <name>Drawing</name>
     <message numerus="yes">
-        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <source>SVG has no groups that erase what lies below: %n group(s) became plain.</source>
         <translation>
-            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n group became plain.</numerusform>
-            <numerusform>SVG has no groups that mask, erase or clip what lies below: %n groups became plain.</numerusform>
+            <numerusform>SVG has no groups that erase what lies below: %n group became plain.</numerusform>
+            <numerusform>SVG has no groups that erase what lies below: %n groups became plain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -554,10 +554,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <source>PDF has no groups that erase what lies below, or add to it: %n group(s) became plain.</source>
         <translation>
-            <numerusform>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group became plain.</numerusform>
-            <numerusform>PDF has no groups that mask, erase or clip what lies below, or add to it: %n groups became plain.</numerusform>
+            <numerusform>PDF has no groups that erase what lies below, or add to it: %n group became plain.</numerusform>
+            <numerusform>PDF has no groups that erase what lies below, or add to it: %n groups became plain.</numerusform>
         </translation>
     </message>
 </context>

@@ -11127,9 +11127,9 @@ Arrow keys work too.</source>
         <translation>画布太大，无法生成每单位一个像素的图像</translation>
     </message>
     <message numerus="yes">
-        <source>SVG has no groups that mask, erase or clip what lies below: %n group(s) became plain.</source>
+        <source>SVG has no groups that erase what lies below: %n group(s) became plain.</source>
         <translation>
-            <numerusform>SVG 没有遮盖、擦除或剪裁下方内容的组：%n 个组变成了普通组。</numerusform>
+            <numerusform>SVG 没有擦除下方内容的组：%n 个组变成了普通组。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -11147,9 +11147,9 @@ Arrow keys work too.</source>
         <translation>%1：解压后将有 %2 MB，无法再次打开。请选择更少的条带，或使用 .svg 扩展名。</translation>
     </message>
     <message numerus="yes">
-        <source>PDF has no groups that mask, erase or clip what lies below, or add to it: %n group(s) became plain.</source>
+        <source>PDF has no groups that erase what lies below, or add to it: %n group(s) became plain.</source>
         <translation>
-            <numerusform>PDF 没有遮盖、擦除、剪裁下方内容或与之相加的组：%n 个组变成了普通组。</numerusform>
+            <numerusform>PDF 没有擦除下方内容或与之相加的组：%n 个组变成了普通组。</numerusform>
         </translation>
     </message>
     <message>

@@ -144,13 +144,12 @@ QString leftOutOf(const PreparedDrawing &prepared)
     if (prepared.drawing.plain > 0)
         said << (prepared.drawing.format == DrawingFormat::Pdf
                      ? QCoreApplication::translate("Drawing",
-                                                   "PDF has no groups that mask, erase or clip what lies below, or "
-                                                   "add to it: %n group(s) became plain.",
-                                                   nullptr, prepared.drawing.plain)
-                     : QCoreApplication::translate("Drawing",
-                                                   "SVG has no groups that mask, erase or clip what lies below: %n "
+                                                   "PDF has no groups that erase what lies below, or add to it: %n "
                                                    "group(s) became plain.",
-                                                   nullptr, prepared.drawing.plain));
+                                                   nullptr, prepared.drawing.plain)
+                     : QCoreApplication::translate(
+                           "Drawing", "SVG has no groups that erase what lies below: %n group(s) became plain.",
+                           nullptr, prepared.drawing.plain));
     if (prepared.drawing.thin > 0)
         said << QCoreApplication::translate(
             "Drawing",

@@ -27,6 +27,7 @@ struct Sheet {
     float opacity = 1;
     BlendMode blend = BlendMode::Normal;
     std::vector<float> rgba;
+    std::vector<float> seen{}; ///< how much of each pixel is seen through what bounds the group; empty: all
 };
 
 /// Draws rows of a drawing.
@@ -45,6 +46,9 @@ public:
             ground.rgba[i + 3] = 1;
         }
         m_sheets.push_back(std::move(ground));
+        if (const auto all = m_drawing.bounds.find(0); all != m_drawing.bounds.end())
+            m_sheets.push_back({0, 1, BlendMode::Normal, emptyRows(), seenThrough(all->second)});
+        m_floor = m_sheets.size();
     }
 
     void draw(FloatPicture &out, const std::atomic<bool> *cancel)
@@ -56,6 +60,8 @@ public:
             put(stroke);
         }
         goTo(0);
+        while (m_sheets.size() > 1)
+            putSheet();
         out.store({0, m_top, m_view.width, m_height}, m_sheets.front().rgba.data(), m_view.width);
     }
 
@@ -68,16 +74,35 @@ private:
         std::vector<const Group *> wanted;
         for (const Group *group = m_drawing.painting->findGroup(id); group;
              group = m_drawing.painting->findGroup(group->parent))
-            if (comesTogether(*group))
+            if (comesTogether(m_drawing, *group))
                 wanted.insert(wanted.begin(), group);
         std::size_t same = 0;
-        while (same < wanted.size() && same + 1 < m_sheets.size() && m_sheets[same + 1].group == wanted[same]->id)
+        while (same < wanted.size() && same + m_floor < m_sheets.size() &&
+               m_sheets[same + m_floor].group == wanted[same]->id)
             ++same;
-        while (m_sheets.size() > same + 1)
+        while (m_sheets.size() > same + m_floor)
             putSheet();
-        for (; same < wanted.size(); ++same)
-            m_sheets.push_back({wanted[same]->id, wanted[same]->opacity,
-                                cssOf(wanted[same]->blend) ? wanted[same]->blend : BlendMode::Normal, emptyRows()});
+        for (; same < wanted.size(); ++same) {
+            const Group &group = *wanted[same];
+            Sheet sheet{group.id, group.opacity, cssOf(group.blend) ? group.blend : BlendMode::Normal, emptyRows()};
+            if (const auto bounds = m_drawing.bounds.find(group.id); bounds != m_drawing.bounds.end())
+                sheet.seen = seenThrough(bounds->second);
+            m_sheets.push_back(std::move(sheet));
+        }
+    }
+
+    std::vector<float> seenThrough(const std::vector<DrawnBound> &bounds)
+    {
+        std::vector<float> seen(m_levels.size(), 1.0f);
+        for (const DrawnBound &bound : bounds) {
+            m_sheets.push_back({0, 1, BlendMode::Normal, emptyRows()});
+            for (const DrawnStroke &stroke : bound.strokes)
+                put(stroke);
+            for (std::size_t i = 0; i < seen.size(); ++i)
+                seen[i] *= m_sheets.back().rgba[4 * i + 3] * float(bound.opacity);
+            m_sheets.pop_back();
+        }
+        return seen;
     }
 
     void putSheet()
@@ -86,7 +111,7 @@ private:
         m_sheets.pop_back();
         std::vector<float> &below = m_sheets.back().rgba;
         for (std::size_t i = 0; i < below.size(); i += 4) {
-            const float alpha = sheet.rgba[i + 3] * sheet.opacity;
+            const float alpha = sheet.rgba[i + 3] * sheet.opacity * (sheet.seen.empty() ? 1 : sheet.seen[i / 4]);
             if (!(alpha > 0))
                 continue;
             mix(below.data() + i, alpha,
@@ -182,6 +207,7 @@ private:
     PathCoverage m_coverage;
     std::vector<float> m_levels, m_row;
     std::vector<Sheet> m_sheets; ///< the groups that come together around where it is, the canvas first
+    std::size_t m_floor = 1;     ///< how many of them are no group's: the canvas, and what masks of all let through
 };
 
 } // namespace

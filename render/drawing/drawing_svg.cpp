@@ -50,14 +50,24 @@ public:
             m_xml.writeTextElement("style", ".step{mix-blend-mode:difference;fill-rule:evenodd}");
         writeBelow(canvas);
         SvgGroupWriter groups(m_xml, *m_drawing.painting, SvgLayers::Inkscape);
+        groups.setMasks([this](GroupId group) { return boundId(group); },
+                        [this](GroupId group) { writeBounds(group); });
+        const QString all = boundId(0);
+        if (!all.isEmpty()) {
+            m_xml.writeStartElement("g");
+            m_xml.writeAttribute("mask", "url(#" + all + ')');
+            writeBounds(0);
+        }
         for (const DrawnStroke &stroke : m_drawing.strokes) {
             if (m_cancel && m_cancel->load(std::memory_order_relaxed))
                 return {};
             groups.goTo(stroke.stroke->group);
             m_xml.writeCharacters("\n");
-            writeStroke(stroke);
+            writeStroke(stroke, QString::number(stroke.stroke->id));
         }
         groups.goTo(0);
+        if (!all.isEmpty())
+            m_xml.writeEndElement();
         m_xml.writeEndDocument();
         return m_bytes;
     }
@@ -99,9 +109,40 @@ private:
 
     static bool hasPicture(const DrawnStroke &drawn) { return bool(drawn.stroke->picture); }
 
-    void writeStroke(const DrawnStroke &drawn)
+    /// The mask that a group is seen through, which itself is seen through the others that bound the group.
+    QString boundId(GroupId group) const
     {
-        const QString id = QString::number(drawn.stroke->id);
+        const auto found = m_drawing.bounds.find(group);
+        if (found == m_drawing.bounds.end())
+            return {};
+        return "bound" + QString::number(group) + '-' + QString::number(found->second.size());
+    }
+
+    void writeBounds(GroupId group)
+    {
+        const QString prefix = "bound" + QString::number(group) + '-';
+        int number = 0;
+        for (const DrawnBound &bound : m_drawing.bounds.at(group)) {
+            m_xml.writeStartElement("mask");
+            m_xml.writeAttribute("id", prefix + QString::number(++number));
+            m_xml.writeAttribute("maskUnits", "userSpaceOnUse");
+            writeBox(m_drawing.painting->canvas.area());
+            if (number > 1)
+                m_xml.writeAttribute("mask", "url(#" + prefix + QString::number(number - 1) + ')');
+            if (bound.opacity < 1) {
+                m_xml.writeStartElement("g");
+                m_xml.writeAttribute("opacity", decimal(bound.opacity));
+            }
+            for (const DrawnStroke &stroke : bound.strokes)
+                writeStroke(stroke, prefix + QString::number(number) + '-' + QString::number(stroke.stroke->id));
+            if (bound.opacity < 1)
+                m_xml.writeEndElement();
+            m_xml.writeEndElement();
+        }
+    }
+
+    void writeStroke(const DrawnStroke &drawn, const QString &id)
+    {
         const contours::Band &outer = drawn.bands.front();
         const bool masked = drawn.bands.size() > 1, pictured = hasPicture(drawn) && !m_drawing.unpainted;
         if (!m_drawing.unpainted && (masked || pictured || drawn.paint.isGradient())) {

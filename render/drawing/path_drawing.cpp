@@ -3,6 +3,7 @@
 #include "model/area/area_sets.h"
 #include "model/formats/svg/css/css_blending.h"
 #include "render/composition/washes.h"
+#include "render/drawing/drawn_bounds.h"
 #include "render/scene/picture.h"
 #include "render/threads/parallel.h"
 
@@ -99,7 +100,7 @@ int plainGroups(const Painting &painting, const std::vector<StrokePtr> &visible,
     for (const StrokePtr &stroke : visible)
         for (const Group *group = painting.findGroup(stroke->group); group && seen.insert(group->id).second;
              group = painting.findGroup(group->parent))
-            plain += group->clips || group->mask || !hasMode(group->blend);
+            plain += !hasMode(group->blend);
     return plain;
 }
 
@@ -121,9 +122,10 @@ bool lacksPicture(const Stroke &stroke)
 
 } // namespace
 
-bool comesTogether(const Group &group)
+bool comesTogether(const PathDrawing &drawing, const Group &group)
 {
-    return group.isolated || group.opacity < 1 || (group.blend != BlendMode::Normal && cssOf(group.blend));
+    return drawing.bounds.contains(group.id) || group.isolated || group.opacity < 1 ||
+           (group.blend != BlendMode::Normal && cssOf(group.blend));
 }
 
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options)
@@ -137,9 +139,10 @@ PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options
     const Visibility isVisible(out.painting->groups);
     std::vector<StrokePtr> visible;
     for (const StrokePtr &stroke : out.painting->strokes)
-        if (isVisible(*stroke) && !lacksPicture(*stroke))
+        if (isVisible(*stroke))
             visible.push_back(stroke);
-    out.plain = plainGroups(*out.painting, visible, out.format);
+    if (!out.unpainted)
+        out.plain = plainGroups(*out.painting, visible, out.format);
     if (out.format == DrawingFormat::Pdf)
         out.painting = withoutAdding(out.painting);
     const contours::ContourOptions how = contourOptions(*out.painting, options);
@@ -148,16 +151,16 @@ PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options
     parallelFor(visible.size(), options.threads, [&](std::size_t i) {
         if (options.cancel && options.cancel->load(std::memory_order_relaxed))
             return;
-        strokes[i] = drawn(visible[i], options, how);
+        if (!lacksPicture(*visible[i]))
+            strokes[i] = drawn(visible[i], options, how);
         if (const int now = ++done; options.progress)
             options.progress(now, int(visible.size()));
     });
-    for (DrawnStroke &stroke : strokes) {
-        if (!stroke.bands.empty())
-            out.strokes.push_back(std::move(stroke));
-        else
-            ++out.thin;
-    }
+    out.thin = int(std::ranges::count_if(strokes, [](const DrawnStroke &s) { return s.stroke && s.bands.empty(); }));
+    if (!out.unpainted)
+        takeBounds(out, strokes);
+    std::erase_if(strokes, [](const DrawnStroke &stroke) { return stroke.bands.empty(); });
+    out.strokes = std::move(strokes);
     return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 
 namespace suffuse {
 
@@ -37,21 +38,28 @@ struct DrawnStroke {
     bool multiplies = false; ///< whether it is pigment rather than opaque paint
 };
 
+/// What a group is seen through: where these strokes are, and as much as they cover.
+struct DrawnBound {
+    std::vector<DrawnStroke> strokes; ///< white, from bottom to top
+    double opacity = 1;
+};
+
 struct PathDrawing {
     PaintingPtr painting; ///< as it is drawn
     DrawingFormat format = DrawingFormat::Svg;
     std::vector<DrawnStroke> strokes; ///< the visible ones that have a path, from bottom to top
-    int bandCount = 16;               ///< in how many steps full opacity is drawn
-    bool unpainted = false;           ///< whether paths are there to be selected only
-    int thin = 0;                     ///< how many strokes have no path, since they are nowhere half covered
-    int plain =
-        0; ///< how many groups clip, mask or erase (in PDF: add), which a drawing has nothing for: they are plain
+    /// What groups that hold masks or are clipped are seen through, by their ids; several multiply. 0: all strokes.
+    std::map<GroupId, std::vector<DrawnBound>> bounds;
+    int bandCount = 16;     ///< in how many steps full opacity is drawn
+    bool unpainted = false; ///< whether paths are there to be selected only
+    int thin = 0;           ///< how many strokes have no path, since they are nowhere half covered
+    int plain = 0;          ///< how many groups erase (in PDF: add), which a drawing has nothing for: they are plain
 };
 
 /// Draws a painting as it is exported: without drafts. Nothing of a drawing that was cancelled is of use.
 PathDrawing drawingOf(const PaintingPtr &painting, const DrawingOptions &options);
 
 /// Whether a group's paths come together before they are put on what lies below.
-bool comesTogether(const Group &group);
+bool comesTogether(const PathDrawing &drawing, const Group &group);
 
 } // namespace suffuse

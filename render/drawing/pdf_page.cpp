@@ -60,6 +60,9 @@ Result<void> PdfPageWriter::writeContent()
         m_hidden.push_back(m_outlines);
         content() += "/OC " + m_resources.layer(m_outlines) + " BDC\n";
     }
+    const bool bounded = m_page.drawing.bounds.contains(0);
+    if (bounded)
+        m_content.emplace_back();
     for (const DrawnStroke &stroke : m_page.drawing.strokes) {
         if (m_cancel && m_cancel->load(std::memory_order_relaxed))
             return Error{};
@@ -67,6 +70,11 @@ Result<void> PdfPageWriter::writeContent()
         content() += m_strokes.of(stroke);
     }
     goTo(0);
+    if (bounded) {
+        const QByteArray inside = std::move(m_content.back());
+        m_content.pop_back();
+        content() += together(inside, {}, 0);
+    }
     if (m_outlines != 0)
         content() += "EMC\n";
     return {};
@@ -112,7 +120,7 @@ void PdfPageWriter::begin(const Group &group)
 {
     m_open.push_back(&group);
     content() += layerOf(group);
-    if (comesTogether(group) && !m_page.drawing.unpainted)
+    if (comesTogether(m_page.drawing, group) && !m_page.drawing.unpainted)
         m_content.emplace_back();
 }
 
@@ -120,22 +128,46 @@ void PdfPageWriter::end()
 {
     const Group &group = *m_open.back();
     m_open.pop_back();
-    if (comesTogether(group) && !m_page.drawing.unpainted) {
+    if (comesTogether(m_page.drawing, group) && !m_page.drawing.unpainted) {
         const QByteArray inside = std::move(m_content.back());
         m_content.pop_back();
-        const Rect sheet = m_painting.canvas.area();
-        const int form =
-            m_resources.addGroup("0 0 " + pdf::number(sheet.width()) + ' ' + pdf::number(sheet.height()), inside);
         QByteArray state;
         if (group.opacity < 1)
             state += "/ca " + pdf::number(double(group.opacity)) + ' ';
         if (group.blend != BlendMode::Normal && group.blend < BlendMode::Plus)
-            state += QByteArray("/BM /") + pdfModes[int(group.blend)];
-        content() += "q\n" + (state.isEmpty() ? QByteArray() : m_resources.state(state) + " gs\n") +
-                     m_resources.painted(form) + " Do\nQ\n";
+            state += QByteArray("/BM /") + pdfModes[int(group.blend)] + ' ';
+        content() += together(inside, state, group.id);
     }
     if (m_groups.contains(group.id))
         content() += "EMC\n";
+}
+
+/// What paints content as one, seen through what bounds the group.
+QByteArray PdfPageWriter::together(const QByteArray &inside, QByteArray state, GroupId group)
+{
+    const Rect sheet = m_painting.canvas.area();
+    const QByteArray box = "0 0 " + pdf::number(sheet.width()) + ' ' + pdf::number(sheet.height());
+    if (const auto bounds = m_page.drawing.bounds.find(group); bounds != m_page.drawing.bounds.end()) {
+        QByteArray mask;
+        for (const DrawnBound &bound : bounds->second) {
+            QByteArray shape, through;
+            for (const DrawnStroke &stroke : bound.strokes)
+                shape += m_strokes.of(stroke);
+            if (bound.opacity < 1)
+                through += "/ca " + pdf::number(bound.opacity) + ' ';
+            mask = painted(m_resources.addGroup(box, shape), through + mask);
+            mask = "/SMask << /S /Alpha /G " + pdf::reference(m_resources.addGroup(box, mask)) + " >> ";
+        }
+        state += mask;
+    }
+    return painted(m_resources.addGroup(box, inside), state);
+}
+
+/// What paints a form in a state.
+QByteArray PdfPageWriter::painted(int form, const QByteArray &state)
+{
+    return "q\n" + (state.isEmpty() ? QByteArray() : m_resources.state(state) + " gs\n") + m_resources.painted(form) +
+           " Do\nQ\n";
 }
 
 /// The beginning of a group's layer, if it has a name.

@@ -32,6 +32,8 @@ private:
     void goTo(GroupId id);
     void begin(const Group &group);
     void end();
+    QByteArray together(const QByteArray &inside, QByteArray state, GroupId group);
+    QByteArray painted(int form, const QByteArray &state);
     QByteArray layerOf(const Group &group);
     int addLayer(const QString &name);
     QByteArray orderWithin(GroupId parent) const;

@@ -46,8 +46,18 @@ void SvgGroupWriter::begin(GroupId id)
             m_xml.writeAttribute(inkscapeNamespace, "label", name);
     }
     writeBlending(*group);
+    const QString mask = m_maskOf ? m_maskOf(id) : QString();
+    if (!mask.isEmpty())
+        m_xml.writeAttribute("mask", "url(#" + mask + ')');
     if (!name.isEmpty())
         m_xml.writeTextElement("title", name);
+    if (!mask.isEmpty())
+        m_writeMask(id);
+}
+
+void SvgGroupWriter::setMasks(std::function<QString(GroupId)> idOf, std::function<void(GroupId)> write)
+{
+    m_maskOf = std::move(idOf), m_writeMask = std::move(write);
 }
 
 void SvgGroupWriter::writeBlending(const Group &group)

@@ -5,6 +5,8 @@
 
 #include <QXmlStreamWriter>
 
+#include <functional>
+
 namespace suffuse {
 
 inline const QString svgNamespace = QStringLiteral("http://www.w3.org/2000/svg");
@@ -23,6 +25,9 @@ public:
 
     /// What follows is in this group; 0: in none.
     void goTo(GroupId group);
+    /// What is asked when a group begins: the id of the mask that it is seen through, empty if there is none, and which
+    /// is called within it, to write that.
+    void setMasks(std::function<QString(GroupId)> idOf, std::function<void(GroupId)> write);
 
 private:
     void begin(GroupId id);
@@ -32,6 +37,8 @@ private:
     const Painting &m_painting;
     SvgLayers m_layers;
     std::vector<GroupId> m_open; ///< from outside to inside
+    std::function<QString(GroupId)> m_maskOf;
+    std::function<void(GroupId)> m_writeMask;
 };
 
 /// A name without the characters that XML cannot hold.

@@ -4,6 +4,7 @@
 
 #include "model/formats/files.h"
 #include "tests/model/random_paintings.h"
+#include "tests/render/files/bounded_groups.h"
 #include "tests/render/files/picture_difference.h"
 #include "tests/render/filled.h"
 #include "tests/render/paintings.h"
@@ -289,7 +290,7 @@ private slots:
         }
     }
 
-    /// What is said of the drawing is what another program shows: groups, modes, gradients, pictures.
+    /// What is said of the drawing is what another program shows: groups, modes, masks, gradients, pictures.
     void groupsAndPaintsAreShown()
     {
         std::mt19937_64 random(5);
@@ -306,7 +307,10 @@ private slots:
         const Picture picture = embeddedPicture(std::make_shared<const QByteArray>(*png), 60, 40);
         Stroke pictured = pictureStroke(picture, Rect::of(20, 30, 120, 80), 0);
         pictured.id = 1;
-        for (const PaintingPtr &p : {PaintingPtr(grouped()), painting({pictured}, 300, 200)})
+        std::vector<PaintingPtr> paintings{grouped(), painting({pictured}, 300, 200)};
+        for (const auto &[name, p] : boundedGroups())
+            paintings.push_back(p);
+        for (const PaintingPtr &p : paintings)
             for (const DrawingKind kind : {DrawingKind::Outlines, DrawingKind::Bands}) {
                 const Result<PreparedDrawing> drawing = prepared(p, kind, 64);
                 QVERIFY(bool(drawing));

@@ -7,6 +7,7 @@
 #include "render/drawing/path_coverage.h"
 #include "render/image_io/image_io.h"
 #include "tests/model/random_paintings.h"
+#include "tests/render/files/bounded_groups.h"
 #include "tests/render/files/picture_difference.h"
 #include "tests/render/filled.h"
 #include "tests/render/paintings.h"
@@ -345,6 +346,25 @@ private slots:
             QVERIFY(svg.contains("mix-blend-mode:multiply"));
             QVERIFY(svg.contains("isolation:isolate"));
             QVERIFY(!svg.contains("hidden"));
+        }
+    }
+
+    /// Groups are seen through masks and what they are clipped to, and masks are not seen themselves.
+    void boundedGroupsAreShown()
+    {
+        constexpr double allowed = 1.0 / 128 + 2.0 / 255;
+        for (const auto &[name, p] : boundedGroups()) {
+            const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(DrawingKind::Bands, *p, 64), *cpu());
+            QVERIFY(bool(prepared));
+            QCOMPARE(prepared->drawing.plain, 0);
+            QVERIFY2(prepared->difference.largest <= allowed,
+                     qPrintable(QString("%1: %2").arg(name).arg(255 * prepared->difference.largest)));
+            const std::optional<FloatPicture> shown = shownByLibrsvg(*bytesOf(*prepared, *p, "a.svg"));
+            if (!shown)
+                QSKIP("rsvg-convert is not installed");
+            // librsvg rounds what lies on masks to 8 bits once more.
+            const double largest = largestDifference(*shown, exactPicture(p));
+            QVERIFY2(largest <= allowed + 1.0 / 255, qPrintable(QString("%1: %2").arg(name).arg(255 * largest)));
         }
     }
 
