@@ -1,0 +1,40 @@
+// The nodes of a scene in pixels, and the way back from derivatives by them to those by the scene's numbers.
+#pragma once
+
+#include "render/gradient/node_rule.h"
+
+namespace suffuse::gradient {
+
+struct PixelNode {
+    double x, y, weight; ///< pixels; the weight is negative where paint is taken away
+};
+
+/// What the nodes of a segment have in common, in pixels, and where they are.
+struct PixelSegment {
+    std::uint32_t first = 0, end = 0; ///< its nodes
+    std::uint32_t stroke = 0;
+    bool lift = false;
+    double inverse = 0; ///< 1/s
+    double reach = 0;   ///< R s
+    double cut = 0;
+    float left = 0, top = 0, right = 0, bottom = 0; ///< a box of its nodes' places
+};
+
+struct SceneNodes {
+    std::vector<PixelNode> nodes;
+    std::vector<PixelSegment> segments;
+};
+
+/// Derivatives by a node's weight, place and spread, in pixels.
+struct NodeSum {
+    double weight = 0, x = 0, y = 0, spread = 0;
+};
+
+/// Places the nodes. The vectors of `out` keep their memory.
+void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out);
+
+/// Adds up what nodes say of the segments: control points, φˢ and s of `out` are set, its other numbers are left.
+void nodesToSegments(const FlatScene &scene, const NodeRules &rules, const std::vector<NodeSum> &sums,
+                     std::vector<SegmentNumbers> &out);
+
+} // namespace suffuse::gradient

@@ -1,0 +1,456 @@
+// The loops of tile_kernels.h over a number type V that holds one or more pixels of a row. docs/solver.md, "The gradient
+// of the picture".
+#if defined(SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#undef SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#else
+#define SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#endif
+
+#include "render/gradient/tile_kernels.h"
+#include "render/math/colour_slopes.h"
+#include "render/math/style_slopes.h"
+
+#include <algorithm>
+
+SUFFUSE_MATH_BEGIN
+namespace suffuse::SUFFUSE_MATH {
+
+using namespace suffuse::gradient;
+
+/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total.
+template <class V>
+struct Pixels;
+
+/// Values of a node along one axis. With u the distance in spreads and e = e^(−u²):
+template <class V>
+struct NodeAxis {
+    V inside; ///< e − cut
+    V e, u;   ///< e is 0 where the node is cut off
+
+    SUFFUSE_INLINE NodeAxis(V place, V inverse, V cut)
+    {
+        u = place * inverse;
+        const V all = exp2_(V(-log2e) * u * u);
+        const auto there = less_(cut, all);
+        e = select_(there, all, V(0));
+        inside = select_(there, all - cut, V(0));
+    }
+    SUFFUSE_INLINE V once() const { return u * e; }
+    SUFFUSE_INLINE V twice() const { return u * u * e; }
+    /// Of u e, by u.
+    SUFFUSE_INLINE V onceSlope() const { return mulAdd_(V(-2) * u, u, V(1)) * e; }
+    /// Of u e / s, by s, times s².
+    SUFFUSE_INLINE V onceBySpread() const { return V(2) * u * (u * u - V(1)) * e; }
+};
+
+template <class V, class Number>
+struct AxisTables {
+    static constexpr int rows = 4; // nodes at once
+    alignas(64) Number row[32][tileSide], rowSlope[32][tileSide];
+    alignas(64) Number column[32][tileSide], columnSlope[32][tileSide];
+};
+
+template <class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> axisOf(Number place, int from, const TileNode<Number> &node)
+{
+    return NodeAxis<V>((Pixels<V>::ramp() + V(Number(from))) - V(place), V(node.inverse), V(node.cut));
+}
+
+/// sums[y][x] += Σ left[node][x] · right[node][y] for three pairs of tables.
+template <class V, class Number>
+SUFFUSE_INLINE void addTables(const AxisTables<V, Number> &t, int count, bool add, Number (*sums)[tileSize])
+{
+    using P = Pixels<V>;
+    constexpr int rows = P::mostCount >= tileSide ? 8 : 4;
+    for (int x = 0; x < tileSide; x += P::count())
+        for (int y = 0; y < tileSide; y += rows) {
+            V s0[rows], s1[rows], s2[rows];
+            for (int r = 0; r < rows; ++r) {
+                const int at = (y + r) * tileSide + x;
+                s0[r] = add ? P::load(sums[0] + at) : V(0);
+                s1[r] = add ? P::load(sums[1] + at) : V(0);
+                s2[r] = add ? P::load(sums[2] + at) : V(0);
+            }
+            for (int n = 0; n < count; ++n) {
+                const V c = P::load(t.column[n] + x), cs = P::load(t.columnSlope[n] + x);
+                for (int r = 0; r < rows; ++r) {
+                    const V row(t.row[n][y + r]);
+                    s0[r] = mulAdd_(c, row, s0[r]);
+                    s1[r] = mulAdd_(cs, row, s1[r]);
+                    s2[r] = mulAdd_(c, V(t.rowSlope[n][y + r]), s2[r]);
+                }
+            }
+            for (int r = 0; r < rows; ++r) {
+                const int at = (y + r) * tileSide + x;
+                P::store(s0[r], sums[0] + at);
+                P::store(s1[r], sums[1] + at);
+                P::store(s2[r], sums[2] + at);
+            }
+        }
+}
+
+template <class V, class Number>
+void accumulate(const TileNode<Number> *nodes, int count, Number (*sums)[tileSize])
+{
+    using P = Pixels<V>;
+    AxisTables<V, Number> t;
+    bool add = false;
+    do {
+        const int n = std::min(count, 32);
+        for (int i = 0; i < n; ++i)
+            for (int at = 0; at < tileSide; at += P::count()) {
+                const TileNode<Number> &node = nodes[i];
+                const NodeAxis<V> x = axisOf<V>(node.x, at, node), y = axisOf<V>(node.y, at, node);
+                const V weight(node.weight), inverse(node.inverse);
+                P::store(x.inside, t.column[i] + at);
+                P::store(x.once() * inverse, t.columnSlope[i] + at);
+                P::store(y.inside * weight, t.row[i] + at);
+                P::store(y.once() * (inverse * weight), t.rowSlope[i] + at);
+            }
+        addTables(t, n, add, sums);
+        add = true, nodes += n, count -= n;
+    } while (count > 0);
+}
+
+/// The density of nodes alone.
+template <class V, class Number>
+SUFFUSE_INLINE void densityOf(const TileNode<Number> *nodes, int count, Number *density)
+{
+    using P = Pixels<V>;
+    std::fill(density, density + tileSize, Number(0));
+    for (int i = 0; i < count; ++i) {
+        const TileNode<Number> &node = nodes[i];
+        alignas(64) Number row[tileSide];
+        for (int y = 0; y < tileSide; y += P::count())
+            P::store(axisOf<V>(node.y, y, node).inside * V(node.weight), row + y);
+        for (int x = 0; x < tileSide; x += P::count()) {
+            const V column = axisOf<V>(node.x, x, node).inside;
+            for (int y = 0; y < tileSide; ++y)
+                P::store(mulAdd_(column, V(row[y]), P::load(density + y * tileSide + x)), density + y * tileSide + x);
+        }
+    }
+}
+
+template <class V, class Number>
+void addValues(const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to)
+{
+    using P = Pixels<V>;
+    alignas(64) Number density[tileSize];
+    densityOf<V>(nodes, count, density);
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const V d = P::load(density + at);
+        for (int i = 0; i < values; ++i)
+            P::store(mulAdd_(d, V(Number(value[i])), P::load(to.sums[i] + at)), to.sums[i] + at);
+        P::store(P::load(to.sums[values] + at) + d, to.sums[values] + at);
+    }
+}
+
+/// What a stroke is made of at some pixels.
+template <class V>
+struct PixelPaint {
+    V phi, square;   // φ′ and h²
+    V gamma, plain;  // γ, and h² without it
+    V inverse;       // 1/φ⁺ where values vary
+    V value[values]; // R, Y, B, opacity, ω
+
+    SUFFUSE_INLINE PixelPaint() {} // It is compiled for the target, while the implicit one is not.
+};
+
+template <class V, class Number>
+SUFFUSE_INLINE PixelPaint<V> paintAt(const Shading<Number> &how, const Number (*sums)[tileSize],
+                                     const ValueTile<Number> *varying, const Number *eta, int at)
+{
+    using P = Pixels<V>;
+    PixelPaint<V> p;
+    p.phi = P::load(sums[0] + at);
+    const V gx = P::load(sums[1] + at), gy = P::load(sums[2] + at);
+    p.plain = p.square = mulAdd_(gx, gx, gy * gy);
+    p.inverse = V(0);
+    for (int i = 0; i < values; ++i)
+        p.value[i] = V(how.constant[i]);
+    if (varying) {
+        p.inverse = reciprocal_(max_(P::load(varying->sums[values] + at), V(1e-30)));
+        for (int i = 0; i < values; ++i)
+            p.value[i] = min_(P::load(varying->sums[i] + at) * p.inverse, V(1));
+    }
+    p.gamma = V(1);
+    if (eta) {
+        const V omega = p.value[values - 1];
+        p.gamma = mulAdd_(V(1) - omega, P::load(eta + at), omega);
+        p.phi = p.phi * p.gamma;
+        p.square = p.square * p.gamma * p.gamma;
+    }
+    return p;
+}
+
+template <class V, class Number, class Use>
+SUFFUSE_INLINE auto withSlopes(const Shading<Number> &how, Use use)
+{
+    const V x1(how.xi[0]), x2(how.xi[1]), x3(how.xi[2]);
+    switch (how.kind) {
+    case StyleKind::Uniform:
+        return use(UniformSlopes<V>(x1, x2, x3));
+    case StyleKind::Feathering:
+        return use(FeatheringSlopes<V>(x1, x2, x3));
+    case StyleKind::Edge:
+        break;
+    }
+    return use(EdgeSlopes<V>(x1, x2, x3));
+}
+
+template <class V, class Number>
+void mixStroke(const Shading<Number> &how, const Number (*sums)[tileSize], const ValueTile<Number> *varying,
+               const Number *eta, ColourTile<Number> &ryb)
+{
+    using P = Pixels<V>;
+    const V keep(how.keep);
+    withSlopes<V>(how, [&](const auto &style) {
+        for (int at = 0; at < tileSize; at += P::count()) {
+            const PixelPaint<V> p = paintAt<V>(how, sums, varying, eta, at);
+            const auto seen = style.seen(p.phi, p.square);
+            if (all_(not_(seen)))
+                continue;
+            const V mean = clamp01(style.template slopes<false>(p.phi, p.square).mean);
+            const V w = select_(seen, mean * p.value[3], V(0));
+            for (int c = 0; c < 3; ++c)
+                P::store(mixed(P::load(ryb.v[c] + at), p.value[c], w, keep), ryb.v[c] + at);
+        }
+    });
+}
+
+template <class V, class Number>
+void toRgb(const ColourTile<Number> &ryb, ColourTile<Number> &rgb)
+{
+    using P = Pixels<V>;
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const Triple<V> c = rgbFromRyb(P::load(ryb.v[0] + at), P::load(ryb.v[1] + at), P::load(ryb.v[2] + at));
+        P::store(c.x, rgb.v[0] + at);
+        P::store(c.y, rgb.v[1] + at);
+        P::store(c.z, rgb.v[2] + at);
+    }
+}
+
+template <class V, class Number>
+void rgbBack(const ColourTile<Number> &ryb, ColourTile<Number> &by)
+{
+    using P = Pixels<V>;
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const Triple<V> slopes{P::load(by.v[0] + at), P::load(by.v[1] + at), P::load(by.v[2] + at)};
+        const Triple<V> c =
+            rybSlopes(P::load(ryb.v[0] + at), P::load(ryb.v[1] + at), P::load(ryb.v[2] + at), slopes);
+        P::store(c.x, by.v[0] + at);
+        P::store(c.y, by.v[1] + at);
+        P::store(c.z, by.v[2] + at);
+    }
+}
+
+/// Sums over pixels.
+template <class V>
+struct ConstantSums {
+    V xi[3], constant[values];
+
+    SUFFUSE_INLINE ConstantSums()
+    {
+        for (V &v : xi)
+            v = V(0);
+        for (V &v : constant)
+            v = V(0);
+    }
+};
+
+/// The way back through one vector of pixels.
+template <bool xi, class V, class Number, class Style>
+SUFFUSE_INLINE void pixelsBack(const Style &style, const Shading<Number> &how, const StrokeTile<Number> &stroke,
+                               const PixelPaint<V> &p, const Number *eta, int at, ColourTile<Number> &by,
+                               SumSlopes<Number> &out, ConstantSums<V> &constants)
+{
+    using P = Pixels<V>;
+    const auto seen = style.seen(p.phi, p.square);
+    const MeanSlopes<V> m = style.template slopes<xi>(p.phi, p.square);
+    const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3], keep(how.keep);
+    V byValue[values], byW(0);
+    for (int c = 0; c < 3; ++c) {
+        const MixSlopes<V> slopes =
+            mixSlopes(P::load(stroke.below[c] + at), p.value[c], w, keep, P::load(by.v[c] + at));
+        P::store(slopes.byBackdrop, by.v[c] + at);
+        byValue[c] = slopes.byColour;
+        byW = byW + slopes.byOpacity;
+    }
+    byValue[3] = byW * mean;
+    const V byMean = select_(seen, byW * p.value[3], V(0));
+    V byPhi = byMean * m.byDensity, bySquare = byMean * m.bySquare;
+    byValue[4] = V(0);
+    if (eta) {
+        const V byGamma = mulAdd_(byPhi, P::load(stroke.sums[0] + at), V(2) * bySquare * p.gamma * p.plain);
+        byValue[4] = byGamma * (V(1) - P::load(eta + at));
+        byPhi = byPhi * p.gamma;
+        bySquare = bySquare * p.gamma * p.gamma;
+    }
+    if (how.varies) {
+        V byLaid(0);
+        for (int i = 0; i < values; ++i) {
+            const V slope = select_(seen, byValue[i] * p.inverse, V(0));
+            P::store(slope, out.planes[i] + at);
+            byLaid = negMulAdd_(slope, p.value[i], byLaid);
+        }
+        P::store(byLaid, out.planes[values] + at);
+    } else
+        for (int i = 0; i < values; ++i)
+            constants.constant[i] = constants.constant[i] + byValue[i];
+    if (xi)
+        for (int i = 0; i < 3; ++i)
+            constants.xi[i] = constants.xi[i] + select_(seen, byMean * m.byXi[i], V(0));
+    P::store(byPhi, out.sums[0] + at);
+    P::store(V(2) * bySquare * P::load(stroke.sums[1] + at), out.sums[1] + at);
+    P::store(V(2) * bySquare * P::load(stroke.sums[2] + at), out.sums[2] + at);
+}
+
+template <class V, class Number>
+SUFFUSE_INLINE void clearSlopes(const Shading<Number> &how, int at, SumSlopes<Number> &out)
+{
+    using P = Pixels<V>;
+    for (auto &plane : out.sums)
+        P::store(V(0), plane + at);
+    if (how.varies)
+        for (auto &plane : out.planes)
+            P::store(V(0), plane + at);
+}
+
+template <bool xi, class V, class Number>
+bool strokeBackBy(const Shading<Number> &how, const StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+                  const Number *eta, ColourTile<Number> &by, SumSlopes<Number> &out, StrokeSlopes<Number> &constants)
+{
+    using P = Pixels<V>;
+    ConstantSums<V> sums;
+    out.firstRow = tileSide, out.endRow = 0;
+    withSlopes<V>(how, [&](const auto &style) {
+        for (int row = 0; row < tileSide; ++row) {
+            bool any = false;
+            for (int at = row * tileSide; at < (row + 1) * tileSide; at += P::count()) {
+                const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+                if (all_(not_(style.seen(p.phi, p.square)))) {
+                    clearSlopes<V>(how, at, out);
+                    continue;
+                }
+                any = true;
+                pixelsBack<xi>(style, how, stroke, p, eta, at, by, out, sums);
+            }
+            if (any)
+                out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
+        }
+    });
+    for (int i = 0; i < 3; ++i)
+        constants.xi[i] = P::total(sums.xi[i]);
+    for (int i = 0; i < values; ++i)
+        constants.constant[i] = P::total(sums.constant[i]);
+    return out.firstRow < out.endRow;
+}
+
+template <class V, class Number>
+bool strokeBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+                const Number *eta, bool xi, ColourTile<Number> &by, SumSlopes<Number> &out,
+                StrokeSlopes<Number> &constants)
+{
+    return xi ? strokeBackBy<true, V>(how, stroke, varying, eta, by, out, constants)
+              : strokeBackBy<false, V>(how, stroke, varying, eta, by, out, constants);
+}
+
+/// What a node's derivatives need along y.
+template <class Number>
+struct alignas(64) RowTables {
+    Number inside[tileSide], once[tileSide], twice[tileSide]; // the last two over s
+    Number slope[tileSide], bySpread[tileSide];               // half of those of `once`
+};
+
+template <class V, class Number>
+SUFFUSE_INLINE void fillRows(const TileNode<Number> &node, RowTables<Number> &t)
+{
+    using P = Pixels<V>;
+    const V inverse(node.inverse), half = V(0.5) * inverse * inverse;
+    for (int y = 0; y < tileSide; y += P::count()) {
+        const NodeAxis<V> axis = axisOf<V>(node.y, y, node);
+        P::store(axis.inside, t.inside + y);
+        P::store(axis.once() * inverse, t.once + y);
+        P::store(axis.twice() * inverse, t.twice + y);
+        P::store(V(0) - axis.onceSlope() * half, t.slope + y);
+        P::store(axis.onceBySpread() * half, t.bySpread + y);
+    }
+}
+
+template <class V, class Number>
+void nodesBack(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow, int endRow,
+               NodeSlopes<Number> *out)
+{
+    using P = Pixels<V>;
+    for (int i = 0; i < count; ++i) {
+        const TileNode<Number> &node = nodes[i];
+        RowTables<Number> t;
+        fillRows<V>(node, t);
+        const V inverse(node.inverse), twice = V(2) * inverse, square = inverse * inverse;
+        V byWeight(0), byX(0), byY(0), bySpread(0);
+        for (int x = 0; x < tileSide; x += P::count()) {
+            // Of sums over y, those that the same function of x multiplies are one.
+            V a(0), c(0), d(0), e(0), f1(0), f2(0);
+            for (int y = firstRow; y < endRow; ++y) {
+                const int at = y * tileSide + x;
+                const V g = P::load(bySums[0] + at), gx = P::load(bySums[1] + at), gy = P::load(bySums[2] + at);
+                const V inside(t.inside[y]), once(t.once[y]), second(t.twice[y]);
+                a = mulAdd_(g, inside, mulAdd_(gy, once, a));
+                c = mulAdd_(g, once, mulAdd_(gy, V(t.slope[y]), c));
+                d = mulAdd_(g, second, mulAdd_(gy, V(t.bySpread[y]), d));
+                e = mulAdd_(gx, inside, e);
+                f1 = mulAdd_(gx, once, f1);
+                f2 = mulAdd_(gx, second, f2);
+            }
+            const NodeAxis<V> axis = axisOf<V>(node.x, x, node);
+            const V once = axis.once(), perSpread = once * twice;
+            byWeight = mulAdd_(axis.inside, a, mulAdd_(once * inverse, e, byWeight));
+            byX = mulAdd_(perSpread, a, negMulAdd_(axis.onceSlope() * square, e, byX));
+            byY = mulAdd_(V(2) * axis.inside, c, mulAdd_(perSpread, f1, byY));
+            bySpread = mulAdd_(axis.twice() * twice, a, mulAdd_(V(2) * axis.inside, d, bySpread));
+            bySpread = mulAdd_(axis.onceBySpread() * square, e, mulAdd_(perSpread, f2, bySpread));
+        }
+        out[i] = {P::total(byWeight), node.weight * P::total(byX), node.weight * P::total(byY),
+                  node.weight * P::total(bySpread)};
+    }
+}
+
+template <class V, class Number>
+void valuesBack(const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
+                NodeSlopes<Number> *out, Number *byValue)
+{
+    using P = Pixels<V>;
+    alignas(64) Number density[tileSize];
+    alignas(64) Number own[3][tileSize];
+    densityOf<V>(nodes, count, density);
+    V totals[values] = {V(0), V(0), V(0), V(0), V(0)};
+    for (int at = by.firstRow * tileSide; at < by.endRow * tileSide; at += P::count()) {
+        const V d = P::load(density + at);
+        V sum = P::load(by.sums[0] + at) + P::load(by.planes[values] + at);
+        for (int i = 0; i < values; ++i) {
+            const V slope = P::load(by.planes[i] + at);
+            totals[i] = mulAdd_(d, slope, totals[i]);
+            sum = mulAdd_(slope, V(Number(value[i])), sum);
+        }
+        P::store(sum, own[0] + at);
+        P::store(P::load(by.sums[1] + at), own[1] + at);
+        P::store(P::load(by.sums[2] + at), own[2] + at);
+    }
+    for (int i = 0; i < values; ++i)
+        byValue[i] = P::total(totals[i]);
+    nodesBack<V>(nodes, count, own, by.firstRow, by.endRow, out);
+}
+
+template <class V>
+TileKernels<typename Pixels<V>::Number> kernelsOf()
+{
+    using Number = typename Pixels<V>::Number;
+    return {accumulate<V, Number>, addValues<V, Number>,  mixStroke<V, Number>, toRgb<V, Number>,
+            rgbBack<V, Number>,    strokeBack<V, Number>, nodesBack<V, Number>, valuesBack<V, Number>};
+}
+
+} // namespace suffuse::SUFFUSE_MATH
+SUFFUSE_MATH_END
+
+#endif

@@ -1,0 +1,53 @@
+// Compiled once per SIMD target by Highway's foreach_target.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/gradient/tile_kernels.cpp"
+#define SUFFUSE_HIGHWAY
+// These sets differ too little from their neighbours to be worth time and size of the compilation.
+#ifdef SUFFUSE_FEW_SIMD
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
+#else
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#endif
+#include "hwy/foreach_target.h" // first: it includes this file again for each target
+
+#include "hwy/highway.h"
+#include "render/math/lanes-inl.h"
+// This has templates over the lanes, which must be declared before.
+#include "render/gradient/tile_kernels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace suffuse::HWY_NAMESPACE {
+
+template <>
+struct Pixels<Lanes> {
+    using Number = float;
+    static constexpr int mostCount = int(hn::MaxLanes(Tag()));
+    static HWY_INLINE int count() { return int(hn::Lanes(Tag())); }
+    static HWY_INLINE Lanes load(const float *from) { return Lanes(hn::Load(Tag(), from)); }
+    static HWY_INLINE void store(Lanes v, float *to) { hn::Store(v.v, Tag(), to); }
+    static HWY_INLINE Lanes ramp() { return Lanes(hn::Iota(Tag(), 0.0f)); }
+    static HWY_INLINE float total(Lanes v) { return hn::GetLane(hn::SumOfLanes(Tag(), v.v)); }
+};
+
+gradient::TileKernels<float> gradientKernels()
+{
+    return kernelsOf<Lanes>();
+}
+
+} // namespace suffuse::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace suffuse {
+
+HWY_EXPORT(gradientKernels);
+
+template <>
+const gradient::TileKernels<float> &gradient::tileKernels<float>()
+{
+    static const TileKernels<float> chosen = HWY_DYNAMIC_DISPATCH(gradientKernels)();
+    return chosen;
+}
+
+} // namespace suffuse
+#endif

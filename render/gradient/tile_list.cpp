@@ -1,0 +1,105 @@
+#include "render/gradient/tile_list.h"
+
+#include "render/math/scalar.h"
+#include "render/math/shade_params.h"
+// This header has templates over the numbers of scalar.h, which must be declared before it.
+#include "render/math/style_slopes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::gradient {
+
+namespace {
+
+/// The density below which a style shows nothing at all. The kernels in float cut a tail off that those in double have.
+float levelOf(const FlatStroke &stroke)
+{
+    const double x1 = stroke.xi[0], x2 = stroke.xi[1], x3 = stroke.xi[2];
+    switch (stroke.kind) {
+    case StyleKind::Uniform:
+        return float(math::UniformSlopes<double>(x1, x2, x3).start);
+    case StyleKind::Feathering:
+        return float(math::FeatheringSlopes<double>(x1, x2, x3).cut);
+    case StyleKind::Edge:
+        break;
+    }
+    return float(math::EdgeSlopes<double>(x1, x2, x3).phiE);
+}
+
+/// The distance of a place from [low, low + 15].
+float beyond(float place, float low)
+{
+    return std::max({low - place, place - (low + float(tileSide - 1)), 0.0f});
+}
+
+} // namespace
+
+void StrokeFinder::prepare(const FlatScene &scene, const SceneNodes &nodes, int columns, int rows)
+{
+    m_scene = &scene, m_nodes = &nodes;
+    m_rows.resize(std::size_t(rows));
+    for (auto &row : m_rows)
+        row.clear();
+    for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
+        const FlatStroke &stroke = scene.strokes[i];
+        Reach reach{std::uint32_t(i), 1e30f, 1e30f, -1e30f, -1e30f, levelOf(stroke)};
+        for (std::size_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
+            const PixelSegment &s = nodes.segments[k];
+            const auto by = float(s.reach) + 1e-3f;
+            reach.left = std::min(reach.left, s.left - by), reach.right = std::max(reach.right, s.right + by);
+            reach.top = std::min(reach.top, s.top - by), reach.bottom = std::max(reach.bottom, s.bottom + by);
+        }
+        if (!(reach.right >= 0 && reach.left <= float(columns * tileSide)))
+            continue;
+        const auto rowOf = [&](float y) { return int(std::clamp(std::floor(y / tileSide), -1.0f, float(rows))); };
+        for (int row = std::max(rowOf(reach.top), 0); row <= std::min(rowOf(reach.bottom), rows - 1); ++row)
+            m_rows[std::size_t(row)].push_back(reach);
+    }
+}
+
+void StrokeFinder::list(int column, int row, TileList &out) const
+{
+    out.strokes.clear(), out.runs.clear(), out.nodes.clear();
+    // The centres of the first and the last pixel of the tile.
+    const float x = float(column * tileSide) + 0.5f, y = float(row * tileSide) + 0.5f;
+    for (const Reach &reach : m_rows[std::size_t(row)])
+        if (reach.left <= x + tileSide && reach.right >= x - 1 && reach.top <= y + tileSide && reach.bottom >= y - 1)
+            addStroke(reach, x, y, out);
+}
+
+void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out) const
+{
+    const FlatStroke &stroke = m_scene->strokes[reach.stroke];
+    const TileStroke before{reach.stroke, std::uint32_t(out.runs.size()), std::uint32_t(out.nodes.size())};
+    float density = 0, slope = 0; // bounds in the tile
+    for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
+        const PixelSegment &s = m_nodes->segments[k];
+        const auto near = float(s.reach) + 1e-3f, inverse = float(s.inverse);
+        if (s.left > x + 15 + near || s.right < x - near || s.top > y + 15 + near || s.bottom < y - near)
+            continue;
+        const auto first = std::uint32_t(out.nodes.size());
+        for (std::uint32_t i = s.first; i < s.end; ++i) {
+            const PixelNode &node = m_nodes->nodes[i];
+            const float dx = beyond(float(node.x), x), dy = beyond(float(node.y), y);
+            if (dx > near || dy > near)
+                continue;
+            out.nodes.push_back(i);
+            const float u2 = (dx * dx + dy * dy) * inverse * inverse, e = std::exp(-u2);
+            const auto weight = float(std::fabs(node.weight));
+            if (!s.lift)
+                density += weight * e;
+            slope += weight * inverse * (u2 < 0.5f ? 0.8578f : (1 + u2) * e);
+        }
+        if (out.nodes.size() > first)
+            out.runs.push_back({k, first, std::uint32_t(out.nodes.size())});
+    }
+    if (out.runs.size() == before.firstRun || vanishes(stroke.kind, reach.level, density * 1.001f, 0.5f * slope * 1.001f)) {
+        out.runs.resize(before.firstRun);
+        out.nodes.resize(before.endRun);
+        return;
+    }
+    out.strokes.push_back({reach.stroke, before.firstRun, std::uint32_t(out.runs.size())});
+}
+
+} // namespace suffuse::gradient

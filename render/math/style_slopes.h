@@ -1,0 +1,297 @@
+// The mean of a style's F over a pixel (style.h), with its derivatives. docs/solver.md, "The gradient of the picture".
+#if defined(SUFFUSE_RENDER_MATH_STYLE_SLOPES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUFFUSE_RENDER_MATH_STYLE_SLOPES_H
+#undef SUFFUSE_RENDER_MATH_STYLE_SLOPES_H
+#else
+#define SUFFUSE_RENDER_MATH_STYLE_SLOPES_H
+#endif
+
+#include "render/math/style.h"
+
+SUFFUSE_MATH_BEGIN
+namespace suffuse::SUFFUSE_MATH {
+
+/// Holds M, the mean of F over φ ± h, and its derivatives. They are taken by h², not by h: h = ½γ|∇φ| has a kink where
+/// the density is level, and h² has none.
+template <class V>
+struct MeanSlopes {
+    V mean, byDensity, bySquare; ///< M, ∂M/∂φ, ∂M/∂h²
+    V byXi[3];                   ///< ∂M/∂ξ; only if they were asked for
+};
+
+/// Says from where on differences of antiderivatives take the place of series, and where a tail ends. Where one form
+/// takes the place of the other, M must not jump by more than its derivatives may be off by.
+template <class V>
+struct SlopeLimits {
+    static constexpr double uniform = 0.7;      // h/ξ2
+    static constexpr double feathering = 0.5;   // h/φ, times max(ξ2, 2)
+    static constexpr double edge = 0.3;         // h/φ
+    static constexpr double featheringTail = 13; // −log₂ of the opacity at which it ends
+    static constexpr double nearZero = 1e-30;
+};
+template <>
+struct SlopeLimits<double> {
+    static constexpr double uniform = 0.03;
+    static constexpr double feathering = 0.03;
+    static constexpr double edge = 0.1;
+    static constexpr double featheringTail = 40;
+    static constexpr double nearZero = 1e-300;
+};
+
+/// What a difference of antiderivatives A gives: `rise` is A(φ+h) − A(φ−h), `high` and `low` are F at both ends.
+template <class V>
+SUFFUSE_INLINE MeanSlopes<V> slopesOfDifference(V rise, V low, V high, V half)
+{
+    const V inverse = V(0.5) / max_(half, V(1e-18)), mean = rise * inverse;
+    return {mean, (high - low) * inverse, V(2) * inverse * inverse * (V(0.5) * (high + low) - mean), {}};
+}
+
+template <class V>
+SUFFUSE_INLINE MeanSlopes<V> select_slopes(const decltype(less_(V(0), V(0))) &which, const MeanSlopes<V> &a,
+                                           const MeanSlopes<V> &b)
+{
+    return {select_(which, a.mean, b.mean), select_(which, a.byDensity, b.byDensity),
+            select_(which, a.bySquare, b.bySquare),
+            {select_(which, a.byXi[0], b.byXi[0]), select_(which, a.byXi[1], b.byXi[1]),
+             select_(which, a.byXi[2], b.byXi[2])}};
+}
+
+/// Uniform colouring (17).
+template <class V>
+struct UniformSlopes {
+    V xi1, xi2, inverse, start, loss, gain;
+    V inLoss; ///< 1 where φ₀ = 0, so that f₀ depends on ξ, else 0
+
+    SUFFUSE_INLINE UniformSlopes(V x1, V x2, V)
+        : xi1(x1), xi2(x2), inverse(V(1) / x2), start(max_(V(0), x1 - V(8) * x2)),
+          loss(exp2_(V(-log2e) * (x1 - start) * inverse)), gain(V(1) + loss),
+          inLoss(select_(less_(V(0), x1 - V(8) * x2), V(0), V(1)))
+    {}
+    SUFFUSE_INLINE auto seen(V phi, V h2) const
+    {
+        return or_(less_(start, phi), less_((start - phi) * (start - phi), h2));
+    }
+    template <bool xi>
+    SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
+    {
+        const V limit = V(SlopeLimits<V>::uniform) * xi2, room = max_(phi - start, V(0));
+        const auto isShort = less_(h2, min_(limit * limit, room * room));
+        MeanSlopes<V> m = shortSlopes(phi, h2);
+        V share(1); // of the range, above φ₀
+        if (!all_(or_(isShort, not_(seen(phi, h2))))) {
+            const V h = sqrt_(h2);
+            m = select_slopes(isShort, m, longSlopes(phi, h));
+            share = select_(isShort, share, clamp01((phi + h - start) / max_(V(2) * h, V(1e-18))));
+        }
+        if (xi) {
+            // M depends on φ − ξ1 but for f₀; and it stays if φ, h, ξ1 and ξ2 are multiplied by one number.
+            m.byXi[0] = inLoss * loss * inverse / gain * (share - m.mean) - m.byDensity;
+            m.byXi[1] = V(0) - (phi * m.byDensity + V(2) * h2 * m.bySquare + xi1 * m.byXi[0]) * inverse;
+            m.byXi[2] = V(0);
+        }
+        return m;
+    }
+
+private:
+    /// From the derivatives of the logistic function f, which are polynomials in it.
+    SUFFUSE_INLINE MeanSlopes<V> shortSlopes(V phi, V h2) const
+    {
+        const V f = logistic((phi - xi1) * inverse), rest = V(1) - f, g = f * rest, bend = g * (rest - f);
+        const V q2 = h2 * inverse * inverse, g2 = g * g;
+        const V third = g * mulAdd_(V(-6), g, V(1)), fourth = bend * mulAdd_(V(-12), g, V(1));
+        const V fifth = g * (V(1) - V(30) * g + V(120) * g2), sixth = bend * (V(1) - V(60) * g + V(360) * g2);
+        const V seventh = g * (V(1) - V(126) * g + V(1680) * g2 - V(5040) * g2 * g);
+        const V mean =
+            mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, V(1.0 / 5040) * sixth, V(1.0 / 120) * fourth), V(1.0 / 6) * bend), f);
+        const V byX =
+            mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, V(1.0 / 5040) * seventh, V(1.0 / 120) * fifth), V(1.0 / 6) * third), g);
+        const V bySquare = mulAdd_(q2, mulAdd_(q2, V(1.0 / 1680) * sixth, V(1.0 / 60) * fourth), V(1.0 / 6) * bend);
+        const V scale = gain * inverse;
+        return {mulAdd_(mean, gain, V(0) - loss), byX * scale, bySquare * scale * inverse, {}};
+    }
+    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V phi, V h) const
+    {
+        const V low = phi - h, a = (max_(low, start) - xi1) * inverse, b = (max_(phi + h, start) - xi1) * inverse;
+        const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
+        const V ra = V(1) / (V(1) + ea), rb = V(1) / (V(1) + eb);
+        // ln(1 + e^x) = max(x, 0) + ln(1 + e^−|x|)
+        const V softplus = max_(b, V(0)) - max_(a, V(0)) + V(ln2) * log2_((V(1) + eb) * ra);
+        const V fa = select_(less_(a, V(0)), ea * ra, ra), fb = select_(less_(b, V(0)), eb * rb, rb);
+        const V rise = xi2 * negMulAdd_(b - a, loss, softplus * gain);
+        const V bottom = select_(less_(start, low), mulAdd_(fa, gain, V(0) - loss), V(0));
+        return slopesOfDifference(rise, bottom, mulAdd_(fb, gain, V(0) - loss), h);
+    }
+    static SUFFUSE_INLINE V logistic(V x)
+    {
+        const V e = exp2_(V(-log2e) * abs_(x)), r = V(1) / (V(1) + e);
+        return select_(less_(x, V(0)), e * r, r);
+    }
+};
+
+/// Feathering (18).
+template <class V>
+struct FeatheringSlopes {
+    V xi1, xi2, inverse, cut, narrow;
+    V c2, c4, c6; ///< ξ2 (ξ2 − 1)/3!, … (ξ2 − 2)(ξ2 − 3)/5!, … /7!
+    V d2, d4, d6; ///< their derivatives by ξ2
+
+    SUFFUSE_INLINE FeatheringSlopes(V x1, V x2, V)
+        : xi1(x1), xi2(x2), inverse(V(1) / x1),
+          cut(x1 * exp2_(max_(V(-SlopeLimits<V>::featheringTail) / x2, V(-100)))),
+          narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), c2(x2 * (x2 - V(1)) * V(1.0 / 6)),
+          c4(c2 * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)), c6(c4 * (x2 - V(4)) * (x2 - V(5)) * V(1.0 / 42)),
+          d2((V(2) * x2 - V(1)) * V(1.0 / 6)), d4((((V(4) * x2 - V(18)) * x2 + V(22)) * x2 - V(6)) * V(1.0 / 120)),
+          d6((((((V(6) * x2 - V(75)) * x2 + V(340)) * x2 - V(675)) * x2 + V(548)) * x2 - V(120)) * V(1.0 / 5040))
+    {}
+    SUFFUSE_INLINE auto seen(V phi, V h2) const { return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2)); }
+    template <bool xi>
+    SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
+    {
+        const V x = phi * inverse, room = max_(min_(narrow * x, V(1) - x), V(0)), r2 = h2 * inverse * inverse;
+        const V above = max_(x - V(1), V(0));
+        const auto isShort = less_(r2, room * room), isFull = less_(r2, above * above);
+        MeanSlopes<V> m = select_slopes(isFull, {V(1), V(0), V(0), {V(0), V(0), V(0)}}, shortSlopes<xi>(x, r2));
+        if (!all_(or_(or_(isShort, isFull), not_(seen(phi, h2)))))
+            m = select_slopes(or_(isShort, isFull), m, longSlopes<xi>(x, sqrt_(r2)));
+        m.byDensity = m.byDensity * inverse;
+        m.bySquare = m.bySquare * inverse * inverse;
+        if (xi) { // M stays if φ, h and ξ1 are multiplied by one number.
+            m.byXi[0] = V(0) - (phi * m.byDensity + V(2) * h2 * m.bySquare) * inverse;
+            m.byXi[2] = V(0);
+        }
+        return m;
+    }
+
+private:
+    static SUFFUSE_INLINE V logarithm(V x) { return log2_(max_(x, V(SlopeLimits<V>::nearZero))); }
+    template <bool xi>
+    SUFFUSE_INLINE MeanSlopes<V> shortSlopes(V x, V r2) const
+    {
+        const V log = logarithm(x), over = V(1) / max_(x, V(1e-18)), f = exp2_(xi2 * log);
+        const V q2 = min_(r2 * over * over, V(1)), slope = f * over;
+        MeanSlopes<V> m{f * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6, c4), c2), V(1)),
+                        slope * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6 * (xi2 - V(6)), c4 * (xi2 - V(4))), c2 * (xi2 - V(2))), xi2),
+                        slope * over * mulAdd_(q2, mulAdd_(q2, V(3) * c6, V(2) * c4), c2),
+                        {V(0), V(0), V(0)}};
+        if (xi)
+            m.byXi[1] = mulAdd_(V(ln2) * log, m.mean, f * q2 * mulAdd_(q2, mulAdd_(q2, d6, d4), d2));
+        return m;
+    }
+    /// The range has a part below 0 (F = 0), one in [0, ξ1] (the power), one above (F = 1).
+    template <bool xi>
+    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V x, V reach) const
+    {
+        const V a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b), p = xi2 + V(1);
+        const V la = logarithm(a1), lb = logarithm(b1);
+        const auto aThere = less_(V(0), a1), bThere = less_(V(0), b1);
+        const V fa = select_(aThere, exp2_(xi2 * la), V(0)), fb = select_(bThere, exp2_(xi2 * lb), V(0));
+        const V above = max_(b - V(1), V(0)) - max_(a - V(1), V(0));
+        MeanSlopes<V> m = slopesOfDifference((b1 * fb - a1 * fa) / p + above, fa, fb, reach);
+        m.byXi[0] = m.byXi[2] = V(0);
+        m.byXi[1] = V(0);
+        if (xi) { // x^ξ2 ln x has the antiderivative x^p (ln x/p − 1/p²).
+            const V ip = V(1) / p;
+            const V top = b1 * fb * (V(ln2) * lb - ip) * ip, bottom = a1 * fa * (V(ln2) * la - ip) * ip;
+            m.byXi[1] = (top - bottom) / max_(V(2) * reach, V(1e-18));
+        }
+        return m;
+    }
+};
+
+/// Edge darkening (19), in v = ln(φ/φ_e) and q = min(h/φ, 2), as Edge has it.
+template <class V>
+struct EdgeSlopes {
+    V xi1, xi2, xi3, phiE, inversePhiE, alpha, beta;
+    // How ln φ_e, α and β change with ln ξ2 and with ξ3.
+    V edgeBy2, alphaBy2, betaBy2, edgeBy3, alphaBy3, betaBy3;
+
+    SUFFUSE_INLINE EdgeSlopes(V x1, V x2, V x3) : xi1(x1), xi2(x2), xi3(x3)
+    {
+        const Edge<V> edge(x1, x2, x3);
+        phiE = edge.phiE, inversePhiE = edge.inversePhiE, alpha = edge.alpha, beta = edge.beta;
+        // q² − r q = 1/ξ3 − 1, α = q², β = r q, φ_e = ξ1 q^(−1/3), r = (ξ2/ξ1)³
+        const V ratio = x2 / x1, r = ratio * ratio * ratio, q = sqrt_(alpha), steep = V(2) * q - r;
+        const V qBy2 = V(3) * r * q / steep, qBy3 = V(-1) / (x3 * x3 * steep);
+        edgeBy2 = V(-1.0 / 3) * qBy2 / q, alphaBy2 = V(2) * q * qBy2, betaBy2 = r * (V(3) * q + qBy2);
+        edgeBy3 = V(-1.0 / 3) * qBy3 / q, alphaBy3 = V(2) * q * qBy3, betaBy3 = r * qBy3;
+    }
+    SUFFUSE_INLINE auto seen(V phi, V h2) const
+    {
+        const V p = phi * inversePhiE, a = p * (V(1) - p);
+        const auto reached = less_(a * a, h2 * inversePhiE * inversePhiE);
+        return or_(less_(V(1), p), and_(less_(V(1), V(7.5) * p), reached));
+    }
+    template <bool xi>
+    SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
+    {
+        const V p = max_(phi, V(1e-18)), over = V(1) / p, room = max_(phi - phiE, V(0));
+        const V whole = h2 * over * over, q2 = min_(whole, V(4)), limit = V(SlopeLimits<V>::edge * SlopeLimits<V>::edge);
+        const auto isShort = and_(less_(whole, limit), less_(h2, room * room));
+        Inner inner = shortSlopes(phiE * over, min_(q2, limit));
+        if (!all_(or_(isShort, not_(seen(phi, h2))))) {
+            const Inner other = longSlopes(V(ln2) * log2_(p * inversePhiE), sqrt_(q2));
+            inner.m = select_slopes(isShort, inner.m, other.m);
+            inner.sixth = select_(isShort, inner.sixth, other.sixth);
+            inner.third = select_(isShort, inner.third, other.third);
+        }
+        const MeanSlopes<V> &v = inner.m; // by v and q²
+        const V bySquare = select_(less_(whole, V(4)), v.bySquare, V(0)); // q stays 2
+        MeanSlopes<V> m{v.mean, (v.byDensity - V(2) * whole * bySquare) * over, bySquare * over * over, {}};
+        if (xi) {
+            // M = ξ3 (α·sixth − β·third + share)
+            const auto by = [&](V edge, V a, V b) {
+                return xi3 * (a * inner.sixth - b * inner.third) - v.byDensity * edge;
+            };
+            const V byLog2 = by(edgeBy2, alphaBy2, betaBy2);
+            m.byXi[1] = byLog2 / xi2;
+            m.byXi[2] = by(edgeBy3, alphaBy3, betaBy3) + v.mean / xi3;
+            // M stays if φ, h, ξ1 and ξ2 are multiplied by one number.
+            m.byXi[0] = V(0) - (phi * m.byDensity + V(2) * h2 * m.bySquare + byLog2) / xi1;
+        }
+        return m;
+    }
+
+private:
+    struct Inner {
+        MeanSlopes<V> m;
+        V sixth, third; ///< the means of e^(−6v) and e^(−3v) over the part of the range with v ≥ 0
+    };
+    SUFFUSE_INLINE Inner shortSlopes(V ratio, V q2) const
+    {
+        const V e = ratio * ratio * ratio, e2 = e * e, z = V(9) * q2;
+        const V s6 = sinhOver(V(4) * z), s3 = sinhOver(z), b = beta * e, a = alpha * e2;
+        return {{xi3 * (a * s6 - b * s3 + V(1)), xi3 * (V(3) * b * s3 - V(6) * a * s6),
+                 xi3 * (V(36) * a * sinhOverSlope(V(4) * z) - V(9) * b * sinhOverSlope(z)), {}},
+                e2 * s6, e * s3};
+    }
+    SUFFUSE_INLINE Inner longSlopes(V v, V q) const
+    {
+        const V low = v - q, a = max_(low, V(0)), b = max_(v + q, V(0));
+        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b), inverse = V(0.5) / max_(q, V(1e-18));
+        const V third = (ea - eb) * V(1.0 / 3), sixth = (ea - eb) * (ea + eb) * V(1.0 / 6);
+        const V rise = xi3 * ((b - a) + alpha * sixth - beta * third);
+        const V bottom = select_(less_(V(0), low), of(ea), V(0)), top = select_(less_(V(0), v + q), of(eb), V(0));
+        return {slopesOfDifference(rise, bottom, top, q), sixth * inverse, third * inverse};
+    }
+    SUFFUSE_INLINE V of(V e) const { return xi3 * mulAdd_(mulAdd_(alpha, e, V(0) - beta), e, V(1)); }
+    /// sinh(x)/x from x², and its derivative by x², for x ≤ 1.8.
+    static SUFFUSE_INLINE V sinhOver(V x2)
+    {
+        V s(1.0 / 6227020800.0);
+        for (const double c : {1.0 / 39916800, 1.0 / 362880, 1.0 / 5040, 1.0 / 120, 1.0 / 6, 1.0})
+            s = mulAdd_(s, x2, V(c));
+        return s;
+    }
+    static SUFFUSE_INLINE V sinhOverSlope(V x2)
+    {
+        V s(6.0 / 6227020800.0);
+        for (const double c : {5.0 / 39916800, 4.0 / 362880, 3.0 / 5040, 2.0 / 120, 1.0 / 6})
+            s = mulAdd_(s, x2, V(c));
+        return s;
+    }
+};
+
+} // namespace suffuse::SUFFUSE_MATH
+SUFFUSE_MATH_END
+
+#endif
