@@ -77,13 +77,10 @@ struct UniformSlopes {
         const V limit = V(SlopeLimits<V>::uniform) * xi2, room = max_(phi - start, V(0));
         const auto isShort = less_(h2, min_(limit * limit, room * room));
         MeanSlopes<V> m = shortSlopes(phi, h2);
-        V share(1); // of the range, above φ₀
-        if (!all_(or_(isShort, not_(seen(phi, h2))))) {
-            const V h = sqrt_(h2);
-            m = select_slopes(isShort, m, longSlopes(phi, h));
-            share = select_(isShort, share, clamp01((phi + h - start) / max_(V(2) * h, V(1e-18))));
-        }
+        if (!all_(or_(isShort, not_(seen(phi, h2)))))
+            m = select_slopes(isShort, m, longSlopes(phi, sqrt_(h2)));
         if (xi) {
+            const V share = m.byXi[0];
             // M depends on φ − ξ1 but for f₀; and it stays if φ, h, ξ1 and ξ2 are multiplied by one number.
             m.byXi[0] = inLoss * loss * inverse / gain * (share - m.mean) - m.byDensity;
             m.byXi[1] = V(0) - (phi * m.byDensity + V(2) * h2 * m.bySquare + xi1 * m.byXi[0]) * inverse;
@@ -93,33 +90,52 @@ struct UniformSlopes {
     }
 
 private:
+    /// The mean over x ± q, x = (φ − ξ1)/ξ2, and its derivatives by x and q².
+    struct Series {
+        V mean, byX, bySquare;
+    };
     /// From the derivatives of the logistic function f, which are polynomials in it.
-    SUFFUSE_INLINE MeanSlopes<V> shortSlopes(V phi, V h2) const
+    SUFFUSE_INLINE Series seriesAt(V x, V q2) const
     {
-        const V f = logistic((phi - xi1) * inverse), rest = V(1) - f, g = f * rest, bend = g * (rest - f);
-        const V q2 = h2 * inverse * inverse, g2 = g * g;
+        const V f = logistic(x), rest = V(1) - f, g = f * rest, bend = g * (rest - f), g2 = g * g;
         const V third = g * mulAdd_(V(-6), g, V(1)), fourth = bend * mulAdd_(V(-12), g, V(1));
         const V fifth = g * (V(1) - V(30) * g + V(120) * g2), sixth = bend * (V(1) - V(60) * g + V(360) * g2);
         const V seventh = g * (V(1) - V(126) * g + V(1680) * g2 - V(5040) * g2 * g);
-        const V mean =
-            mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, V(1.0 / 5040) * sixth, V(1.0 / 120) * fourth), V(1.0 / 6) * bend), f);
-        const V byX =
-            mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, V(1.0 / 5040) * seventh, V(1.0 / 120) * fifth), V(1.0 / 6) * third), g);
-        const V bySquare = mulAdd_(q2, mulAdd_(q2, V(1.0 / 1680) * sixth, V(1.0 / 60) * fourth), V(1.0 / 6) * bend);
-        const V scale = gain * inverse;
-        return {mulAdd_(mean, gain, V(0) - loss), byX * scale, bySquare * scale * inverse, {}};
+        const auto sum = [q2](V c0, V c2, V c4, V c6) { return mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6, c4), c2), c0); };
+        const V mean = sum(f, V(1.0 / 6) * bend, V(1.0 / 120) * fourth, V(1.0 / 5040) * sixth);
+        const V byX = sum(g, V(1.0 / 6) * third, V(1.0 / 120) * fifth, V(1.0 / 5040) * seventh);
+        const V bySquare = sum(V(1.0 / 6) * bend, V(1.0 / 60) * fourth, V(1.0 / 1680) * sixth, V(0));
+        return {mulAdd_(mean, gain, V(0) - loss), gain * byX, gain * bySquare};
+    }
+    /// Instead of ∂M/∂ξ1 this and longSlopes give the share of the range that lies above φ₀.
+    SUFFUSE_INLINE MeanSlopes<V> shortSlopes(V phi, V h2) const
+    {
+        const Series s = seriesAt((phi - xi1) * inverse, h2 * inverse * inverse);
+        return {s.mean, s.byX * inverse, s.bySquare * inverse * inverse, {V(1), V(0), V(0)}};
     }
     SUFFUSE_INLINE MeanSlopes<V> longSlopes(V phi, V h) const
     {
-        const V low = phi - h, a = (max_(low, start) - xi1) * inverse, b = (max_(phi + h, start) - xi1) * inverse;
+        const V low = max_(phi - h, start), high = max_(phi + h, start);
+        const V a = (low - xi1) * inverse, b = (high - xi1) * inverse;
         const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
         const V ra = V(1) / (V(1) + ea), rb = V(1) / (V(1) + eb);
         // ln(1 + e^x) = max(x, 0) + ln(1 + e^−|x|)
         const V softplus = max_(b, V(0)) - max_(a, V(0)) + V(ln2) * log2_((V(1) + eb) * ra);
         const V fa = select_(less_(a, V(0)), ea * ra, ra), fb = select_(less_(b, V(0)), eb * rb, rb);
-        const V rise = xi2 * negMulAdd_(b - a, loss, softplus * gain);
-        const V bottom = select_(less_(start, low), mulAdd_(fa, gain, V(0) - loss), V(0));
-        return slopesOfDifference(rise, bottom, mulAdd_(fb, gain, V(0) - loss), h);
+        const V range = (high - low) * inverse, half = V(0.5) * range; // a and b have no digits for a short one
+        V rise = negMulAdd_(range, loss, softplus * gain), top = mulAdd_(fb, gain, V(0) - loss);
+        const V bottom = select_(less_(start, phi - h), mulAdd_(fa, gain, V(0) - loss), V(0));
+        // A short range begins at φ₀, where F is 0, and differences would cancel.
+        const auto wide = less_(V(SlopeLimits<V>::uniform), half);
+        if (!all_(wide)) {
+            const Series s = seriesAt(a + half, half * half);
+            rise = select_(wide, rise, range * s.mean);
+            top = select_(wide, top, range * s.byX);
+        }
+        MeanSlopes<V> m = slopesOfDifference(xi2 * rise, bottom, top, h);
+        m.byXi[0] = (high - low) * V(0.5) / max_(h, V(1e-18));
+        m.byXi[1] = m.byXi[2] = V(0);
+        return m;
     }
     static SUFFUSE_INLINE V logistic(V x)
     {
