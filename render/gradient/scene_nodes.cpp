@@ -9,10 +9,10 @@ namespace suffuse::gradient {
 namespace {
 
 /// The similarity of a view as a matrix: pixel = matrix · canvas + shift.
-struct PixelMap {
+struct ViewMatrix {
     double xx, xy, yx, yy, shiftX, shiftY, scale;
 
-    explicit PixelMap(const View &view) : scale(view.scale)
+    explicit ViewMatrix(const View &view) : scale(view.scale)
     {
         const double c = view.scale * std::cos(view.rotation), s = view.scale * std::sin(view.rotation);
         const double side = view.mirrored ? -1 : 1;
@@ -30,7 +30,7 @@ struct Vector2 {
 struct PixelCurve {
     double x[4], y[4];
 
-    PixelCurve(const SegmentNumbers &s, const PixelMap &map)
+    PixelCurve(const SegmentNumbers &s, const ViewMatrix &map)
     {
         for (int i = 0; i < 4; ++i) {
             x[i] = map.xx * s.x[i] + map.xy * s.y[i] + map.shiftX;
@@ -47,7 +47,7 @@ struct PixelCurve {
 };
 
 /// What the weight of a segment's nodes is for φˢ = 1 and a speed of 1 pixel, but for that of the quadrature.
-double weightScale(const SegmentNumbers &s, const SegmentRule &rule, const PixelMap &map, bool lift)
+double weightScale(const SegmentNumbers &s, const SegmentRule &rule, const ViewMatrix &map, bool lift)
 {
     const double spread = s.spread * map.scale;
     return (lift ? -1 : 1) * rule.gain * map.scale / (std::numbers::pi * spread * spread);
@@ -58,7 +58,7 @@ bool isLift(const FlatScene &scene, std::size_t segment)
     return !scene.marks.empty() && scene.marks[segment].lift;
 }
 
-void placeSegment(const FlatScene &scene, const NodeRules &rules, const PixelMap &map, std::size_t k, SceneNodes &out)
+void placeSegment(const FlatScene &scene, const NodeRules &rules, const ViewMatrix &map, std::size_t k, SceneNodes &out)
 {
     const SegmentNumbers &s = scene.segments[k];
     const SegmentRule &rule = rules.segments[k];
@@ -85,7 +85,7 @@ void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out)
 {
     out.nodes.resize(rules.nodes.size());
     out.segments.resize(rules.segments.size());
-    const PixelMap map(scene.view);
+    const ViewMatrix map(scene.view);
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)
         for (std::size_t k = scene.strokes[i].first; k < scene.strokes[i].first + scene.strokes[i].count; ++k) {
             out.segments[k].stroke = std::uint32_t(i);
@@ -96,7 +96,7 @@ void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out)
 void nodesToSegments(const FlatScene &scene, const NodeRules &rules, const std::vector<NodeSum> &sums,
                      std::vector<SegmentNumbers> &out)
 {
-    const PixelMap map(scene.view);
+    const ViewMatrix map(scene.view);
     for (std::size_t k = 0; k < scene.segments.size(); ++k) {
         const SegmentNumbers &s = scene.segments[k];
         const SegmentRule &rule = rules.segments[k];
