@@ -57,6 +57,7 @@ struct FlatScene {
     double background[3] = {0, 0, 0}; ///< R, Y, B of the opaque ground
     View view;
     std::shared_ptr<const std::vector<float>> paper; ///< η of each pixel, row by row; null: 1
+    bool byXi = true; ///< whether derivatives by ξ are wanted; else they are 0, and the others take less time
 };
 
 /// Holds the derivatives by all numbers of a scene, in its order.

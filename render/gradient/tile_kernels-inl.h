@@ -211,7 +211,9 @@ void mixStroke(const Shading<Number> &how, const Number (*sums)[tileSize], const
             const auto seen = style.seen(p.phi, p.square);
             if (all_(not_(seen)))
                 continue;
-            const V mean = clamp01(style.template slopes<false>(p.phi, p.square).mean);
+            V mean(1);
+            if (!all_(style.full(p.phi, p.square)))
+                mean = clamp01(style.template slopes<false>(p.phi, p.square).mean);
             const V w = select_(seen, mean * p.value[3], V(0));
             for (int c = 0; c < 3; ++c)
                 P::store(mixed(P::load(ryb.v[c] + at), p.value[c], w, keep), ryb.v[c] + at);
@@ -259,15 +261,18 @@ struct ConstantSums {
     }
 };
 
-/// The way back through one vector of pixels.
+/// The way back through one vector of pixels. Returns whether anything depends on their density.
 template <bool xi, class V, class Number, class Style>
-SUFFUSE_INLINE void pixelsBack(const Style &style, const Shading<Number> &how, const StrokeTile<Number> &stroke,
+SUFFUSE_INLINE bool pixelsBack(const Style &style, const Shading<Number> &how, const StrokeTile<Number> &stroke,
                                const PixelPaint<V> &p, const Number *eta, int at, ColourTile<Number> &by,
                                SumSlopes<Number> &out, ConstantSums<V> &constants)
 {
     using P = Pixels<V>;
     const auto seen = style.seen(p.phi, p.square);
-    const MeanSlopes<V> m = style.template slopes<xi>(p.phi, p.square);
+    MeanSlopes<V> m{V(1), V(0), V(0), {V(0), V(0), V(0)}};
+    const bool full = all_(style.full(p.phi, p.square));
+    if (!full)
+        m = style.template slopes<xi>(p.phi, p.square);
     const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3], keep(how.keep);
     V byValue[values], byW(0);
     for (int c = 0; c < 3; ++c) {
@@ -304,6 +309,7 @@ SUFFUSE_INLINE void pixelsBack(const Style &style, const Shading<Number> &how, c
     P::store(byPhi, out.sums[0] + at);
     P::store(V(2) * bySquare * P::load(stroke.sums[1] + at), out.sums[1] + at);
     P::store(V(2) * bySquare * P::load(stroke.sums[2] + at), out.sums[2] + at);
+    return !full || how.varies;
 }
 
 template <class V, class Number>
@@ -333,8 +339,7 @@ bool strokeBackBy(const Shading<Number> &how, const StrokeTile<Number> &stroke, 
                     clearSlopes<V>(how, at, out);
                     continue;
                 }
-                any = true;
-                pixelsBack<xi>(style, how, stroke, p, eta, at, by, out, sums);
+                any |= pixelsBack<xi>(style, how, stroke, p, eta, at, by, out, sums);
             }
             if (any)
                 out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
@@ -378,42 +383,69 @@ SUFFUSE_INLINE void fillRows(const TileNode<Number> &node, RowTables<Number> &t)
     }
 }
 
+/// The same for `many` nodes at once, so that no sum waits for its own last term.
+template <int many, class V, class Number>
+SUFFUSE_INLINE void someNodesBack(const TileNode<Number> *nodes, const Number (*bySums)[tileSize], int firstRow,
+                                  int endRow, NodeSlopes<Number> *out)
+{
+    using P = Pixels<V>;
+    RowTables<Number> rows[many];
+    Number top = nodes[0].y - nodes[0].reach, bottom = nodes[0].y + nodes[0].reach;
+    for (int i = 0; i < many; ++i) {
+        fillRows<V>(nodes[i], rows[i]);
+        top = std::min(top, nodes[i].y - nodes[i].reach), bottom = std::max(bottom, nodes[i].y + nodes[i].reach);
+    }
+    firstRow = std::max(firstRow, int(std::max(top, Number(0))));
+    endRow = std::min(endRow, int(std::max(std::min(bottom, Number(tileSide)), Number(-1))) + 1);
+    V byWeight[many], byX[many], byY[many], bySpread[many];
+    for (int i = 0; i < many; ++i)
+        byWeight[i] = byX[i] = byY[i] = bySpread[i] = V(0);
+    for (int x = 0; x < tileSide; x += P::count()) {
+        // Of sums over y, those that the same function of x multiplies are one.
+        V a[many], c[many], d[many], e[many], f1[many], f2[many];
+        for (int i = 0; i < many; ++i)
+            a[i] = c[i] = d[i] = e[i] = f1[i] = f2[i] = V(0);
+        for (int y = firstRow; y < endRow; ++y) {
+            const int at = y * tileSide + x;
+            const V g = P::load(bySums[0] + at), gx = P::load(bySums[1] + at), gy = P::load(bySums[2] + at);
+            for (int i = 0; i < many; ++i) {
+                const V inside(rows[i].inside[y]), once(rows[i].once[y]), second(rows[i].twice[y]);
+                a[i] = mulAdd_(g, inside, mulAdd_(gy, once, a[i]));
+                c[i] = mulAdd_(g, once, mulAdd_(gy, V(rows[i].slope[y]), c[i]));
+                d[i] = mulAdd_(g, second, mulAdd_(gy, V(rows[i].bySpread[y]), d[i]));
+                e[i] = mulAdd_(gx, inside, e[i]);
+                f1[i] = mulAdd_(gx, once, f1[i]);
+                f2[i] = mulAdd_(gx, second, f2[i]);
+            }
+        }
+        for (int i = 0; i < many; ++i) {
+            const V inverse(nodes[i].inverse), twice = V(2) * inverse, square = inverse * inverse;
+            const NodeAxis<V> axis = axisOf<V>(nodes[i].x, x, nodes[i]);
+            const V once = axis.once(), perSpread = once * twice;
+            byWeight[i] = mulAdd_(axis.inside, a[i], mulAdd_(once * inverse, e[i], byWeight[i]));
+            byX[i] = mulAdd_(perSpread, a[i], negMulAdd_(axis.onceSlope() * square, e[i], byX[i]));
+            byY[i] = mulAdd_(V(2) * axis.inside, c[i], mulAdd_(perSpread, f1[i], byY[i]));
+            bySpread[i] = mulAdd_(axis.twice() * twice, a[i], mulAdd_(V(2) * axis.inside, d[i], bySpread[i]));
+            bySpread[i] = mulAdd_(axis.onceBySpread() * square, e[i], mulAdd_(perSpread, f2[i], bySpread[i]));
+        }
+    }
+    for (int i = 0; i < many; ++i) {
+        const Number weight = nodes[i].weight;
+        out[i] = {P::total(byWeight[i]), weight * P::total(byX[i]), weight * P::total(byY[i]),
+                  weight * P::total(bySpread[i])};
+    }
+}
+
 template <class V, class Number>
 void nodesBack(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow, int endRow,
                NodeSlopes<Number> *out)
 {
-    using P = Pixels<V>;
-    for (int i = 0; i < count; ++i) {
-        const TileNode<Number> &node = nodes[i];
-        RowTables<Number> t;
-        fillRows<V>(node, t);
-        const V inverse(node.inverse), twice = V(2) * inverse, square = inverse * inverse;
-        V byWeight(0), byX(0), byY(0), bySpread(0);
-        for (int x = 0; x < tileSide; x += P::count()) {
-            // Of sums over y, those that the same function of x multiplies are one.
-            V a(0), c(0), d(0), e(0), f1(0), f2(0);
-            for (int y = firstRow; y < endRow; ++y) {
-                const int at = y * tileSide + x;
-                const V g = P::load(bySums[0] + at), gx = P::load(bySums[1] + at), gy = P::load(bySums[2] + at);
-                const V inside(t.inside[y]), once(t.once[y]), second(t.twice[y]);
-                a = mulAdd_(g, inside, mulAdd_(gy, once, a));
-                c = mulAdd_(g, once, mulAdd_(gy, V(t.slope[y]), c));
-                d = mulAdd_(g, second, mulAdd_(gy, V(t.bySpread[y]), d));
-                e = mulAdd_(gx, inside, e);
-                f1 = mulAdd_(gx, once, f1);
-                f2 = mulAdd_(gx, second, f2);
-            }
-            const NodeAxis<V> axis = axisOf<V>(node.x, x, node);
-            const V once = axis.once(), perSpread = once * twice;
-            byWeight = mulAdd_(axis.inside, a, mulAdd_(once * inverse, e, byWeight));
-            byX = mulAdd_(perSpread, a, negMulAdd_(axis.onceSlope() * square, e, byX));
-            byY = mulAdd_(V(2) * axis.inside, c, mulAdd_(perSpread, f1, byY));
-            bySpread = mulAdd_(axis.twice() * twice, a, mulAdd_(V(2) * axis.inside, d, bySpread));
-            bySpread = mulAdd_(axis.onceBySpread() * square, e, mulAdd_(perSpread, f2, bySpread));
-        }
-        out[i] = {P::total(byWeight), node.weight * P::total(byX), node.weight * P::total(byY),
-                  node.weight * P::total(bySpread)};
-    }
+    constexpr int many = Pixels<V>::mostCount >= tileSide ? 2 : 1;
+    int i = 0;
+    for (; i + many <= count; i += many)
+        someNodesBack<many, V>(nodes + i, bySums, firstRow, endRow, out + i);
+    for (; i < count; ++i)
+        someNodesBack<1, V>(nodes + i, bySums, firstRow, endRow, out + i);
 }
 
 template <class V, class Number>

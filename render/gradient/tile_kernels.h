@@ -20,6 +20,7 @@ struct TileNode {
     Number inverse; ///< 1/s
     Number weight;  ///< negative if it takes paint away
     Number cut;
+    Number reach; ///< R s, pixels
 };
 
 /// Derivatives of a loss by a node's numbers.

@@ -71,21 +71,24 @@ void StrokeFinder::list(int column, int row, TileList &out) const
 void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out) const
 {
     const FlatStroke &stroke = m_scene->strokes[reach.stroke];
-    const TileStroke before{reach.stroke, std::uint32_t(out.runs.size()), std::uint32_t(out.nodes.size())};
-    float density = 0, slope = 0; // bounds in the tile
+    const auto firstRun = std::uint32_t(out.runs.size()), firstNode = std::uint32_t(out.nodes.size());
+    float density = 0, slope = 0; // bounds in the tile, as long as it is not sure that the stroke shows there
     for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
         const PixelSegment &s = m_nodes->segments[k];
         const auto near = float(s.reach) + 1e-3f, inverse = float(s.inverse);
         if (s.left > x + 15 + near || s.right < x - near || s.top > y + 15 + near || s.bottom < y - near)
             continue;
         const auto first = std::uint32_t(out.nodes.size());
+        const float near2 = near * near;
         for (std::uint32_t i = s.first; i < s.end; ++i) {
             const PixelNode &node = m_nodes->nodes[i];
-            const float dx = beyond(float(node.x), x), dy = beyond(float(node.y), y);
-            if (dx > near || dy > near)
+            const float dx = beyond(float(node.x), x), dy = beyond(float(node.y), y), distance2 = dx * dx + dy * dy;
+            if (distance2 > near2) // There it is below what is cut off.
                 continue;
             out.nodes.push_back(i);
-            const float u2 = (dx * dx + dy * dy) * inverse * inverse, e = std::exp(-u2);
+            if (density > reach.level)
+                continue;
+            const float u2 = distance2 * inverse * inverse, e = std::exp(-u2);
             const auto weight = float(std::fabs(node.weight));
             if (!s.lift)
                 density += weight * e;
@@ -94,12 +97,12 @@ void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out
         if (out.nodes.size() > first)
             out.runs.push_back({k, first, std::uint32_t(out.nodes.size())});
     }
-    if (out.runs.size() == before.firstRun || vanishes(stroke.kind, reach.level, density * 1.001f, 0.5f * slope * 1.001f)) {
-        out.runs.resize(before.firstRun);
-        out.nodes.resize(before.endRun);
+    if (out.runs.size() == firstRun || vanishes(stroke.kind, reach.level, density * 1.001f, 0.5f * slope * 1.001f)) {
+        out.runs.resize(firstRun);
+        out.nodes.resize(firstNode);
         return;
     }
-    out.strokes.push_back({reach.stroke, before.firstRun, std::uint32_t(out.runs.size())});
+    out.strokes.push_back({reach.stroke, firstRun, std::uint32_t(out.runs.size())});
 }
 
 } // namespace suffuse::gradient

@@ -54,10 +54,10 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
     const double left = m_place.x + 0.5, top = m_place.y + 0.5;
     for (const TileRun &run : list.runs) {
         const PixelSegment &segment = nodes.segments[run.segment];
-        const auto inverse = Number(segment.inverse), cut = Number(segment.cut);
+        const auto inverse = Number(segment.inverse), cut = Number(segment.cut), reach = Number(segment.reach);
         for (std::uint32_t i = run.first; i < run.end; ++i) {
             const PixelNode &node = nodes.nodes[list.nodes[i]];
-            m_nodes[i] = {Number(node.x - left), Number(node.y - top), inverse, Number(node.weight), cut};
+            m_nodes[i] = {Number(node.x - left), Number(node.y - top), inverse, Number(node.weight), cut, reach};
         }
     }
     m_strokes.resize(std::max<std::size_t>(keep ? list.strokes.size() : 1, 1));
@@ -110,7 +110,7 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, 
     const TileStroke &tileStroke = list.strokes[at];
     const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
     const ValueTile<Number> *varying = stroke.oneColour ? nullptr : &m_values[at];
-    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, true, m_by,
+    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi, m_by,
                               m_bySums, out.strokes[at]))
         return;
     if (!varying) {

@@ -24,6 +24,7 @@ struct MeanSlopes {
 template <class V>
 struct SlopeLimits {
     static constexpr double uniform = 0.7;      // h/ξ2
+    static constexpr double full = 12;          // (φ − h − ξ1)/ξ2 beyond which F is 1
     static constexpr double feathering = 0.5;   // h/φ, times max(ξ2, 2)
     static constexpr double edge = 0.3;         // h/φ
     static constexpr double featheringTail = 13; // −log₂ of the opacity at which it ends
@@ -32,6 +33,7 @@ struct SlopeLimits {
 template <>
 struct SlopeLimits<double> {
     static constexpr double uniform = 0.03;
+    static constexpr double full = 40;
     static constexpr double feathering = 0.03;
     static constexpr double edge = 0.1;
     static constexpr double featheringTail = 40;
@@ -42,7 +44,7 @@ struct SlopeLimits<double> {
 template <class V>
 SUFFUSE_INLINE MeanSlopes<V> slopesOfDifference(V rise, V low, V high, V half)
 {
-    const V inverse = V(0.5) / max_(half, V(1e-18)), mean = rise * inverse;
+    const V inverse = V(0.5) * reciprocal_(max_(half, V(1e-18))), mean = rise * inverse;
     return {mean, (high - low) * inverse, V(2) * inverse * inverse * (V(0.5) * (high + low) - mean), {}};
 }
 
@@ -60,16 +62,21 @@ SUFFUSE_INLINE MeanSlopes<V> select_slopes(const decltype(less_(V(0), V(0))) &wh
 template <class V>
 struct UniformSlopes {
     V xi1, xi2, inverse, start, loss, gain;
-    V inLoss; ///< 1 where φ₀ = 0, so that f₀ depends on ξ, else 0
+    V inLoss; ///< how f₀ changes with ξ1 where φ₀ = 0; else 0
 
     SUFFUSE_INLINE UniformSlopes(V x1, V x2, V)
         : xi1(x1), xi2(x2), inverse(V(1) / x2), start(max_(V(0), x1 - V(8) * x2)),
           loss(exp2_(V(-log2e) * (x1 - start) * inverse)), gain(V(1) + loss),
-          inLoss(select_(less_(V(0), x1 - V(8) * x2), V(0), V(1)))
+          inLoss(select_(less_(V(0), x1 - V(8) * x2), V(0), loss * inverse / gain))
     {}
     SUFFUSE_INLINE auto seen(V phi, V h2) const
     {
         return or_(less_(start, phi), less_((start - phi) * (start - phi), h2));
+    }
+    /// True only where F is 1 over the whole range, but for less than anybody sees.
+    SUFFUSE_INLINE auto full(V phi, V h2) const
+    {
+        return below_(h2, phi - mulAdd_(V(SlopeLimits<V>::full), xi2, xi1));
     }
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
@@ -82,7 +89,7 @@ struct UniformSlopes {
         if (xi) {
             const V share = m.byXi[0];
             // M depends on φ − ξ1 but for f₀; and it stays if φ, h, ξ1 and ξ2 are multiplied by one number.
-            m.byXi[0] = inLoss * loss * inverse / gain * (share - m.mean) - m.byDensity;
+            m.byXi[0] = inLoss * (share - m.mean) - m.byDensity;
             m.byXi[1] = V(0) - (phi * m.byDensity + V(2) * h2 * m.bySquare + xi1 * m.byXi[0]) * inverse;
             m.byXi[2] = V(0);
         }
@@ -118,7 +125,7 @@ private:
         const V low = max_(phi - h, start), high = max_(phi + h, start);
         const V a = (low - xi1) * inverse, b = (high - xi1) * inverse;
         const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
-        const V ra = V(1) / (V(1) + ea), rb = V(1) / (V(1) + eb);
+        const V ra = reciprocal_(V(1) + ea), rb = reciprocal_(V(1) + eb);
         // ln(1 + e^x) = max(x, 0) + ln(1 + e^−|x|)
         const V softplus = max_(b, V(0)) - max_(a, V(0)) + V(ln2) * log2_((V(1) + eb) * ra);
         const V fa = select_(less_(a, V(0)), ea * ra, ra), fb = select_(less_(b, V(0)), eb * rb, rb);
@@ -133,13 +140,13 @@ private:
             top = select_(wide, top, range * s.byX);
         }
         MeanSlopes<V> m = slopesOfDifference(xi2 * rise, bottom, top, h);
-        m.byXi[0] = (high - low) * V(0.5) / max_(h, V(1e-18));
+        m.byXi[0] = (high - low) * V(0.5) * reciprocal_(max_(h, V(1e-18)));
         m.byXi[1] = m.byXi[2] = V(0);
         return m;
     }
     static SUFFUSE_INLINE V logistic(V x)
     {
-        const V e = exp2_(V(-log2e) * abs_(x)), r = V(1) / (V(1) + e);
+        const V e = exp2_(V(-log2e) * abs_(x)), r = reciprocal_(V(1) + e);
         return select_(less_(x, V(0)), e * r, r);
     }
 };
@@ -147,19 +154,20 @@ private:
 /// Feathering (18).
 template <class V>
 struct FeatheringSlopes {
-    V xi1, xi2, inverse, cut, narrow;
+    V xi1, xi2, inverse, cut, narrow, perPower; ///< the last: 1/(ξ2 + 1)
     V c2, c4, c6; ///< ξ2 (ξ2 − 1)/3!, … (ξ2 − 2)(ξ2 − 3)/5!, … /7!
     V d2, d4, d6; ///< their derivatives by ξ2
 
     SUFFUSE_INLINE FeatheringSlopes(V x1, V x2, V)
         : xi1(x1), xi2(x2), inverse(V(1) / x1),
           cut(x1 * exp2_(max_(V(-SlopeLimits<V>::featheringTail) / x2, V(-100)))),
-          narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), c2(x2 * (x2 - V(1)) * V(1.0 / 6)),
+          narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), perPower(V(1) / (x2 + V(1))), c2(x2 * (x2 - V(1)) * V(1.0 / 6)),
           c4(c2 * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)), c6(c4 * (x2 - V(4)) * (x2 - V(5)) * V(1.0 / 42)),
           d2((V(2) * x2 - V(1)) * V(1.0 / 6)), d4((((V(4) * x2 - V(18)) * x2 + V(22)) * x2 - V(6)) * V(1.0 / 120)),
           d6((((((V(6) * x2 - V(75)) * x2 + V(340)) * x2 - V(675)) * x2 + V(548)) * x2 - V(120)) * V(1.0 / 5040))
     {}
     SUFFUSE_INLINE auto seen(V phi, V h2) const { return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2)); }
+    SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, phi - xi1); }
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
     {
@@ -183,7 +191,7 @@ private:
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> shortSlopes(V x, V r2) const
     {
-        const V log = logarithm(x), over = V(1) / max_(x, V(1e-18)), f = exp2_(xi2 * log);
+        const V log = logarithm(x), over = reciprocal_(max_(x, V(1e-18))), f = exp2_(xi2 * log);
         const V q2 = min_(r2 * over * over, V(1)), slope = f * over;
         MeanSlopes<V> m{f * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6, c4), c2), V(1)),
                         slope * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6 * (xi2 - V(6)), c4 * (xi2 - V(4))), c2 * (xi2 - V(2))), xi2),
@@ -197,18 +205,18 @@ private:
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> longSlopes(V x, V reach) const
     {
-        const V a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b), p = xi2 + V(1);
+        const V a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b);
         const V la = logarithm(a1), lb = logarithm(b1);
         const auto aThere = less_(V(0), a1), bThere = less_(V(0), b1);
         const V fa = select_(aThere, exp2_(xi2 * la), V(0)), fb = select_(bThere, exp2_(xi2 * lb), V(0));
         const V above = max_(b - V(1), V(0)) - max_(a - V(1), V(0));
-        MeanSlopes<V> m = slopesOfDifference((b1 * fb - a1 * fa) / p + above, fa, fb, reach);
+        MeanSlopes<V> m = slopesOfDifference((b1 * fb - a1 * fa) * perPower + above, fa, fb, reach);
         m.byXi[0] = m.byXi[2] = V(0);
         m.byXi[1] = V(0);
         if (xi) { // x^ξ2 ln x has the antiderivative x^p (ln x/p − 1/p²).
-            const V ip = V(1) / p;
-            const V top = b1 * fb * (V(ln2) * lb - ip) * ip, bottom = a1 * fa * (V(ln2) * la - ip) * ip;
-            m.byXi[1] = (top - bottom) / max_(V(2) * reach, V(1e-18));
+            const V top = b1 * fb * (V(ln2) * lb - perPower) * perPower;
+            const V bottom = a1 * fa * (V(ln2) * la - perPower) * perPower;
+            m.byXi[1] = (top - bottom) * reciprocal_(max_(V(2) * reach, V(1e-18)));
         }
         return m;
     }
@@ -237,10 +245,11 @@ struct EdgeSlopes {
         const auto reached = less_(a * a, h2 * inversePhiE * inversePhiE);
         return or_(less_(V(1), p), and_(less_(V(1), V(7.5) * p), reached));
     }
+    SUFFUSE_INLINE auto full(V phi, V) const { return less_(phi, V(-1)); } // never
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
     {
-        const V p = max_(phi, V(1e-18)), over = V(1) / p, room = max_(phi - phiE, V(0));
+        const V p = max_(phi, V(1e-18)), over = reciprocal_(p), room = max_(phi - phiE, V(0));
         const V whole = h2 * over * over, q2 = min_(whole, V(4)), limit = V(SlopeLimits<V>::edge * SlopeLimits<V>::edge);
         const auto isShort = and_(less_(whole, limit), less_(h2, room * room));
         Inner inner = shortSlopes(phiE * over, min_(q2, limit));
@@ -283,7 +292,7 @@ private:
     SUFFUSE_INLINE Inner longSlopes(V v, V q) const
     {
         const V low = v - q, a = max_(low, V(0)), b = max_(v + q, V(0));
-        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b), inverse = V(0.5) / max_(q, V(1e-18));
+        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b), inverse = V(0.5) * reciprocal_(max_(q, V(1e-18)));
         const V third = (ea - eb) * V(1.0 / 3), sixth = (ea - eb) * (ea + eb) * V(1.0 / 6);
         const V rise = xi3 * ((b - a) + alpha * sixth - beta * third);
         const V bottom = select_(less_(V(0), low), of(ea), V(0)), top = select_(less_(V(0), v + q), of(eb), V(0));
