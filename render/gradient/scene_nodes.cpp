@@ -74,6 +74,7 @@ void placeSegment(const FlatScene &scene, const NodeRules &rules, const ViewMatr
         const RuleNode &node = rules.nodes[i];
         const Vector2 at = curve.sum(node.point), slope = curve.sum(node.slope);
         out.nodes[i] = {at.x, at.y, gain * node.weight * std::sqrt(slope.x * slope.x + slope.y * slope.y)};
+        out.x[i] = float(at.x), out.y[i] = float(at.y), out.strength[i] = float(std::fabs(out.nodes[i].weight));
         segment.left = std::min(segment.left, float(at.x)), segment.right = std::max(segment.right, float(at.x));
         segment.top = std::min(segment.top, float(at.y)), segment.bottom = std::max(segment.bottom, float(at.y));
     }
@@ -84,6 +85,8 @@ void placeSegment(const FlatScene &scene, const NodeRules &rules, const ViewMatr
 void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out)
 {
     out.nodes.resize(rules.nodes.size());
+    for (auto *numbers : {&out.x, &out.y, &out.strength})
+        numbers->resize(rules.nodes.size());
     out.segments.resize(rules.segments.size());
     const ViewMatrix map(scene.view);
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)

@@ -22,6 +22,7 @@ struct PixelSegment {
 
 struct SceneNodes {
     std::vector<PixelNode> nodes;
+    std::vector<float> x, y, strength; ///< of each node, rounded, and the size of its weight: what is looked through
     std::vector<PixelSegment> segments;
 };
 

@@ -199,26 +199,49 @@ SUFFUSE_INLINE auto withSlopes(const Shading<Number> &how, Use use)
     return use(EdgeSlopes<V>(x1, x2, x3));
 }
 
-template <class V, class Number>
-void mixStroke(const Shading<Number> &how, const Number (*sums)[tileSize], const ValueTile<Number> *varying,
-               const Number *eta, ColourTile<Number> &ryb)
+template <bool keep, class V, class Number>
+SUFFUSE_INLINE void mixStrokeBy(const Shading<Number> &how, StrokeTile<Number> &stroke,
+                                const ValueTile<Number> *varying, const Number *eta, ColourTile<Number> &ryb)
 {
     using P = Pixels<V>;
-    const V keep(how.keep);
+    const V kept(how.keep);
     withSlopes<V>(how, [&](const auto &style) {
         for (int at = 0; at < tileSize; at += P::count()) {
-            const PixelPaint<V> p = paintAt<V>(how, sums, varying, eta, at);
+            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
             const auto seen = style.seen(p.phi, p.square);
+            if (keep)
+                stroke.shown[at] = Shown::Nothing;
             if (all_(not_(seen)))
                 continue;
-            V mean(1);
-            if (!all_(style.full(p.phi, p.square)))
-                mean = clamp01(style.template slopes<false>(p.phi, p.square).mean);
-            const V w = select_(seen, mean * p.value[3], V(0));
-            for (int c = 0; c < 3; ++c)
-                P::store(mixed(P::load(ryb.v[c] + at), p.value[c], w, keep), ryb.v[c] + at);
+            const bool full = all_(style.full(p.phi, p.square));
+            MeanSlopes<V> m{V(1), V(0), V(0), {V(0), V(0), V(0)}};
+            if (!full)
+                m = style.template slopes<false>(p.phi, p.square);
+            const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3];
+            for (int c = 0; c < 3; ++c) {
+                const V below = P::load(ryb.v[c] + at);
+                if (keep)
+                    P::store(below, stroke.below[c] + at);
+                P::store(mixed(below, p.value[c], w, kept), ryb.v[c] + at);
+            }
+            if (keep) {
+                stroke.shown[at] = full ? Shown::FullPaint : Shown::Something;
+                P::store(mean, stroke.mean + at);
+                P::store(select_(seen, m.byDensity, V(0)), stroke.byDensity + at);
+                P::store(select_(seen, m.bySquare, V(0)), stroke.bySquare + at);
+            }
         }
     });
+}
+
+template <class V, class Number>
+void mixStroke(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+               const Number *eta, bool keep, ColourTile<Number> &ryb)
+{
+    if (keep)
+        mixStrokeBy<true, V>(how, stroke, varying, eta, ryb);
+    else
+        mixStrokeBy<false, V>(how, stroke, varying, eta, ryb);
 }
 
 template <class V, class Number>
@@ -261,19 +284,14 @@ struct ConstantSums {
     }
 };
 
-/// The way back through one vector of pixels. Returns whether anything depends on their density.
-template <bool xi, class V, class Number, class Style>
-SUFFUSE_INLINE bool pixelsBack(const Style &style, const Shading<Number> &how, const StrokeTile<Number> &stroke,
-                               const PixelPaint<V> &p, const Number *eta, int at, ColourTile<Number> &by,
-                               SumSlopes<Number> &out, ConstantSums<V> &constants)
+/// Finds the derivatives by a stroke's numbers at one vector of pixels, from those by what is above it.
+template <class V, class Number>
+SUFFUSE_INLINE V pixelsBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, const PixelPaint<V> &p,
+                            const Number *eta, int at, ColourTile<Number> &by, SumSlopes<Number> &out,
+                            ConstantSums<V> &constants)
 {
     using P = Pixels<V>;
-    const auto seen = style.seen(p.phi, p.square);
-    MeanSlopes<V> m{V(1), V(0), V(0), {V(0), V(0), V(0)}};
-    const bool full = all_(style.full(p.phi, p.square));
-    if (!full)
-        m = style.template slopes<xi>(p.phi, p.square);
-    const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3], keep(how.keep);
+    const V mean = P::load(stroke.mean + at), w = mean * p.value[3], keep(how.keep);
     V byValue[values], byW(0);
     for (int c = 0; c < 3; ++c) {
         const MixSlopes<V> slopes =
@@ -282,9 +300,9 @@ SUFFUSE_INLINE bool pixelsBack(const Style &style, const Shading<Number> &how, c
         byValue[c] = slopes.byColour;
         byW = byW + slopes.byOpacity;
     }
+    const V byMean = byW * p.value[3];
+    V byPhi = byMean * P::load(stroke.byDensity + at), bySquare = byMean * P::load(stroke.bySquare + at);
     byValue[3] = byW * mean;
-    const V byMean = select_(seen, byW * p.value[3], V(0));
-    V byPhi = byMean * m.byDensity, bySquare = byMean * m.bySquare;
     byValue[4] = V(0);
     if (eta) {
         const V byGamma = mulAdd_(byPhi, P::load(stroke.sums[0] + at), V(2) * bySquare * p.gamma * p.plain);
@@ -295,7 +313,7 @@ SUFFUSE_INLINE bool pixelsBack(const Style &style, const Shading<Number> &how, c
     if (how.varies) {
         V byLaid(0);
         for (int i = 0; i < values; ++i) {
-            const V slope = select_(seen, byValue[i] * p.inverse, V(0));
+            const V slope = byValue[i] * p.inverse;
             P::store(slope, out.planes[i] + at);
             byLaid = negMulAdd_(slope, p.value[i], byLaid);
         }
@@ -303,13 +321,10 @@ SUFFUSE_INLINE bool pixelsBack(const Style &style, const Shading<Number> &how, c
     } else
         for (int i = 0; i < values; ++i)
             constants.constant[i] = constants.constant[i] + byValue[i];
-    if (xi)
-        for (int i = 0; i < 3; ++i)
-            constants.xi[i] = constants.xi[i] + select_(seen, byMean * m.byXi[i], V(0));
     P::store(byPhi, out.sums[0] + at);
     P::store(V(2) * bySquare * P::load(stroke.sums[1] + at), out.sums[1] + at);
     P::store(V(2) * bySquare * P::load(stroke.sums[2] + at), out.sums[2] + at);
-    return !full || how.varies;
+    return byMean;
 }
 
 template <class V, class Number>
@@ -323,33 +338,15 @@ SUFFUSE_INLINE void clearSlopes(const Shading<Number> &how, int at, SumSlopes<Nu
             P::store(V(0), plane + at);
 }
 
-template <bool xi, class V, class Number>
-bool strokeBackBy(const Shading<Number> &how, const StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
-                  const Number *eta, ColourTile<Number> &by, SumSlopes<Number> &out, StrokeSlopes<Number> &constants)
+template <class V, class Number>
+SUFFUSE_INLINE void addXi(const Shading<Number> &how, const PixelPaint<V> &p, V byMean, ConstantSums<V> &sums)
 {
-    using P = Pixels<V>;
-    ConstantSums<V> sums;
-    out.firstRow = tileSide, out.endRow = 0;
     withSlopes<V>(how, [&](const auto &style) {
-        for (int row = 0; row < tileSide; ++row) {
-            bool any = false;
-            for (int at = row * tileSide; at < (row + 1) * tileSide; at += P::count()) {
-                const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
-                if (all_(not_(style.seen(p.phi, p.square)))) {
-                    clearSlopes<V>(how, at, out);
-                    continue;
-                }
-                any |= pixelsBack<xi>(style, how, stroke, p, eta, at, by, out, sums);
-            }
-            if (any)
-                out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
-        }
+        const MeanSlopes<V> m = style.template slopes<true>(p.phi, p.square);
+        const auto counts = and_(style.seen(p.phi, p.square), not_(style.full(p.phi, p.square)));
+        for (int i = 0; i < 3; ++i)
+            sums.xi[i] = sums.xi[i] + select_(counts, byMean * m.byXi[i], V(0));
     });
-    for (int i = 0; i < 3; ++i)
-        constants.xi[i] = P::total(sums.xi[i]);
-    for (int i = 0; i < values; ++i)
-        constants.constant[i] = P::total(sums.constant[i]);
-    return out.firstRow < out.endRow;
 }
 
 template <class V, class Number>
@@ -357,8 +354,30 @@ bool strokeBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, co
                 const Number *eta, bool xi, ColourTile<Number> &by, SumSlopes<Number> &out,
                 StrokeSlopes<Number> &constants)
 {
-    return xi ? strokeBackBy<true, V>(how, stroke, varying, eta, by, out, constants)
-              : strokeBackBy<false, V>(how, stroke, varying, eta, by, out, constants);
+    using P = Pixels<V>;
+    ConstantSums<V> sums;
+    out.firstRow = tileSide, out.endRow = 0;
+    for (int row = 0; row < tileSide; ++row) {
+        bool any = false;
+        for (int at = row * tileSide; at < (row + 1) * tileSide; at += P::count()) {
+            if (stroke.shown[at] == Shown::Nothing) {
+                clearSlopes<V>(how, at, out);
+                continue;
+            }
+            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+            const V byMean = pixelsBack(how, stroke, p, eta, at, by, out, sums);
+            if (stroke.shown[at] == Shown::Something && xi)
+                addXi(how, p, byMean, sums);
+            any |= how.varies || stroke.shown[at] == Shown::Something;
+        }
+        if (any)
+            out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
+    }
+    for (int i = 0; i < 3; ++i)
+        constants.xi[i] = P::total(sums.xi[i]);
+    for (int i = 0; i < values; ++i)
+        constants.constant[i] = P::total(sums.constant[i]);
+    return out.firstRow < out.endRow;
 }
 
 /// What a node's derivatives need along y.

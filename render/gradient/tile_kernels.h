@@ -39,11 +39,17 @@ struct Shading {
     bool varies;            ///< whether values are taken from planes
 };
 
-/// φ, −½∂φ/∂x, −½∂φ/∂y of a stroke at the pixels of a tile, and the R, Y, B below it.
+/// What the pixels of a vector show of a stroke, so that most need not be looked at on the way back.
+enum class Shown : std::uint8_t { Nothing, Something, FullPaint };
+
+/// φ, −½∂φ/∂x, −½∂φ/∂y of a stroke at the pixels of a tile; and what the way back needs: the R, Y, B below it, and F with
+/// its derivatives by φ′ and h².
 template <class Number>
 struct alignas(64) StrokeTile {
     Number sums[3][tileSize];
     Number below[3][tileSize];
+    Number mean[tileSize], byDensity[tileSize], bySquare[tileSize];
+    Shown shown[tileSize]; ///< at the first pixel of each vector
 };
 
 /// Σφ_k·value over the nodes that lay paint, and φ⁺.
@@ -79,9 +85,10 @@ struct TileKernels {
     void (*accumulate)(const TileNode<Number> *nodes, int count, Number (*sums)[tileSize]);
     /// Adds the nodes of one segment, which lays paint, to the planes.
     void (*addValues)(const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to);
-    /// Mixes a stroke into the R, Y, B of a tile. `eta` is the paper, or null for 1.
-    void (*mixStroke)(const Shading<Number> &how, const Number (*sums)[tileSize], const ValueTile<Number> *varying,
-                      const Number *eta, ColourTile<Number> &ryb);
+    /// Mixes a stroke, whose sums are there, into the R, Y, B of a tile. `eta` is the paper, or null for 1. With `keep` it
+    /// writes down what the way back needs.
+    void (*mixStroke)(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+                      const Number *eta, bool keep, ColourTile<Number> &ryb);
     void (*toRgb)(const ColourTile<Number> &ryb, ColourTile<Number> &rgb);
     /// Replaces ∂L/∂(R, G, B) by ∂L/∂(R, Y, B).
     void (*rgbBack)(const ColourTile<Number> &ryb, ColourTile<Number> &by);

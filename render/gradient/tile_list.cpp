@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace suffuse::gradient {
 
@@ -18,7 +19,7 @@ float levelOf(const FlatStroke &stroke)
     const double x1 = stroke.xi[0], x2 = stroke.xi[1], x3 = stroke.xi[2];
     switch (stroke.kind) {
     case StyleKind::Uniform:
-        return float(math::UniformSlopes<double>(x1, x2, x3).start);
+        return float(math::UniformSlopes<double>(x1, x2, x3).cut);
     case StyleKind::Feathering:
         return float(math::FeatheringSlopes<double>(x1, x2, x3).cut);
     case StyleKind::Edge:
@@ -27,11 +28,40 @@ float levelOf(const FlatStroke &stroke)
     return float(math::EdgeSlopes<double>(x1, x2, x3).phiE);
 }
 
-/// The distance of a place from [low, low + 15].
+/// The distance of a place from the pixels of a tile, of which the first one has its centre at `low`.
 float beyond(float place, float low)
 {
-    return std::max({low - place, place - (low + float(tileSide - 1)), 0.0f});
+    return std::max(std::fabs(place - (low + 7.5f)) - 7.5f, 0.0f);
 }
+
+/// Writes down the nodes of a segment that reach a tile. Returns the end of what was written.
+std::uint32_t *nodesNear(const SceneNodes &nodes, const PixelSegment &s, float x, float y, std::uint32_t *to)
+{
+    const auto near = float(s.reach) + 1e-3f;
+    for (std::uint32_t i = s.first; i < s.end; ++i) {
+        const float dx = beyond(nodes.x[i], x), dy = beyond(nodes.y[i], y);
+        *to = i;
+        to += dx * dx + dy * dy <= near * near; // Farther away it is below what is cut off.
+    }
+    return to;
+}
+
+/// Bounds of what nodes add to a density and to its slope in a tile.
+struct TileBounds {
+    float density = 0, slope = 0;
+
+    void add(const SceneNodes &nodes, const PixelSegment &s, std::span<const std::uint32_t> near, float x, float y)
+    {
+        const auto inverse = float(s.inverse);
+        for (const std::uint32_t i : near) {
+            const float dx = beyond(nodes.x[i], x), dy = beyond(nodes.y[i], y);
+            const float u2 = (dx * dx + dy * dy) * inverse * inverse, e = std::exp(-u2);
+            if (!s.lift)
+                density += nodes.strength[i] * e;
+            slope += nodes.strength[i] * inverse * (u2 < 0.5f ? 0.8578f : (1 + u2) * e);
+        }
+    }
+};
 
 } // namespace
 
@@ -72,32 +102,24 @@ void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out
 {
     const FlatStroke &stroke = m_scene->strokes[reach.stroke];
     const auto firstRun = std::uint32_t(out.runs.size()), firstNode = std::uint32_t(out.nodes.size());
-    float density = 0, slope = 0; // bounds in the tile, as long as it is not sure that the stroke shows there
+    TileBounds bounds; // as long as it is not sure that the stroke shows there
     for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
         const PixelSegment &s = m_nodes->segments[k];
-        const auto near = float(s.reach) + 1e-3f, inverse = float(s.inverse);
+        const auto near = float(s.reach) + 1e-3f;
         if (s.left > x + 15 + near || s.right < x - near || s.top > y + 15 + near || s.bottom < y - near)
             continue;
-        const auto first = std::uint32_t(out.nodes.size());
-        const float near2 = near * near;
-        for (std::uint32_t i = s.first; i < s.end; ++i) {
-            const PixelNode &node = m_nodes->nodes[i];
-            const float dx = beyond(float(node.x), x), dy = beyond(float(node.y), y), distance2 = dx * dx + dy * dy;
-            if (distance2 > near2) // There it is below what is cut off.
-                continue;
-            out.nodes.push_back(i);
-            if (density > reach.level)
-                continue;
-            const float u2 = distance2 * inverse * inverse, e = std::exp(-u2);
-            const auto weight = float(std::fabs(node.weight));
-            if (!s.lift)
-                density += weight * e;
-            slope += weight * inverse * (u2 < 0.5f ? 0.8578f : (1 + u2) * e);
-        }
-        if (out.nodes.size() > first)
-            out.runs.push_back({k, first, std::uint32_t(out.nodes.size())});
+        const std::size_t first = out.nodes.size();
+        out.nodes.resize(first + (s.end - s.first) + 1); // One more is written than counts.
+        const auto end = nodesNear(*m_nodes, s, x, y, out.nodes.data() + first) - out.nodes.data();
+        out.nodes.resize(std::size_t(end));
+        if (out.nodes.size() == first)
+            continue;
+        out.runs.push_back({k, std::uint32_t(first), std::uint32_t(end)});
+        if (bounds.density <= reach.level)
+            bounds.add(*m_nodes, s, std::span(out.nodes).subspan(first), x, y);
     }
-    if (out.runs.size() == firstRun || vanishes(stroke.kind, reach.level, density * 1.001f, 0.5f * slope * 1.001f)) {
+    if (out.runs.size() == firstRun || vanishes(stroke.kind, reach.level, bounds.density * 1.001f,
+                                               0.5f * bounds.slope * 1.001f)) {
         out.runs.resize(firstRun);
         out.nodes.resize(firstNode);
         return;

@@ -80,9 +80,7 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
                     m_kernels.addValues(m_nodes.data() + run.first, int(run.end - run.first), value, *varying);
             }
         }
-        if (keep)
-            std::memcpy(tile.below, m_ryb.v, sizeof tile.below);
-        m_kernels.mixStroke(shadingOf(scene, stroke), tile.sums, varying, m_paper ? m_eta : nullptr, m_ryb);
+        m_kernels.mixStroke(shadingOf(scene, stroke), tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
     }
 }
 

@@ -21,31 +21,52 @@ struct MeanSlopes {
 
 /// Says from where on differences of antiderivatives take the place of series, and where a tail ends. Where one form
 /// takes the place of the other, M must not jump by more than its derivatives may be off by.
+///
+/// Doubles take each form where it is exact. In floats, where some samples of a vector need the difference, all of them
+/// take it, over a range that is not shorter than `least`: there its digits are enough, and M changes by less than 1e-5.
 template <class V>
 struct SlopeLimits {
-    static constexpr double uniform = 0.7;      // h/ξ2
-    static constexpr double full = 12;          // (φ − h − ξ1)/ξ2 beyond which F is 1
-    static constexpr double feathering = 0.5;   // h/φ, times max(ξ2, 2)
-    static constexpr double edge = 0.3;         // h/φ
-    static constexpr double featheringTail = 13; // −log₂ of the opacity at which it ends
+    static constexpr bool exact = false;
+    static constexpr double uniform = 0.5, leastUniform = 0.03;         // h/ξ2
+    static constexpr double feathering = 0.4, leastFeathering = 0.03;   // h/φ, times max(ξ2, 2)
+    static constexpr double edge = 0.3, leastEdge = 0.01;               // h/φ
+    static constexpr double full = 12;                                  // (φ − h − ξ1)/ξ2 beyond which F is 1
+    static constexpr double tail = 13;                                  // −log₂ of the opacity at which a style ends
     static constexpr double nearZero = 1e-30;
 };
 template <>
 struct SlopeLimits<double> {
-    static constexpr double uniform = 0.03;
+    static constexpr bool exact = true;
+    static constexpr double uniform = 0.03, leastUniform = 0;
+    static constexpr double feathering = 0.03, leastFeathering = 0;
+    static constexpr double edge = 0.1, leastEdge = 0;
     static constexpr double full = 40;
-    static constexpr double feathering = 0.03;
-    static constexpr double edge = 0.1;
-    static constexpr double featheringTail = 40;
+    static constexpr double tail = 40;
     static constexpr double nearZero = 1e-300;
 };
 
-/// What a difference of antiderivatives A gives: `rise` is A(φ+h) − A(φ−h), `high` and `low` are F at both ends.
+/// Takes the series where all samples that count may have it, else the difference: for each sample that needs it, or
+/// for all of them.
+template <class V, class Short, class Long>
+SUFFUSE_INLINE auto eitherForm(const decltype(less_(V(0), V(0))) &isShort, const decltype(less_(V(0), V(0))) &counts,
+                               Short series, Long difference, auto select)
+{
+    if (all_(or_(isShort, not_(counts))))
+        return series();
+    if constexpr (SlopeLimits<V>::exact)
+        return select(isShort, series(), difference());
+    else
+        return difference();
+}
+
+/// What a difference of antiderivatives A gives: `rise` is A(φ+h) − A(φ−h), `high` and `low` are F at both ends. M does
+/// not depend on h where the range is that of a greater one.
 template <class V>
-SUFFUSE_INLINE MeanSlopes<V> slopesOfDifference(V rise, V low, V high, V half)
+SUFFUSE_INLINE MeanSlopes<V> slopesOfDifference(V rise, V low, V high, V half, V least)
 {
     const V inverse = V(0.5) * reciprocal_(max_(half, V(1e-18))), mean = rise * inverse;
-    return {mean, (high - low) * inverse, V(2) * inverse * inverse * (V(0.5) * (high + low) - mean), {}};
+    const V bySquare = V(2) * inverse * inverse * (V(0.5) * (high + low) - mean);
+    return {mean, (high - low) * inverse, SlopeLimits<V>::exact ? bySquare : select_(less_(least, half), bySquare, V(0)), {}};
 }
 
 template <class V>
@@ -62,16 +83,18 @@ SUFFUSE_INLINE MeanSlopes<V> select_slopes(const decltype(less_(V(0), V(0))) &wh
 template <class V>
 struct UniformSlopes {
     V xi1, xi2, inverse, start, loss, gain;
+    V cut;    ///< opacity is below 2^−tail up to there
     V inLoss; ///< how f₀ changes with ξ1 where φ₀ = 0; else 0
 
     SUFFUSE_INLINE UniformSlopes(V x1, V x2, V)
         : xi1(x1), xi2(x2), inverse(V(1) / x2), start(max_(V(0), x1 - V(8) * x2)),
           loss(exp2_(V(-log2e) * (x1 - start) * inverse)), gain(V(1) + loss),
+          cut(max_(start, x1 - x2 * V(ln2) * log2_(gain / (exp2_(V(-SlopeLimits<V>::tail)) + loss) - V(1)))),
           inLoss(select_(less_(V(0), x1 - V(8) * x2), V(0), loss * inverse / gain))
     {}
     SUFFUSE_INLINE auto seen(V phi, V h2) const
     {
-        return or_(less_(start, phi), less_((start - phi) * (start - phi), h2));
+        return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2));
     }
     /// True only where F is 1 over the whole range, but for less than anybody sees.
     SUFFUSE_INLINE auto full(V phi, V h2) const
@@ -83,9 +106,9 @@ struct UniformSlopes {
     {
         const V limit = V(SlopeLimits<V>::uniform) * xi2, room = max_(phi - start, V(0));
         const auto isShort = less_(h2, min_(limit * limit, room * room));
-        MeanSlopes<V> m = shortSlopes(phi, h2);
-        if (!all_(or_(isShort, not_(seen(phi, h2)))))
-            m = select_slopes(isShort, m, longSlopes(phi, sqrt_(h2)));
+        MeanSlopes<V> m = eitherForm<V>(
+            isShort, seen(phi, h2), [&] { return shortSlopes(phi, h2); }, [&] { return longSlopes(phi, h2); },
+            [](const auto &which, const auto &a, const auto &b) { return select_slopes(which, a, b); });
         if (xi) {
             const V share = m.byXi[0];
             // M depends on φ − ξ1 but for f₀; and it stays if φ, h, ξ1 and ξ2 are multiplied by one number.
@@ -120,8 +143,9 @@ private:
         const Series s = seriesAt((phi - xi1) * inverse, h2 * inverse * inverse);
         return {s.mean, s.byX * inverse, s.bySquare * inverse * inverse, {V(1), V(0), V(0)}};
     }
-    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V phi, V h) const
+    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V phi, V h2) const
     {
+        const V least = V(SlopeLimits<V>::leastUniform) * xi2, h = max_(sqrt_(h2), least);
         const V low = max_(phi - h, start), high = max_(phi + h, start);
         const V a = (low - xi1) * inverse, b = (high - xi1) * inverse;
         const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
@@ -134,12 +158,12 @@ private:
         const V bottom = select_(less_(start, phi - h), mulAdd_(fa, gain, V(0) - loss), V(0));
         // A short range begins at φ₀, where F is 0, and differences would cancel.
         const auto wide = less_(V(SlopeLimits<V>::uniform), half);
-        if (!all_(wide)) {
+        if (SlopeLimits<V>::exact && !all_(wide)) {
             const Series s = seriesAt(a + half, half * half);
             rise = select_(wide, rise, range * s.mean);
             top = select_(wide, top, range * s.byX);
         }
-        MeanSlopes<V> m = slopesOfDifference(xi2 * rise, bottom, top, h);
+        MeanSlopes<V> m = slopesOfDifference(xi2 * rise, bottom, top, h, least);
         m.byXi[0] = (high - low) * V(0.5) * reciprocal_(max_(h, V(1e-18)));
         m.byXi[1] = m.byXi[2] = V(0);
         return m;
@@ -160,7 +184,7 @@ struct FeatheringSlopes {
 
     SUFFUSE_INLINE FeatheringSlopes(V x1, V x2, V)
         : xi1(x1), xi2(x2), inverse(V(1) / x1),
-          cut(x1 * exp2_(max_(V(-SlopeLimits<V>::featheringTail) / x2, V(-100)))),
+          cut(x1 * exp2_(max_(V(-SlopeLimits<V>::tail) / x2, V(-100)))),
           narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), perPower(V(1) / (x2 + V(1))), c2(x2 * (x2 - V(1)) * V(1.0 / 6)),
           c4(c2 * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)), c6(c4 * (x2 - V(4)) * (x2 - V(5)) * V(1.0 / 42)),
           d2((V(2) * x2 - V(1)) * V(1.0 / 6)), d4((((V(4) * x2 - V(18)) * x2 + V(22)) * x2 - V(6)) * V(1.0 / 120)),
@@ -174,9 +198,11 @@ struct FeatheringSlopes {
         const V x = phi * inverse, room = max_(min_(narrow * x, V(1) - x), V(0)), r2 = h2 * inverse * inverse;
         const V above = max_(x - V(1), V(0));
         const auto isShort = less_(r2, room * room), isFull = less_(r2, above * above);
-        MeanSlopes<V> m = select_slopes(isFull, {V(1), V(0), V(0), {V(0), V(0), V(0)}}, shortSlopes<xi>(x, r2));
-        if (!all_(or_(or_(isShort, isFull), not_(seen(phi, h2)))))
-            m = select_slopes(or_(isShort, isFull), m, longSlopes<xi>(x, sqrt_(r2)));
+        MeanSlopes<V> m = eitherForm<V>(
+            isShort, and_(seen(phi, h2), not_(isFull)), [&] { return shortSlopes<xi>(x, r2); },
+            [&] { return longSlopes<xi>(x, r2); },
+            [](const auto &which, const auto &one, const auto &other) { return select_slopes(which, one, other); });
+        m = select_slopes(isFull, {V(1), V(0), V(0), {V(0), V(0), V(0)}}, m);
         m.byDensity = m.byDensity * inverse;
         m.bySquare = m.bySquare * inverse * inverse;
         if (xi) { // M stays if φ, h and ξ1 are multiplied by one number.
@@ -203,14 +229,17 @@ private:
     }
     /// The range has a part below 0 (F = 0), one in [0, ξ1] (the power), one above (F = 1).
     template <bool xi>
-    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V x, V reach) const
+    SUFFUSE_INLINE MeanSlopes<V> longSlopes(V x, V r2) const
     {
-        const V a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b);
+        // Where F bends, at x = 1, a longer range would blur it.
+        const V usual = V(SlopeLimits<V>::leastFeathering / SlopeLimits<V>::feathering) * narrow * x;
+        const V least = min_(usual, max_(abs_(V(1) - x), V(SlopeLimits<V>::exact ? 0 : 1e-3)));
+        const V reach = max_(sqrt_(r2), least), a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b);
         const V la = logarithm(a1), lb = logarithm(b1);
         const auto aThere = less_(V(0), a1), bThere = less_(V(0), b1);
         const V fa = select_(aThere, exp2_(xi2 * la), V(0)), fb = select_(bThere, exp2_(xi2 * lb), V(0));
         const V above = max_(b - V(1), V(0)) - max_(a - V(1), V(0));
-        MeanSlopes<V> m = slopesOfDifference((b1 * fb - a1 * fa) * perPower + above, fa, fb, reach);
+        MeanSlopes<V> m = slopesOfDifference((b1 * fb - a1 * fa) * perPower + above, fa, fb, reach, least);
         m.byXi[0] = m.byXi[2] = V(0);
         m.byXi[1] = V(0);
         if (xi) { // x^ξ2 ln x has the antiderivative x^p (ln x/p − 1/p²).
@@ -252,13 +281,13 @@ struct EdgeSlopes {
         const V p = max_(phi, V(1e-18)), over = reciprocal_(p), room = max_(phi - phiE, V(0));
         const V whole = h2 * over * over, q2 = min_(whole, V(4)), limit = V(SlopeLimits<V>::edge * SlopeLimits<V>::edge);
         const auto isShort = and_(less_(whole, limit), less_(h2, room * room));
-        Inner inner = shortSlopes(phiE * over, min_(q2, limit));
-        if (!all_(or_(isShort, not_(seen(phi, h2))))) {
-            const Inner other = longSlopes(V(ln2) * log2_(p * inversePhiE), sqrt_(q2));
-            inner.m = select_slopes(isShort, inner.m, other.m);
-            inner.sixth = select_(isShort, inner.sixth, other.sixth);
-            inner.third = select_(isShort, inner.third, other.third);
-        }
+        const Inner inner = eitherForm<V>(
+            isShort, seen(phi, h2), [&] { return shortSlopes(phiE * over, min_(q2, limit)); },
+            [&] { return longSlopes(V(ln2) * log2_(p * inversePhiE), q2); },
+            [](const auto &which, const Inner &one, const Inner &other) {
+                return Inner{select_slopes(which, one.m, other.m), select_(which, one.sixth, other.sixth),
+                             select_(which, one.third, other.third)};
+            });
         const MeanSlopes<V> &v = inner.m; // by v and q²
         const V bySquare = select_(less_(whole, V(4)), v.bySquare, V(0)); // q stays 2
         MeanSlopes<V> m{v.mean, (v.byDensity - V(2) * whole * bySquare) * over, bySquare * over * over, {}};
@@ -289,14 +318,15 @@ private:
                  xi3 * (V(36) * a * sinhOverSlope(V(4) * z) - V(9) * b * sinhOverSlope(z)), {}},
                 e2 * s6, e * s3};
     }
-    SUFFUSE_INLINE Inner longSlopes(V v, V q) const
+    SUFFUSE_INLINE Inner longSlopes(V v, V q2) const
     {
+        const V least(SlopeLimits<V>::leastEdge), q = max_(sqrt_(q2), least);
         const V low = v - q, a = max_(low, V(0)), b = max_(v + q, V(0));
         const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b), inverse = V(0.5) * reciprocal_(max_(q, V(1e-18)));
         const V third = (ea - eb) * V(1.0 / 3), sixth = (ea - eb) * (ea + eb) * V(1.0 / 6);
         const V rise = xi3 * ((b - a) + alpha * sixth - beta * third);
         const V bottom = select_(less_(V(0), low), of(ea), V(0)), top = select_(less_(V(0), v + q), of(eb), V(0));
-        return {slopesOfDifference(rise, bottom, top, q), sixth * inverse, third * inverse};
+        return {slopesOfDifference(rise, bottom, top, q, least), sixth * inverse, third * inverse};
     }
     SUFFUSE_INLINE V of(V e) const { return xi3 * mulAdd_(mulAdd_(alpha, e, V(0) - beta), e, V(1)); }
     /// sinh(x)/x from x², and its derivative by x², for x ≤ 1.8.
