@@ -27,11 +27,11 @@ struct MeanSlopes {
 template <class V>
 struct SlopeLimits {
     static constexpr bool exact = false;
-    static constexpr double uniform = 0.5, leastUniform = 0.03;         // h/ξ2
-    static constexpr double feathering = 0.4, leastFeathering = 0.03;   // h/φ, times max(ξ2, 2)
+    static constexpr double uniform = 0.5, leastUniform = 0.02;         // h/ξ2
+    static constexpr double feathering = 0.4, leastFeathering = 0.02;   // h/φ, times max(ξ2, 2)
     static constexpr double edge = 0.3, leastEdge = 0.01;               // h/φ
     static constexpr double full = 12;                                  // (φ − h − ξ1)/ξ2 beyond which F is 1
-    static constexpr double tail = 13;                                  // −log₂ of the opacity at which a style ends
+    static constexpr double tail = 15;                                  // −log₂ of the opacity at which a style ends
     static constexpr double nearZero = 1e-30;
 };
 template <>
