@@ -31,7 +31,7 @@ struct SlopeLimits {
     static constexpr double feathering = 0.4, leastFeathering = 0.02;   // h/φ, times max(ξ2, 2)
     static constexpr double edge = 0.3, leastEdge = 0.01;               // h/φ
     static constexpr double full = 12;                                  // (φ − h − ξ1)/ξ2 beyond which F is 1
-    static constexpr double tail = 15;                                  // −log₂ of the opacity at which a style ends
+    static constexpr double tail = 17;                                  // −log₂ of the opacity at which a style ends
     static constexpr double nearZero = 1e-30;
 };
 template <>
@@ -145,7 +145,9 @@ private:
     }
     SUFFUSE_INLINE MeanSlopes<V> longSlopes(V phi, V h2) const
     {
-        const V least = V(SlopeLimits<V>::leastUniform) * xi2, h = max_(sqrt_(h2), least);
+        // Where F bends, at φ₀, a longer range would blur it.
+        const V room = max_(phi - start, V(0.05 * SlopeLimits<V>::leastUniform) * xi2);
+        const V least = min_(V(SlopeLimits<V>::leastUniform) * xi2, room), h = max_(sqrt_(h2), least);
         const V low = max_(phi - h, start), high = max_(phi + h, start);
         const V a = (low - xi1) * inverse, b = (high - xi1) * inverse;
         const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
@@ -233,7 +235,7 @@ private:
     {
         // Where F bends, at x = 1, a longer range would blur it.
         const V usual = V(SlopeLimits<V>::leastFeathering / SlopeLimits<V>::feathering) * narrow * x;
-        const V least = min_(usual, max_(abs_(V(1) - x), V(SlopeLimits<V>::exact ? 0 : 1e-3)));
+        const V least = min_(usual, max_(abs_(V(1) - x), V(0.05 * SlopeLimits<V>::leastFeathering)));
         const V reach = max_(sqrt_(r2), least), a = x - reach, b = x + reach, a1 = clamp01(a), b1 = clamp01(b);
         const V la = logarithm(a1), lb = logarithm(b1);
         const auto aThere = less_(V(0), a1), bThere = less_(V(0), b1);
