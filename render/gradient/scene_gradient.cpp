@@ -18,7 +18,7 @@ struct SceneGradient<Number>::Work {
     FlatScene scene; ///< drawn last
     NodeRules rules;
     SceneNodes nodes;
-    StrokeFinder finder;
+    StrokeFinder finder{tileKernels<Number>().findNodes};
     int columns = 0, rows = 0;
     std::vector<TileList> lists;
     std::vector<TileSlopes<Number>> slopes;

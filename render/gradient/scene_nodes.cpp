@@ -1,5 +1,7 @@
 #include "render/gradient/scene_nodes.h"
 
+#include "render/gradient/tile_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -86,7 +88,7 @@ void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out)
 {
     out.nodes.resize(rules.nodes.size());
     for (auto *numbers : {&out.x, &out.y, &out.strength})
-        numbers->resize(rules.nodes.size());
+        numbers->resize(rules.nodes.size() + searchMargin); // for whole vectors
     out.segments.resize(rules.segments.size());
     const ViewMatrix map(scene.view);
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)

@@ -18,7 +18,8 @@ namespace suffuse::SUFFUSE_MATH {
 
 using namespace suffuse::gradient;
 
-/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total.
+/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total. Also how nodes are
+/// found, which are in float in any case: findNodes.
 template <class V>
 struct Pixels;
 
@@ -497,7 +498,7 @@ template <class V>
 TileKernels<typename Pixels<V>::Number> kernelsOf()
 {
     using Number = typename Pixels<V>::Number;
-    return {accumulate<V, Number>, addValues<V, Number>,  mixStroke<V, Number>, toRgb<V, Number>,
+    return {Pixels<V>::findNodes,  accumulate<V, Number>, addValues<V, Number>,  mixStroke<V, Number>, toRgb<V, Number>,
             rgbBack<V, Number>,    strokeBack<V, Number>, nodesBack<V, Number>, valuesBack<V, Number>};
 }
 

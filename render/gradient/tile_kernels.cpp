@@ -26,6 +26,24 @@ struct Pixels<Lanes> {
     static HWY_INLINE Lanes load(const float *from) { return Lanes(hn::Load(Tag(), from)); }
     static HWY_INLINE void store(Lanes v, float *to) { hn::Store(v.v, Tag(), to); }
     static HWY_INLINE Lanes ramp() { return Lanes(hn::Iota(Tag(), 0.0f)); }
+    static std::size_t findNodes(const NodeSearch &search, std::uint32_t *found)
+    {
+        const hn::RebindToUnsigned<Tag> placeTag;
+        constexpr double half = 0.5 * (tileSide - 1);
+        const Lanes x(search.left + float(half)), y(search.top + float(half)), near2(search.near * search.near);
+        const auto beyond = [](const float *places, Lanes middle) {
+            return max_(abs_(Lanes(hn::LoadU(Tag(), places)) - middle) - Lanes(half), Lanes(0));
+        };
+        std::size_t count = 0;
+        for (std::uint32_t i = search.first; i < search.end; i += std::uint32_t(hn::Lanes(Tag()))) {
+            const Lanes dx = beyond(search.x + i, x), dy = beyond(search.y + i, y);
+            const Mask there = hn::And(hn::FirstN(Tag(), search.end - i), hn::Le((dx * dx + dy * dy).v, near2.v));
+            const auto places = hn::Iota(placeTag, i);
+            hn::StoreU(hn::Compress(places, hn::RebindMask(placeTag, there)), placeTag, found + count);
+            count += hn::CountTrue(Tag(), there);
+        }
+        return count;
+    }
     static HWY_INLINE float total(Lanes v) { return hn::GetLane(hn::SumOfLanes(Tag(), v.v)); }
 };
 

@@ -4,6 +4,7 @@
 
 #include "render/gradient/flat_scene.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace suffuse::gradient {
@@ -79,8 +80,20 @@ struct StrokeSlopes {
     Number constant[values];
 };
 
+/// Which of some nodes are looked for: those whose distance from the pixels of a tile is `near` at most.
+struct NodeSearch {
+    const float *x, *y;       ///< places of nodes, pixels
+    std::uint32_t first, end; ///< the nodes to look through
+    float left, top;          ///< centre of the tile's first pixel
+    float near;
+};
+/// There must be room for so many more nodes than are found.
+inline constexpr int searchMargin = 16;
+
 template <class Number>
 struct TileKernels {
+    /// Writes down the nodes that are found, in their order. Returns their number.
+    std::size_t (*findNodes)(const NodeSearch &search, std::uint32_t *found);
     /// Sets sums to those of nodes.
     void (*accumulate)(const TileNode<Number> *nodes, int count, Number (*sums)[tileSize]);
     /// Adds the nodes of one segment, which lays paint, to the planes.

@@ -34,18 +34,6 @@ float beyond(float place, float low)
     return std::max(std::fabs(place - (low + 7.5f)) - 7.5f, 0.0f);
 }
 
-/// Writes down the nodes of a segment that reach a tile. Returns the end of what was written.
-std::uint32_t *nodesNear(const SceneNodes &nodes, const PixelSegment &s, float x, float y, std::uint32_t *to)
-{
-    const auto near = float(s.reach) + 1e-3f;
-    for (std::uint32_t i = s.first; i < s.end; ++i) {
-        const float dx = beyond(nodes.x[i], x), dy = beyond(nodes.y[i], y);
-        *to = i;
-        to += dx * dx + dy * dy <= near * near; // Farther away it is below what is cut off.
-    }
-    return to;
-}
-
 /// Bounds of what nodes add to a density and to its slope in a tile.
 struct TileBounds {
     float density = 0, slope = 0;
@@ -109,9 +97,11 @@ void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out
         if (s.left > x + 15 + near || s.right < x - near || s.top > y + 15 + near || s.bottom < y - near)
             continue;
         const std::size_t first = out.nodes.size();
-        out.nodes.resize(first + (s.end - s.first) + 1); // One more is written than counts.
-        const auto end = nodesNear(*m_nodes, s, x, y, out.nodes.data() + first) - out.nodes.data();
-        out.nodes.resize(std::size_t(end));
+        out.nodes.resize(first + (s.end - s.first) + searchMargin);
+        // Farther away a node is below what is cut off.
+        const NodeSearch search{m_nodes->x.data(), m_nodes->y.data(), s.first, s.end, x, y, near};
+        const std::size_t end = first + m_findNodes(search, out.nodes.data() + first);
+        out.nodes.resize(end);
         if (out.nodes.size() == first)
             continue;
         out.runs.push_back({k, std::uint32_t(first), std::uint32_t(end)});

@@ -26,6 +26,9 @@ struct TileList {
 /// What is found out about the strokes of a scene once for all tiles.
 class StrokeFinder {
 public:
+    using FindNodes = std::size_t (*)(const NodeSearch &, std::uint32_t *);
+    explicit StrokeFinder(FindNodes findNodes) : m_findNodes(findNodes) {}
+
     /// Prepares for a scene; what stands in `nodes` must stay until the next call.
     void prepare(const FlatScene &scene, const SceneNodes &nodes, int columns, int rows);
     /// Lists what can be seen in the tile in this column and row.
@@ -39,6 +42,7 @@ private:
     };
     void addStroke(const Reach &reach, float x, float y, TileList &out) const;
 
+    FindNodes m_findNodes;
     const FlatScene *m_scene = nullptr;
     const SceneNodes *m_nodes = nullptr;
     std::vector<std::vector<Reach>> m_rows; ///< the strokes that reach each row of tiles, in their order
