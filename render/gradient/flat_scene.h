@@ -71,4 +71,10 @@ struct FlatGradient {
     std::vector<OfStroke> strokes;
 };
 
+/// Says how exact a picture is. Errors of opacity up to `unseen` may be made by the number of nodes and by where they
+/// are cut off; the renderer's own is 5e-4.
+struct Precision {
+    double unseen = 5e-4;
+};
+
 } // namespace suffuse::gradient

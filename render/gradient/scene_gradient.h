@@ -11,12 +11,6 @@
 
 namespace suffuse::gradient {
 
-/// Says how exact a picture is. Errors of opacity up to `unseen` may be made by the number of nodes and by where they
-/// are cut off; the renderer's own is 5e-4.
-struct Precision {
-    double unseen = 5e-4;
-};
-
 /// Draws a scene and takes derivatives. `Number` is float, or double to check it by. Pictures and derivatives are a pure
 /// function of the scene, the nodes chosen and the loss: the same bits for any number of threads and any history.
 /// It keeps its memory from one picture to the next.

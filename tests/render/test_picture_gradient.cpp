@@ -49,9 +49,23 @@ double normOf(FlatScene &scene, const FlatGradient &by)
     return std::sqrt(sum);
 }
 
-/// The greatest difference of two gradients in units of the norm of the first one.
-double distanceOf(FlatScene &scene, const FlatGradient &a, const FlatGradient &b)
+/// The gradient if segments around a fill keep their common points: what opens a gap there would let paint out, along all of
+/// the picture, and cancels.
+FlatGradient joined(const FlatScene &scene, FlatGradient by)
 {
+    for (const FlatStroke &stroke : scene.strokes)
+        for (std::size_t k = stroke.first; stroke.filled && k + 1 < stroke.first + stroke.count; ++k) {
+            SegmentNumbers &a = by.segments[k], &b = by.segments[k + 1];
+            a.x[3] += b.x[0], a.y[3] += b.y[0];
+            b.x[0] = b.y[0] = 0;
+        }
+    return by;
+}
+
+/// The greatest difference of two gradients in units of the norm of the first one.
+double distanceOf(FlatScene &scene, const FlatGradient &first, const FlatGradient &second)
+{
+    const FlatGradient a = joined(scene, first), b = joined(scene, second);
     std::vector<double> values;
     forEachNumber(scene, a, [&](double, double d, double scale) { values.push_back(d * scale); });
     std::size_t i = 0;
@@ -149,8 +163,8 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         double worst = 0;
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) { // 28 kinds of 3 · 4 · 3 segments: 1,008
-            FlatScene scene = randomScene(seed, 4, width, height, kind);
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) { // 34 kinds of 2 · 5 · 3 segments: 1,020
+            FlatScene scene = randomScene(seed, 5, width, height, kind);
             const auto by = randomLoss<double>(seed, width, height);
             SceneGradient<double> gradient;
             gradient.choose(scene, {1e-7});
@@ -171,8 +185,8 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         std::vector<double> distances;
-        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-            FlatScene scene = randomScene(seed, 6, 2 * width, 2 * height, kind);
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            FlatScene scene = randomScene(seed, 5, 2 * width, 2 * height, kind);
             SceneGradient<double> inDouble;
             SceneGradient<float> inFloat;
             inDouble.choose(scene), inFloat.choose(scene);
@@ -183,7 +197,7 @@ private slots:
         }
         // Where two components of a pixel's colour are the same but for rounding, either side of the bend may be taken.
         std::ranges::sort(distances);
-        QVERIFY2(distances[9] < 3e-4, qPrintable(QString::number(distances[9])));
+        QVERIFY2(distances[5] < 3e-4, qPrintable(QString::number(distances[5])));
         QVERIFY2(distances.back() < 2e-2, qPrintable(QString::number(distances.back())));
     }
 
