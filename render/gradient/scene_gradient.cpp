@@ -135,7 +135,7 @@ void SceneGradient<Number>::Work::addTile(const TileList &list, const TileSlopes
             add(gradient.segments[flat.first], tile.strokes[i].constant);
         for (std::uint32_t r = stroke.firstRun; r < stroke.endRun && !flat.oneColour; ++r) {
             const Number *by = tile.values.data() + r * values;
-            if (nodes.segments[list.runs[r].segment].outline)
+            if (list.runs[r].segment >= scene.segments.size())
                 add(fill, by);
             else
                 add(gradient.segments[list.runs[r].segment], by);
@@ -190,7 +190,7 @@ const FlatGradient &SceneGradient<Number>::backward(std::span<const Number> loss
         work.begin(m->scene, place);
         work.draw(m->scene, m->nodes, m->lists[i], true);
         m->takeSlopes(place, lossByRgb, work.slopes());
-        work.back(m->scene, m->lists[i], m->slopes[i]);
+        work.back(m->scene, m->nodes, m->lists[i], m->slopes[i]);
     });
     return m->addUp();
 }
@@ -205,7 +205,7 @@ const FlatGradient &SceneGradient<Number>::drawAndDifferentiate(const FlatScene 
         work.draw(m->scene, m->nodes, m->lists[i], true);
         m->storePicture(place, work.rgb());
         m->callLoss(place, loss, work.slopes());
-        work.back(m->scene, m->lists[i], m->slopes[i]);
+        work.back(m->scene, m->nodes, m->lists[i], m->slopes[i]);
     });
     return m->addUp();
 }

@@ -24,10 +24,17 @@ struct PixelSegment {
 struct SceneNodes {
     std::vector<PixelNode> nodes;
     std::vector<float> x, y, strength; ///< of each node, rounded, and the size of its weight: what is looked through
-    std::vector<PixelSegment> segments; ///< of the scene, then its fills
+    std::vector<PixelSegment> segments; ///< of the scene, then its fills, then what is far inside of each fill
+    std::size_t fillCount = 0;
     std::vector<std::uint32_t> fills;   ///< of each stroke: the place of its fill among them; noFill
 };
 inline constexpr std::uint32_t noFill = 0xffffffff;
+
+/// The place of what is far inside of a fill, where its density is ρ: a node whose spread has no end.
+inline std::uint32_t insideOf(const SceneNodes &nodes, std::uint32_t fill)
+{
+    return std::uint32_t(fill + nodes.fillCount);
+}
 
 /// Derivatives by a node's weight, place and spread, in pixels.
 struct NodeSum {

@@ -23,9 +23,9 @@ void valuesOf(const FlatScene &scene, const FlatStroke &stroke, const TileRun &r
         valuesOf(scene.segments[run.segment], out);
 }
 
-Source sourceOf(const FlatScene &scene, const TileRun &run)
+Source sourceOf(const SceneNodes &nodes, const TileRun &run)
 {
-    return run.segment < scene.segments.size() ? Source::Segment : Source::Outline;
+    return nodes.segments[run.segment].outline ? Source::Outline : Source::Segment;
 }
 
 bool isLift(const FlatScene &scene, const TileRun &run)
@@ -33,12 +33,12 @@ bool isLift(const FlatScene &scene, const TileRun &run)
     return !scene.marks.empty() && run.segment < scene.segments.size() && scene.marks[run.segment].lift;
 }
 
-/// Calls use(source, first, end) for the nodes of a stroke's segments, and for those of its fill.
+/// Calls use(source, first, count) for the nodes that are like a segment's, and for those on an outline.
 template <class Use>
-void forBothSources(const FlatScene &scene, const TileList &list, const TileStroke &stroke, Use use)
+void forBothSources(const SceneNodes &nodes, const TileList &list, const TileStroke &stroke, Use use)
 {
     const TileRun &last = list.runs[stroke.endRun - 1];
-    const bool filled = sourceOf(scene, last) == Source::Outline;
+    const bool filled = sourceOf(nodes, last) == Source::Outline;
     const std::uint32_t first = list.runs[stroke.firstRun].first, end = filled ? last.first : last.end;
     if (first < end)
         use(Source::Segment, first, int(end - first));
@@ -102,7 +102,7 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
         StrokeTile<Number> &tile = m_strokes[keep ? i : 0];
         ValueTile<Number> *varying = nullptr;
         bool add = false;
-        forBothSources(scene, list, tileStroke, [&](Source source, std::uint32_t first, int count) {
+        forBothSources(nodes, list, tileStroke, [&](Source source, std::uint32_t first, int count) {
             m_kernels.accumulate(source, m_nodes.data() + first, count, add, tile.sums);
             add = true;
         });
@@ -114,7 +114,7 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
                 double value[values];
                 valuesOf(scene, stroke, run, value);
                 if (!isLift(scene, run))
-                    m_kernels.addValues(sourceOf(scene, run), m_nodes.data() + run.first, int(run.end - run.first), value,
+                    m_kernels.addValues(sourceOf(nodes, run), m_nodes.data() + run.first, int(run.end - run.first), value,
                                         *varying);
             }
         }
@@ -130,18 +130,20 @@ const ColourTile<Number> &TileWork<Number>::rgb()
 }
 
 template <class Number>
-void TileWork<Number>::back(const FlatScene &scene, const TileList &list, TileSlopes<Number> &out)
+void TileWork<Number>::back(const FlatScene &scene, const SceneNodes &nodes, const TileList &list,
+                            TileSlopes<Number> &out)
 {
     out.nodes.assign(list.nodes.size(), {});
     out.strokes.assign(list.strokes.size(), {});
     out.values.assign(list.runs.size() * values, Number(0));
     m_kernels.rgbBack(m_ryb, m_by);
     for (std::size_t i = list.strokes.size(); i-- > 0;)
-        strokeBack(scene, list, i, out);
+        strokeBack(scene, nodes, list, i, out);
 }
 
 template <class Number>
-void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, std::size_t at, TileSlopes<Number> &out)
+void TileWork<Number>::strokeBack(const FlatScene &scene, const SceneNodes &nodes, const TileList &list, std::size_t at,
+                                  TileSlopes<Number> &out)
 {
     const TileStroke &tileStroke = list.strokes[at];
     const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
@@ -154,7 +156,7 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, 
                             out.nodes.data() + first);
     };
     if (!varying)
-        return forBothSources(scene, list, tileStroke, back);
+        return forBothSources(nodes, list, tileStroke, back);
     for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
         const TileRun &run = list.runs[r];
         const int count = int(run.end - run.first);
@@ -164,7 +166,7 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, 
         }
         double value[values];
         valuesOf(scene, stroke, run, value);
-        m_kernels.valuesBack(sourceOf(scene, run), m_nodes.data() + run.first, count, value, m_bySums,
+        m_kernels.valuesBack(sourceOf(nodes, run), m_nodes.data() + run.first, count, value, m_bySums,
                              out.nodes.data() + run.first, out.values.data() + r * values);
     }
 }

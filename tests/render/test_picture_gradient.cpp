@@ -11,7 +11,7 @@ using namespace suffuse::test;
 
 namespace {
 
-constexpr int width = 32, height = 24;
+constexpr int width = 32, height = 16;
 
 /// The loss that is linear in the picture.
 double lossOf(SceneGradient<double> &gradient, const FlatScene &scene, const std::vector<double> &by)
@@ -185,7 +185,7 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         std::vector<double> distances;
-        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
             FlatScene scene = randomScene(seed, 5, 2 * width, 2 * height, kind);
             SceneGradient<double> inDouble;
             SceneGradient<float> inFloat;
@@ -197,7 +197,7 @@ private slots:
         }
         // Where two components of a pixel's colour are the same but for rounding, either side of the bend may be taken.
         std::ranges::sort(distances);
-        QVERIFY2(distances[5] < 3e-4, qPrintable(QString::number(distances[5])));
+        QVERIFY2(distances[4] < 3e-4, qPrintable(QString::number(distances[4])));
         QVERIFY2(distances.back() < 2e-2, qPrintable(QString::number(distances.back())));
     }
 
