@@ -1,0 +1,551 @@
+// The loops of tile_kernels.h over a number type V that holds one or more pixels of a row. docs/solver.md, "The gradient
+// of the picture".
+#if defined(SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#undef SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#else
+#define SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H
+#endif
+
+#include "render/gradient/tile_kernels.h"
+#include "render/math/colour_slopes.h"
+#include "render/math/style_slopes.h"
+
+#include <algorithm>
+
+SUFFUSE_MATH_BEGIN
+namespace suffuse::SUFFUSE_MATH {
+
+using namespace suffuse::gradient;
+
+/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total,
+/// halfErfc (of u, with e^(−u²)); and findNodes, which is in float in any case.
+template <class V>
+struct Pixels;
+
+/// A node along one axis: X(u), u the distance in spreads, and what its derivatives are made of.
+template <class V>
+struct NodeAxis {
+    V u;
+    V inside;    ///< X
+    V once;      ///< −½ dX/du
+    V onceSlope; ///< its derivative by u
+
+    SUFFUSE_INLINE NodeAxis() {} // It is compiled for the target, while the implicit one is not.
+    SUFFUSE_INLINE V twice() const { return u * once; }
+    /// Of `once`/s, by s, times s².
+    SUFFUSE_INLINE V onceBySpread() const { return V(0) - mulAdd_(u, onceSlope, once); }
+};
+
+/// e^(−u²) − cut, cut off at 0.
+template <class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> gaussAxis(Number place, int from, const TileNode<Number> &node)
+{
+    NodeAxis<V> a;
+    a.u = ((Pixels<V>::ramp() + V(Number(from))) - V(place)) * V(node.inverse);
+    const V all = exp2_(V(-log2e) * a.u * a.u), cut(node.cut);
+    const auto there = less_(cut, all);
+    const V e = select_(there, all, V(0));
+    a.inside = select_(there, all - cut, V(0));
+    a.once = a.u * e;
+    a.onceSlope = mulAdd_(V(-2) * a.u, a.u, V(1)) * e;
+    return a;
+}
+
+/// ½erfc(−u).
+template <class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> outlineAxis(Number place, int from, const TileNode<Number> &node)
+{
+    NodeAxis<V> a;
+    a.u = ((Pixels<V>::ramp() + V(Number(from))) - V(place)) * V(node.inverse);
+    const V e = exp2_(V(-log2e) * a.u * a.u), slope = V(0.56418958354775629) * e; // 1/√π
+    a.inside = Pixels<V>::halfErfc(a.u, e);
+    a.once = V(-0.5) * slope;
+    a.onceSlope = a.u * slope;
+    return a;
+}
+
+template <Source source, class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> columnAxis(int from, const TileNode<Number> &node)
+{
+    if constexpr (source == Source::Outline)
+        return outlineAxis<V>(node.x, from, node);
+    else
+        return gaussAxis<V>(node.x, from, node);
+}
+
+template <class V, class Number>
+struct AxisTables {
+    static constexpr int rows = 4; // nodes at once
+    alignas(64) Number row[32][tileSide], rowSlope[32][tileSide];
+    alignas(64) Number column[32][tileSide], columnSlope[32][tileSide];
+};
+
+/// sums[y][x] += Σ left[node][x] · right[node][y] for three pairs of tables.
+template <class V, class Number>
+SUFFUSE_INLINE void addTables(const AxisTables<V, Number> &t, int count, bool add, Number (*sums)[tileSize])
+{
+    using P = Pixels<V>;
+    constexpr int rows = P::mostCount >= tileSide ? 8 : 4;
+    for (int x = 0; x < tileSide; x += P::count())
+        for (int y = 0; y < tileSide; y += rows) {
+            V s0[rows], s1[rows], s2[rows];
+            for (int r = 0; r < rows; ++r) {
+                const int at = (y + r) * tileSide + x;
+                s0[r] = add ? P::load(sums[0] + at) : V(0);
+                s1[r] = add ? P::load(sums[1] + at) : V(0);
+                s2[r] = add ? P::load(sums[2] + at) : V(0);
+            }
+            for (int n = 0; n < count; ++n) {
+                const V c = P::load(t.column[n] + x), cs = P::load(t.columnSlope[n] + x);
+                for (int r = 0; r < rows; ++r) {
+                    const V row(t.row[n][y + r]);
+                    s0[r] = mulAdd_(c, row, s0[r]);
+                    s1[r] = mulAdd_(cs, row, s1[r]);
+                    s2[r] = mulAdd_(c, V(t.rowSlope[n][y + r]), s2[r]);
+                }
+            }
+            for (int r = 0; r < rows; ++r) {
+                const int at = (y + r) * tileSide + x;
+                P::store(s0[r], sums[0] + at);
+                P::store(s1[r], sums[1] + at);
+                P::store(s2[r], sums[2] + at);
+            }
+        }
+}
+
+template <Source source, class V, class Number>
+void accumulateOf(const TileNode<Number> *nodes, int count, bool add, Number (*sums)[tileSize])
+{
+    using P = Pixels<V>;
+    AxisTables<V, Number> t;
+    do {
+        const int n = std::min(count, 32);
+        for (int i = 0; i < n; ++i)
+            for (int at = 0; at < tileSide; at += P::count()) {
+                const TileNode<Number> &node = nodes[i];
+                const NodeAxis<V> x = columnAxis<source, V>(at, node), y = gaussAxis<V>(node.y, at, node);
+                const V weight(node.weight), inverse(node.inverse);
+                P::store(x.inside, t.column[i] + at);
+                P::store(x.once * inverse, t.columnSlope[i] + at);
+                P::store(y.inside * weight, t.row[i] + at);
+                P::store(y.once * (inverse * weight), t.rowSlope[i] + at);
+            }
+        addTables(t, n, add, sums);
+        add = true, nodes += n, count -= n;
+    } while (count > 0);
+}
+
+template <class V, class Number>
+void accumulate(Source source, const TileNode<Number> *nodes, int count, bool add, Number (*sums)[tileSize])
+{
+    source == Source::Outline ? accumulateOf<Source::Outline, V>(nodes, count, add, sums)
+                              : accumulateOf<Source::Segment, V>(nodes, count, add, sums);
+}
+
+/// The density of nodes alone.
+template <class V, class Number>
+SUFFUSE_INLINE void densityOf(Source source, const TileNode<Number> *nodes, int count, Number *density)
+{
+    using P = Pixels<V>;
+    std::fill(density, density + tileSize, Number(0));
+    for (int i = 0; i < count; ++i) {
+        const TileNode<Number> &node = nodes[i];
+        alignas(64) Number row[tileSide];
+        for (int y = 0; y < tileSide; y += P::count())
+            P::store(gaussAxis<V>(node.y, y, node).inside * V(node.weight), row + y);
+        for (int x = 0; x < tileSide; x += P::count()) {
+            const V column = source == Source::Outline ? outlineAxis<V>(node.x, x, node).inside
+                                                       : gaussAxis<V>(node.x, x, node).inside;
+            for (int y = 0; y < tileSide; ++y)
+                P::store(mulAdd_(column, V(row[y]), P::load(density + y * tileSide + x)), density + y * tileSide + x);
+        }
+    }
+}
+
+template <class V, class Number>
+void addValues(Source source, const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to)
+{
+    using P = Pixels<V>;
+    alignas(64) Number density[tileSize];
+    densityOf<V>(source, nodes, count, density);
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const V d = P::load(density + at);
+        for (int i = 0; i < values; ++i)
+            P::store(mulAdd_(d, V(Number(value[i])), P::load(to.sums[i] + at)), to.sums[i] + at);
+        P::store(P::load(to.sums[values] + at) + d, to.sums[values] + at);
+    }
+}
+
+/// Means of values lie in [0, 1] but for rounding, and outside of fills, where errors are all that is left of φ⁺.
+inline constexpr double leastValue = -1e-3, mostValue = 1 + 1e-3;
+
+/// What a stroke is made of at some pixels.
+template <class V>
+struct PixelPaint {
+    V phi, square;   // φ′ and h²
+    V gamma, plain;  // γ, and h² without it
+    V laid, inverse; // φ⁺ and 1/φ⁺ where values vary
+    V value[values]; // R, Y, B, opacity, ω
+
+    SUFFUSE_INLINE PixelPaint() {} // It is compiled for the target, while the implicit one is not.
+};
+
+template <class V, class Number>
+SUFFUSE_INLINE PixelPaint<V> paintAt(const Shading<Number> &how, const Number (*sums)[tileSize],
+                                     const ValueTile<Number> *varying, const Number *eta, int at)
+{
+    using P = Pixels<V>;
+    PixelPaint<V> p;
+    p.phi = P::load(sums[0] + at);
+    const V gx = P::load(sums[1] + at), gy = P::load(sums[2] + at);
+    p.plain = p.square = mulAdd_(gx, gx, gy * gy);
+    p.laid = p.inverse = V(0);
+    for (int i = 0; i < values; ++i)
+        p.value[i] = V(how.constant[i]);
+    if (varying) {
+        p.laid = P::load(varying->sums[values] + at);
+        p.inverse = reciprocal_(max_(p.laid, V(how.leastLaid)));
+        for (int i = 0; i < values; ++i)
+            p.value[i] = min_(max_(P::load(varying->sums[i] + at) * p.inverse, V(leastValue)), V(mostValue));
+    }
+    p.gamma = V(1);
+    if (eta) {
+        const V omega = p.value[values - 1];
+        p.gamma = mulAdd_(V(1) - omega, P::load(eta + at), omega);
+        p.phi = p.phi * p.gamma;
+        p.square = p.square * p.gamma * p.gamma;
+    }
+    return p;
+}
+
+template <class V, class Number, class Use>
+SUFFUSE_INLINE auto withSlopes(const Shading<Number> &how, Use use)
+{
+    const V x1(how.xi[0]), x2(how.xi[1]), x3(how.xi[2]);
+    switch (how.kind) {
+    case StyleKind::Uniform:
+        return use(UniformSlopes<V>(x1, x2, x3));
+    case StyleKind::Feathering:
+        return use(FeatheringSlopes<V>(x1, x2, x3));
+    case StyleKind::Edge:
+        break;
+    }
+    return use(EdgeSlopes<V>(x1, x2, x3));
+}
+
+template <bool keep, class V, class Number>
+SUFFUSE_INLINE void mixStrokeBy(const Shading<Number> &how, StrokeTile<Number> &stroke,
+                                const ValueTile<Number> *varying, const Number *eta, ColourTile<Number> &ryb)
+{
+    using P = Pixels<V>;
+    const V kept(how.keep);
+    withSlopes<V>(how, [&](const auto &style) {
+        for (int at = 0; at < tileSize; at += P::count()) {
+            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+            const auto seen = style.seen(p.phi, p.square);
+            if (keep)
+                stroke.shown[at] = Shown::Nothing;
+            if (all_(not_(seen)))
+                continue;
+            const bool full = all_(style.full(p.phi, p.square));
+            MeanSlopes<V> m{V(1), V(0), V(0), {V(0), V(0), V(0)}};
+            if (!full)
+                m = style.template slopes<false>(p.phi, p.square);
+            const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3];
+            for (int c = 0; c < 3; ++c) {
+                const V below = P::load(ryb.v[c] + at);
+                if (keep)
+                    P::store(below, stroke.below[c] + at);
+                P::store(mixed(below, p.value[c], w, kept), ryb.v[c] + at);
+            }
+            if (keep) {
+                stroke.shown[at] = full ? Shown::FullPaint : Shown::Something;
+                P::store(mean, stroke.mean + at);
+                P::store(select_(seen, m.byDensity, V(0)), stroke.byDensity + at);
+                P::store(select_(seen, m.bySquare, V(0)), stroke.bySquare + at);
+            }
+        }
+    });
+}
+
+template <class V, class Number>
+void mixStroke(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+               const Number *eta, bool keep, ColourTile<Number> &ryb)
+{
+    if (keep)
+        mixStrokeBy<true, V>(how, stroke, varying, eta, ryb);
+    else
+        mixStrokeBy<false, V>(how, stroke, varying, eta, ryb);
+}
+
+template <class V, class Number>
+void toRgb(const ColourTile<Number> &ryb, ColourTile<Number> &rgb)
+{
+    using P = Pixels<V>;
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const Triple<V> c = rgbFromRyb(P::load(ryb.v[0] + at), P::load(ryb.v[1] + at), P::load(ryb.v[2] + at));
+        P::store(c.x, rgb.v[0] + at);
+        P::store(c.y, rgb.v[1] + at);
+        P::store(c.z, rgb.v[2] + at);
+    }
+}
+
+template <class V, class Number>
+void rgbBack(const ColourTile<Number> &ryb, ColourTile<Number> &by)
+{
+    using P = Pixels<V>;
+    for (int at = 0; at < tileSize; at += P::count()) {
+        const Triple<V> slopes{P::load(by.v[0] + at), P::load(by.v[1] + at), P::load(by.v[2] + at)};
+        const Triple<V> c =
+            rybSlopes(P::load(ryb.v[0] + at), P::load(ryb.v[1] + at), P::load(ryb.v[2] + at), slopes);
+        P::store(c.x, by.v[0] + at);
+        P::store(c.y, by.v[1] + at);
+        P::store(c.z, by.v[2] + at);
+    }
+}
+
+/// Sums over pixels.
+template <class V>
+struct ConstantSums {
+    V xi[3], constant[values];
+
+    SUFFUSE_INLINE ConstantSums()
+    {
+        for (V &v : xi)
+            v = V(0);
+        for (V &v : constant)
+            v = V(0);
+    }
+};
+
+/// Finds the derivatives by a stroke's numbers at one vector of pixels, from those by what is above it.
+template <class V, class Number>
+SUFFUSE_INLINE V pixelsBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, const PixelPaint<V> &p,
+                            const Number *eta, int at, ColourTile<Number> &by, SumSlopes<Number> &out,
+                            ConstantSums<V> &constants)
+{
+    using P = Pixels<V>;
+    const V mean = P::load(stroke.mean + at), w = mean * p.value[3], keep(how.keep);
+    V byValue[values], byW(0);
+    for (int c = 0; c < 3; ++c) {
+        const MixSlopes<V> slopes =
+            mixSlopes(P::load(stroke.below[c] + at), p.value[c], w, keep, P::load(by.v[c] + at));
+        P::store(slopes.byBackdrop, by.v[c] + at);
+        byValue[c] = slopes.byColour;
+        byW = byW + slopes.byOpacity;
+    }
+    const V byMean = byW * p.value[3];
+    V byPhi = byMean * P::load(stroke.byDensity + at), bySquare = byMean * P::load(stroke.bySquare + at);
+    byValue[3] = byW * mean;
+    byValue[4] = V(0);
+    if (eta) {
+        const V byGamma = mulAdd_(byPhi, P::load(stroke.sums[0] + at), V(2) * bySquare * p.gamma * p.plain);
+        byValue[4] = byGamma * (V(1) - P::load(eta + at));
+        byPhi = byPhi * p.gamma;
+        bySquare = bySquare * p.gamma * p.gamma;
+    }
+    if (how.varies) {
+        V byLaid(0);
+        for (int i = 0; i < values; ++i) {
+            const auto inside = and_(less_(V(leastValue), p.value[i]), less_(p.value[i], V(mostValue)));
+            const V slope = select_(inside, byValue[i] * p.inverse, V(0));
+            P::store(slope, out.planes[i] + at);
+            byLaid = negMulAdd_(slope, p.value[i], byLaid);
+        }
+        P::store(select_(less_(V(how.leastLaid), p.laid), byLaid, V(0)), out.planes[values] + at);
+    } else
+        for (int i = 0; i < values; ++i)
+            constants.constant[i] = constants.constant[i] + byValue[i];
+    P::store(byPhi, out.sums[0] + at);
+    P::store(V(2) * bySquare * P::load(stroke.sums[1] + at), out.sums[1] + at);
+    P::store(V(2) * bySquare * P::load(stroke.sums[2] + at), out.sums[2] + at);
+    return byMean;
+}
+
+template <class V, class Number>
+SUFFUSE_INLINE void clearSlopes(const Shading<Number> &how, int at, SumSlopes<Number> &out)
+{
+    using P = Pixels<V>;
+    for (auto &plane : out.sums)
+        P::store(V(0), plane + at);
+    if (how.varies)
+        for (auto &plane : out.planes)
+            P::store(V(0), plane + at);
+}
+
+template <class V, class Number>
+SUFFUSE_INLINE void addXi(const Shading<Number> &how, const PixelPaint<V> &p, V byMean, ConstantSums<V> &sums)
+{
+    withSlopes<V>(how, [&](const auto &style) {
+        const MeanSlopes<V> m = style.template slopes<true>(p.phi, p.square);
+        const auto counts = and_(style.seen(p.phi, p.square), not_(style.full(p.phi, p.square)));
+        for (int i = 0; i < 3; ++i)
+            sums.xi[i] = sums.xi[i] + select_(counts, byMean * m.byXi[i], V(0));
+    });
+}
+
+template <class V, class Number>
+bool strokeBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
+                const Number *eta, bool xi, ColourTile<Number> &by, SumSlopes<Number> &out,
+                StrokeSlopes<Number> &constants)
+{
+    using P = Pixels<V>;
+    ConstantSums<V> sums;
+    out.firstRow = tileSide, out.endRow = 0;
+    for (int row = 0; row < tileSide; ++row) {
+        bool any = false;
+        for (int at = row * tileSide; at < (row + 1) * tileSide; at += P::count()) {
+            if (stroke.shown[at] == Shown::Nothing) {
+                clearSlopes<V>(how, at, out);
+                continue;
+            }
+            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+            const V byMean = pixelsBack(how, stroke, p, eta, at, by, out, sums);
+            if (stroke.shown[at] == Shown::Something && xi)
+                addXi(how, p, byMean, sums);
+            any |= how.varies || stroke.shown[at] == Shown::Something;
+        }
+        if (any)
+            out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
+    }
+    for (int i = 0; i < 3; ++i)
+        constants.xi[i] = P::total(sums.xi[i]);
+    for (int i = 0; i < values; ++i)
+        constants.constant[i] = P::total(sums.constant[i]);
+    return out.firstRow < out.endRow;
+}
+
+/// What a node's derivatives need along y.
+template <class Number>
+struct alignas(64) RowTables {
+    Number inside[tileSide], once[tileSide], twice[tileSide]; // the last two over s
+    Number slope[tileSide], bySpread[tileSide];               // half of those of `once`
+};
+
+template <class V, class Number>
+SUFFUSE_INLINE void fillRows(const TileNode<Number> &node, RowTables<Number> &t)
+{
+    using P = Pixels<V>;
+    const V inverse(node.inverse), half = V(0.5) * inverse * inverse;
+    for (int y = 0; y < tileSide; y += P::count()) {
+        const NodeAxis<V> axis = gaussAxis<V>(node.y, y, node);
+        P::store(axis.inside, t.inside + y);
+        P::store(axis.once * inverse, t.once + y);
+        P::store(axis.twice() * inverse, t.twice + y);
+        P::store(V(0) - axis.onceSlope * half, t.slope + y);
+        P::store(axis.onceBySpread() * half, t.bySpread + y);
+    }
+}
+
+/// The same for `many` nodes at once, so that no sum waits for its own last term.
+template <Source source, int many, class V, class Number>
+SUFFUSE_INLINE void someNodesBack(const TileNode<Number> *nodes, const Number (*bySums)[tileSize], int firstRow,
+                                  int endRow, NodeSlopes<Number> *out)
+{
+    using P = Pixels<V>;
+    RowTables<Number> rows[many];
+    Number top = nodes[0].y - nodes[0].reach, bottom = nodes[0].y + nodes[0].reach;
+    for (int i = 0; i < many; ++i) {
+        fillRows<V>(nodes[i], rows[i]);
+        top = std::min(top, nodes[i].y - nodes[i].reach), bottom = std::max(bottom, nodes[i].y + nodes[i].reach);
+    }
+    firstRow = std::max(firstRow, int(std::max(top, Number(0))));
+    endRow = std::min(endRow, int(std::max(std::min(bottom, Number(tileSide)), Number(-1))) + 1);
+    V byWeight[many], byX[many], byY[many], bySpread[many];
+    for (int i = 0; i < many; ++i)
+        byWeight[i] = byX[i] = byY[i] = bySpread[i] = V(0);
+    for (int x = 0; x < tileSide; x += P::count()) {
+        // Of sums over y, those that the same function of x multiplies are one.
+        V a[many], c[many], d[many], e[many], f1[many], f2[many];
+        for (int i = 0; i < many; ++i)
+            a[i] = c[i] = d[i] = e[i] = f1[i] = f2[i] = V(0);
+        for (int y = firstRow; y < endRow; ++y) {
+            const int at = y * tileSide + x;
+            const V g = P::load(bySums[0] + at), gx = P::load(bySums[1] + at), gy = P::load(bySums[2] + at);
+            for (int i = 0; i < many; ++i) {
+                const V inside(rows[i].inside[y]), once(rows[i].once[y]), second(rows[i].twice[y]);
+                a[i] = mulAdd_(g, inside, mulAdd_(gy, once, a[i]));
+                c[i] = mulAdd_(g, once, mulAdd_(gy, V(rows[i].slope[y]), c[i]));
+                d[i] = mulAdd_(g, second, mulAdd_(gy, V(rows[i].bySpread[y]), d[i]));
+                e[i] = mulAdd_(gx, inside, e[i]);
+                f1[i] = mulAdd_(gx, once, f1[i]);
+                f2[i] = mulAdd_(gx, second, f2[i]);
+            }
+        }
+        for (int i = 0; i < many; ++i) {
+            const V inverse(nodes[i].inverse), twice = V(2) * inverse, square = inverse * inverse;
+            const NodeAxis<V> axis = columnAxis<source, V>(x, nodes[i]);
+            const V once = axis.once, perSpread = once * twice;
+            byWeight[i] = mulAdd_(axis.inside, a[i], mulAdd_(once * inverse, e[i], byWeight[i]));
+            byX[i] = mulAdd_(perSpread, a[i], negMulAdd_(axis.onceSlope * square, e[i], byX[i]));
+            byY[i] = mulAdd_(V(2) * axis.inside, c[i], mulAdd_(perSpread, f1[i], byY[i]));
+            bySpread[i] = mulAdd_(axis.twice() * twice, a[i], mulAdd_(V(2) * axis.inside, d[i], bySpread[i]));
+            bySpread[i] = mulAdd_(axis.onceBySpread() * square, e[i], mulAdd_(perSpread, f2[i], bySpread[i]));
+        }
+    }
+    for (int i = 0; i < many; ++i) {
+        const Number weight = nodes[i].weight;
+        out[i] = {P::total(byWeight[i]), weight * P::total(byX[i]), weight * P::total(byY[i]),
+                  weight * P::total(bySpread[i])};
+    }
+}
+
+template <Source source, class V, class Number>
+void nodesBackOf(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow, int endRow,
+               NodeSlopes<Number> *out)
+{
+    constexpr int many = Pixels<V>::mostCount >= tileSide ? 2 : 1;
+    int i = 0;
+    for (; i + many <= count; i += many)
+        someNodesBack<source, many, V>(nodes + i, bySums, firstRow, endRow, out + i);
+    for (; i < count; ++i)
+        someNodesBack<source, 1, V>(nodes + i, bySums, firstRow, endRow, out + i);
+}
+
+template <class V, class Number>
+void nodesBack(Source source, const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow,
+               int endRow, NodeSlopes<Number> *out)
+{
+    source == Source::Outline ? nodesBackOf<Source::Outline, V>(nodes, count, bySums, firstRow, endRow, out)
+                              : nodesBackOf<Source::Segment, V>(nodes, count, bySums, firstRow, endRow, out);
+}
+
+template <class V, class Number>
+void valuesBack(Source source, const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
+                NodeSlopes<Number> *out, Number *byValue)
+{
+    using P = Pixels<V>;
+    alignas(64) Number density[tileSize];
+    alignas(64) Number own[3][tileSize];
+    densityOf<V>(source, nodes, count, density);
+    V totals[values] = {V(0), V(0), V(0), V(0), V(0)};
+    for (int at = by.firstRow * tileSide; at < by.endRow * tileSide; at += P::count()) {
+        const V d = P::load(density + at);
+        V sum = P::load(by.sums[0] + at) + P::load(by.planes[values] + at);
+        for (int i = 0; i < values; ++i) {
+            const V slope = P::load(by.planes[i] + at);
+            totals[i] = mulAdd_(d, slope, totals[i]);
+            sum = mulAdd_(slope, V(Number(value[i])), sum);
+        }
+        P::store(sum, own[0] + at);
+        P::store(P::load(by.sums[1] + at), own[1] + at);
+        P::store(P::load(by.sums[2] + at), own[2] + at);
+    }
+    for (int i = 0; i < values; ++i)
+        byValue[i] = P::total(totals[i]);
+    nodesBack<V>(source, nodes, count, own, by.firstRow, by.endRow, out);
+}
+
+template <class V>
+TileKernels<typename Pixels<V>::Number> kernelsOf()
+{
+    using Number = typename Pixels<V>::Number;
+    return {Pixels<V>::findNodes,  accumulate<V, Number>, addValues<V, Number>,  mixStroke<V, Number>, toRgb<V, Number>,
+            rgbBack<V, Number>,    strokeBack<V, Number>, nodesBack<V, Number>, valuesBack<V, Number>};
+}
+
+} // namespace suffuse::SUFFUSE_MATH
+SUFFUSE_MATH_END
+
+#endif
