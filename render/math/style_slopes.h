@@ -47,9 +47,9 @@ struct SlopeLimits<double> {
 
 /// Takes the series where all samples that count may have it, else the difference: for each sample that needs it, or
 /// for all of them.
-template <class V, class Short, class Long>
+template <class V, class Short, class Long, class Select>
 SUFFUSE_INLINE auto eitherForm(const decltype(less_(V(0), V(0))) &isShort, const decltype(less_(V(0), V(0))) &counts,
-                               Short series, Long difference, auto select)
+                               Short series, Long difference, Select select)
 {
     if (all_(or_(isShort, not_(counts))))
         return series();
