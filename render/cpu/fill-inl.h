@@ -15,17 +15,6 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-/// ½erfc(−u) with a relative error of 4e-7 for u < 0, by a fit in powers of 1/(1 + 0.36 |u|). `gaussian` is e^(−u²).
-HWY_INLINE Lanes halfErfc(Lanes u, Lanes gaussian)
-{
-    const Lanes t = reciprocal_(mulAdd_(Lanes(0.36), abs_(u), Lanes(1)));
-    Lanes p(-0.083145597);
-    for (const double c : {0.28835637, -0.18964859, 0.22575925, 0.047871786, 0.10986609, 0.10094082})
-        p = mulAdd_(p, t, Lanes(c));
-    const Lanes tail = p * t * gaussian;
-    return select_(less_(u, Lanes(0)), tail, Lanes(1) - tail);
-}
-
 HWY_INLINE Lanes gaussianOf(Lanes u)
 {
     return exp2Down(Lanes(-log2e) * (u * u));

@@ -17,12 +17,14 @@ struct Pixels<double> {
     static void store(double v, double *to) { *to = v; }
     static double ramp() { return 0; }
     static double total(double v) { return v; }
+    static double halfErfc(double u, double) { return 0.5 * std::erfc(-u); }
     static std::size_t findNodes(const NodeSearch &search, std::uint32_t *found)
     {
         constexpr float half = 0.5f * (tileSide - 1);
         std::size_t count = 0;
         for (std::uint32_t i = search.first; i < search.end; ++i) {
-            const float dx = std::max(std::fabs(search.x[i] - (search.left + half)) - half, 0.0f);
+            const float across = search.x[i] - (search.left + half);
+            const float dx = std::max((search.leftwards ? across : std::fabs(across)) - half, 0.0f);
             const float dy = std::max(std::fabs(search.y[i] - (search.top + half)) - half, 0.0f);
             if (dx * dx + dy * dy <= search.near * search.near)
                 found[count++] = i;

@@ -1,5 +1,7 @@
 #include "render/gradient/flat_painting.h"
 
+#include "render/gradient/outline_rule.h"
+#include "render/gradient/scene_gradient.h"
 #include "render/math/paper.h"
 #include "render/nodes/node_builder.h"
 #include "render/scene/paper.h"
@@ -16,8 +18,6 @@ QString obstacleOf(const Painting &painting, const Stroke &stroke)
             return QStringLiteral("it is in a group that is a layer of its own. Take it out of the group");
     if (stroke.picture)
         return QStringLiteral("it is painted with a picture. Remove the picture");
-    if (stroke.fill)
-        return QStringLiteral("it has a fill. Remove the fill");
     if (stroke.hasLift() && stroke.style.kind == StyleKind::Edge)
         return QStringLiteral("paint is taken away from it, and its edge is darkened. Choose another style");
     return {};
@@ -37,17 +37,44 @@ QString obstacleOf(const Stroke &stroke, const Segment &segment, Microseconds ti
     return {};
 }
 
+QString obstacleOf(const Fill &fill, Microseconds time, double scale)
+{
+    if (!fill.isIsotropic())
+        return QStringLiteral("its fill spreads more along a direction. Set the ratio of its anisotropy to 1");
+    if (fill.gradient)
+        return QStringLiteral("the colour of its fill changes. Give it one colour");
+    if (fill.spread(time) < 1 / scale)
+        return QStringLiteral("its fill has a spread of %1 units, and %2 are the least at this zoom. Zoom in")
+            .arg(fill.spread(time))
+            .arg(1 / scale);
+    return {};
+}
+
+void setColour(const Colour &c, double (&colour)[3], double &opacity)
+{
+    colour[0] = double(c.red), colour[1] = double(c.yellow), colour[2] = double(c.blue);
+    opacity = double(c.opacity);
+}
+
+FillNumbers numbersOf(const Fill &fill, Microseconds time)
+{
+    FillNumbers out;
+    out.density = double(fill.density);
+    out.spread = fill.spread(time);
+    setColour(fill.colour, out.colour, out.opacity);
+    out.granulation = double(fill.granulation);
+    return out;
+}
+
 SegmentNumbers numbersOf(const Stroke &stroke, const Segment &segment, Microseconds time)
 {
     SegmentNumbers out;
     const Cubic curve = stroke.cubicOf(segment);
     for (std::size_t i = 0; i < 4; ++i)
         out.x[i] = curve.p[i].x, out.y[i] = curve.p[i].y;
-    out.density = double(segment.density);
     out.spread = segment.spread(time);
-    const Colour &c = segment.colour;
-    out.colour[0] = double(c.red), out.colour[1] = double(c.yellow), out.colour[2] = double(c.blue);
-    out.opacity = double(c.opacity);
+    out.density = out.spread > 0 ? double(segment.density) : 0;
+    setColour(segment.colour, out.colour, out.opacity);
     out.granulation = double(segment.granulation);
     return out;
 }
@@ -76,6 +103,19 @@ Result<std::shared_ptr<const std::vector<float>>> paperOf(const Paper &paper, co
     return std::shared_ptr<const std::vector<float>>(std::move(eta));
 }
 
+/// Whether the outline of the last stroke crosses itself.
+bool outlineCrosses(const FlatScene &scene)
+{
+    FlatScene alone;
+    const FlatStroke &stroke = scene.strokes.back();
+    alone.segments.assign(scene.segments.begin() + stroke.first, scene.segments.end());
+    alone.marks.assign(scene.marks.begin() + stroke.first, scene.marks.end());
+    alone.strokes = {stroke};
+    alone.strokes[0].first = 0;
+    const OutlineRules rules = chooseOutlines(alone, Precision().unseen);
+    return crossesItself(alone, rules, rules.fills.front());
+}
+
 /// Adds a stroke, if any of it is there at the time. Returns what is in the way.
 QString addStroke(const Painting &painting, std::size_t place, Microseconds time, FlatPainting &out)
 {
@@ -89,11 +129,18 @@ QString addStroke(const Painting &painting, std::size_t place, Microseconds time
     for (std::size_t i = 0; i < 3; ++i)
         flat.xi[i] = double(stroke.style.xi[i]);
     flat.keep = stroke.mix.mode == MixMode::Beta ? 1 - double(stroke.mix.beta) : 1;
+    flat.filled = stroke.fill && stroke.fill->age(time) > 0;
+    if (flat.filled) {
+        if (QString obstacle = obstacleOf(*stroke.fill, time, scene.view.scale); !obstacle.isEmpty())
+            return obstacle;
+        flat.fill = numbersOf(*stroke.fill, time);
+    }
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
-        if (segment.spread(time) <= 0)
+        const bool there = segment.spread(time) > 0;
+        if (!there && !flat.filled) // It may bound the fill before it is there.
             continue;
-        if (QString obstacle = obstacleOf(stroke, segment, time, scene.view.scale); !obstacle.isEmpty())
+        if (QString obstacle = obstacleOf(stroke, segment, time, scene.view.scale); there && !obstacle.isEmpty())
             return obstacle;
         scene.segments.push_back(numbersOf(stroke, segment, time));
         scene.marks.push_back({stroke.beginsChain(k), segment.lift});
@@ -104,6 +151,8 @@ QString addStroke(const Painting &painting, std::size_t place, Microseconds time
         return {};
     scene.strokes.push_back(flat);
     out.strokes.push_back(place);
+    if (flat.filled && outlineCrosses(scene))
+        return QStringLiteral("the outline of its fill crosses itself. Move its nodes, or remove the fill");
     return {};
 }
 

@@ -15,8 +15,8 @@ struct FlatPainting {
 };
 
 /// Returns what is seen of a painting at a time, with its paper. It fails, and names the stroke, where its picture has no
-/// gradient: in groups that blend and in washes, with pictures, fills, tensors, styles that vary along a stroke, with
-/// edge darkening of which paint is taken away, and where the renderer takes several samples of a pixel, as spreads are
+/// gradient: in groups that blend and in washes, with pictures, tensors, styles that vary along a stroke, with edge
+/// darkening of which paint is taken away, with fills whose colour changes or whose outline crosses itself, and where the renderer takes several samples of a pixel, as spreads are
 /// below 1 px (4 px where paint is taken away).
 Result<FlatPainting> flatten(const Painting &painting, Microseconds time, const View &view, const Threads &threads);
 

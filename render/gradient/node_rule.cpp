@@ -105,7 +105,8 @@ NodeRules chooseNodes(const FlatScene &scene, const Precision &precision, const 
             const SegmentNumbers &s = scene.segments[k];
             std::vector<RuleNode> nodes;
             SegmentRule &rule = rules.segments[k];
-            if (s.spread > 0) {
+            const bool onlyOutline = stroke.filled && s.density == 0;
+            if (s.spread > 0 && !onlyOutline) {
                 const panels::Curve curve = inSpreads(s);
                 const Budget budget = budgetOf(s, curve, stroke, scene.view.scale, precision);
                 rule.radius = budget.radius;
@@ -126,6 +127,7 @@ NodeRules chooseNodes(const FlatScene &scene, const Precision &precision, const 
             rules.segments[k].first += before, rules.segments[k].end += before;
         rules.nodes.insert(rules.nodes.end(), ofStroke[i].begin(), ofStroke[i].end());
     }
+    rules.outlines = chooseOutlines(scene, precision.unseen);
     return rules;
 }
 

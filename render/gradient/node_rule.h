@@ -2,6 +2,7 @@
 // picture is drawn, so that it is a smooth function of the scene's numbers.
 #pragma once
 
+#include "render/gradient/outline_rule.h"
 #include "render/gradient/scene_gradient.h"
 
 namespace suffuse::gradient {
@@ -22,6 +23,7 @@ struct SegmentRule {
 struct NodeRules {
     std::vector<SegmentRule> segments;
     std::vector<RuleNode> nodes;
+    OutlineRules outlines;
 };
 
 /// Chooses nodes as the renderer does (docs/solver.md, "Nodes"), but for segments that it would merge or clip.

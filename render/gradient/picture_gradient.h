@@ -16,9 +16,17 @@ struct SegmentSlopes {
     double opacity = 0, granulation = 0;
 };
 
+/// Derivatives of a loss by the numbers of a fill.
+struct FillSlopes {
+    double density = 0, diffusion = 0; ///< by ρ and D
+    double colour[3] = {};             ///< by R, Y, B
+    double opacity = 0, granulation = 0;
+};
+
 /// Derivatives of a loss by the numbers of a stroke.
 struct StrokeGradient {
     std::vector<SegmentSlopes> segments; ///< all of them, in their order
+    std::optional<FillSlopes> fill;      ///< if it has one
     double xi[3] = {};
 };
 

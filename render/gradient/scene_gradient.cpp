@@ -118,7 +118,7 @@ void SceneGradient<Number>::Work::addTile(const TileList &list, const TileSlopes
         const NodeSlopes<Number> &by = tile.nodes[i];
         sum.weight += double(by.weight), sum.x += double(by.x), sum.y += double(by.y), sum.spread += double(by.spread);
     }
-    const auto add = [](SegmentNumbers &to, const Number *by) {
+    const auto add = [](auto &to, const Number *by) {
         for (int c = 0; c < 3; ++c)
             to.colour[c] += double(by[c]);
         to.opacity += double(by[3]), to.granulation += double(by[4]);
@@ -128,11 +128,18 @@ void SceneGradient<Number>::Work::addTile(const TileList &list, const TileSlopes
         const FlatStroke &flat = scene.strokes[stroke.stroke];
         for (int j = 0; j < 3; ++j)
             gradient.strokes[stroke.stroke].xi[j] += double(tile.strokes[i].xi[j]);
-        if (flat.oneColour)
+        FillNumbers &fill = gradient.strokes[stroke.stroke].fill;
+        if (flat.oneColour && flat.filled)
+            add(fill, tile.strokes[i].constant);
+        else if (flat.oneColour)
             add(gradient.segments[flat.first], tile.strokes[i].constant);
-        else
-            for (std::uint32_t r = stroke.firstRun; r < stroke.endRun; ++r)
-                add(gradient.segments[list.runs[r].segment], tile.values.data() + r * values);
+        for (std::uint32_t r = stroke.firstRun; r < stroke.endRun && !flat.oneColour; ++r) {
+            const Number *by = tile.values.data() + r * values;
+            if (nodes.segments[list.runs[r].segment].outline)
+                add(fill, by);
+            else
+                add(gradient.segments[list.runs[r].segment], by);
+        }
     }
 }
 
@@ -144,7 +151,7 @@ const FlatGradient &SceneGradient<Number>::Work::addUp()
     gradient.strokes.assign(scene.strokes.size(), {});
     for (std::size_t i = 0; i < lists.size(); ++i)
         addTile(lists[i], slopes[i]);
-    nodesToSegments(scene, rules, sums, gradient.segments);
+    nodesToNumbers(scene, rules, sums, gradient);
     return gradient;
 }
 

@@ -18,32 +18,61 @@ namespace suffuse::SUFFUSE_MATH {
 
 using namespace suffuse::gradient;
 
-/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total. Also how nodes are
-/// found, which are in float in any case: findNodes.
+/// Says how V is read and written: `Number`, count(), mostCount, load, store, ramp() (0, 1, 2, …), total,
+/// halfErfc (of u, with e^(−u²)); and findNodes, which is in float in any case.
 template <class V>
 struct Pixels;
 
-/// Values of a node along one axis. With u the distance in spreads and e = e^(−u²):
+/// A node along one axis: X(u), u the distance in spreads, and what its derivatives are made of.
 template <class V>
 struct NodeAxis {
-    V inside; ///< e − cut
-    V e, u;   ///< e is 0 where the node is cut off
+    V u;
+    V inside;    ///< X
+    V once;      ///< −½ dX/du
+    V onceSlope; ///< its derivative by u
 
-    SUFFUSE_INLINE NodeAxis(V place, V inverse, V cut)
-    {
-        u = place * inverse;
-        const V all = exp2_(V(-log2e) * u * u);
-        const auto there = less_(cut, all);
-        e = select_(there, all, V(0));
-        inside = select_(there, all - cut, V(0));
-    }
-    SUFFUSE_INLINE V once() const { return u * e; }
-    SUFFUSE_INLINE V twice() const { return u * u * e; }
-    /// Of u e, by u.
-    SUFFUSE_INLINE V onceSlope() const { return mulAdd_(V(-2) * u, u, V(1)) * e; }
-    /// Of u e / s, by s, times s².
-    SUFFUSE_INLINE V onceBySpread() const { return V(2) * u * (u * u - V(1)) * e; }
+    SUFFUSE_INLINE NodeAxis() {} // It is compiled for the target, while the implicit one is not.
+    SUFFUSE_INLINE V twice() const { return u * once; }
+    /// Of `once`/s, by s, times s².
+    SUFFUSE_INLINE V onceBySpread() const { return V(0) - mulAdd_(u, onceSlope, once); }
 };
+
+/// e^(−u²) − cut, cut off at 0.
+template <class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> gaussAxis(Number place, int from, const TileNode<Number> &node)
+{
+    NodeAxis<V> a;
+    a.u = ((Pixels<V>::ramp() + V(Number(from))) - V(place)) * V(node.inverse);
+    const V all = exp2_(V(-log2e) * a.u * a.u), cut(node.cut);
+    const auto there = less_(cut, all);
+    const V e = select_(there, all, V(0));
+    a.inside = select_(there, all - cut, V(0));
+    a.once = a.u * e;
+    a.onceSlope = mulAdd_(V(-2) * a.u, a.u, V(1)) * e;
+    return a;
+}
+
+/// ½erfc(−u).
+template <class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> outlineAxis(Number place, int from, const TileNode<Number> &node)
+{
+    NodeAxis<V> a;
+    a.u = ((Pixels<V>::ramp() + V(Number(from))) - V(place)) * V(node.inverse);
+    const V e = exp2_(V(-log2e) * a.u * a.u), slope = V(0.56418958354775629) * e; // 1/√π
+    a.inside = Pixels<V>::halfErfc(a.u, e);
+    a.once = V(-0.5) * slope;
+    a.onceSlope = a.u * slope;
+    return a;
+}
+
+template <Source source, class V, class Number>
+SUFFUSE_INLINE NodeAxis<V> columnAxis(int from, const TileNode<Number> &node)
+{
+    if constexpr (source == Source::Outline)
+        return outlineAxis<V>(node.x, from, node);
+    else
+        return gaussAxis<V>(node.x, from, node);
+}
 
 template <class V, class Number>
 struct AxisTables {
@@ -51,12 +80,6 @@ struct AxisTables {
     alignas(64) Number row[32][tileSide], rowSlope[32][tileSide];
     alignas(64) Number column[32][tileSide], columnSlope[32][tileSide];
 };
-
-template <class V, class Number>
-SUFFUSE_INLINE NodeAxis<V> axisOf(Number place, int from, const TileNode<Number> &node)
-{
-    return NodeAxis<V>((Pixels<V>::ramp() + V(Number(from))) - V(place), V(node.inverse), V(node.cut));
-}
 
 /// sums[y][x] += Σ left[node][x] · right[node][y] for three pairs of tables.
 template <class V, class Number>
@@ -91,32 +114,38 @@ SUFFUSE_INLINE void addTables(const AxisTables<V, Number> &t, int count, bool ad
         }
 }
 
-template <class V, class Number>
-void accumulate(const TileNode<Number> *nodes, int count, Number (*sums)[tileSize])
+template <Source source, class V, class Number>
+void accumulateOf(const TileNode<Number> *nodes, int count, bool add, Number (*sums)[tileSize])
 {
     using P = Pixels<V>;
     AxisTables<V, Number> t;
-    bool add = false;
     do {
         const int n = std::min(count, 32);
         for (int i = 0; i < n; ++i)
             for (int at = 0; at < tileSide; at += P::count()) {
                 const TileNode<Number> &node = nodes[i];
-                const NodeAxis<V> x = axisOf<V>(node.x, at, node), y = axisOf<V>(node.y, at, node);
+                const NodeAxis<V> x = columnAxis<source, V>(at, node), y = gaussAxis<V>(node.y, at, node);
                 const V weight(node.weight), inverse(node.inverse);
                 P::store(x.inside, t.column[i] + at);
-                P::store(x.once() * inverse, t.columnSlope[i] + at);
+                P::store(x.once * inverse, t.columnSlope[i] + at);
                 P::store(y.inside * weight, t.row[i] + at);
-                P::store(y.once() * (inverse * weight), t.rowSlope[i] + at);
+                P::store(y.once * (inverse * weight), t.rowSlope[i] + at);
             }
         addTables(t, n, add, sums);
         add = true, nodes += n, count -= n;
     } while (count > 0);
 }
 
+template <class V, class Number>
+void accumulate(Source source, const TileNode<Number> *nodes, int count, bool add, Number (*sums)[tileSize])
+{
+    source == Source::Outline ? accumulateOf<Source::Outline, V>(nodes, count, add, sums)
+                              : accumulateOf<Source::Segment, V>(nodes, count, add, sums);
+}
+
 /// The density of nodes alone.
 template <class V, class Number>
-SUFFUSE_INLINE void densityOf(const TileNode<Number> *nodes, int count, Number *density)
+SUFFUSE_INLINE void densityOf(Source source, const TileNode<Number> *nodes, int count, Number *density)
 {
     using P = Pixels<V>;
     std::fill(density, density + tileSize, Number(0));
@@ -124,9 +153,10 @@ SUFFUSE_INLINE void densityOf(const TileNode<Number> *nodes, int count, Number *
         const TileNode<Number> &node = nodes[i];
         alignas(64) Number row[tileSide];
         for (int y = 0; y < tileSide; y += P::count())
-            P::store(axisOf<V>(node.y, y, node).inside * V(node.weight), row + y);
+            P::store(gaussAxis<V>(node.y, y, node).inside * V(node.weight), row + y);
         for (int x = 0; x < tileSide; x += P::count()) {
-            const V column = axisOf<V>(node.x, x, node).inside;
+            const V column = source == Source::Outline ? outlineAxis<V>(node.x, x, node).inside
+                                                       : gaussAxis<V>(node.x, x, node).inside;
             for (int y = 0; y < tileSide; ++y)
                 P::store(mulAdd_(column, V(row[y]), P::load(density + y * tileSide + x)), density + y * tileSide + x);
         }
@@ -134,11 +164,11 @@ SUFFUSE_INLINE void densityOf(const TileNode<Number> *nodes, int count, Number *
 }
 
 template <class V, class Number>
-void addValues(const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to)
+void addValues(Source source, const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to)
 {
     using P = Pixels<V>;
     alignas(64) Number density[tileSize];
-    densityOf<V>(nodes, count, density);
+    densityOf<V>(source, nodes, count, density);
     for (int at = 0; at < tileSize; at += P::count()) {
         const V d = P::load(density + at);
         for (int i = 0; i < values; ++i)
@@ -147,12 +177,15 @@ void addValues(const TileNode<Number> *nodes, int count, const double *value, Va
     }
 }
 
+/// Means of values lie in [0, 1] but for rounding, and outside of fills, where errors are all that is left of φ⁺.
+inline constexpr double leastValue = -1e-3, mostValue = 1 + 1e-3;
+
 /// What a stroke is made of at some pixels.
 template <class V>
 struct PixelPaint {
     V phi, square;   // φ′ and h²
     V gamma, plain;  // γ, and h² without it
-    V inverse;       // 1/φ⁺ where values vary
+    V laid, inverse; // φ⁺ and 1/φ⁺ where values vary
     V value[values]; // R, Y, B, opacity, ω
 
     SUFFUSE_INLINE PixelPaint() {} // It is compiled for the target, while the implicit one is not.
@@ -167,13 +200,14 @@ SUFFUSE_INLINE PixelPaint<V> paintAt(const Shading<Number> &how, const Number (*
     p.phi = P::load(sums[0] + at);
     const V gx = P::load(sums[1] + at), gy = P::load(sums[2] + at);
     p.plain = p.square = mulAdd_(gx, gx, gy * gy);
-    p.inverse = V(0);
+    p.laid = p.inverse = V(0);
     for (int i = 0; i < values; ++i)
         p.value[i] = V(how.constant[i]);
     if (varying) {
-        p.inverse = reciprocal_(max_(P::load(varying->sums[values] + at), V(1e-30)));
+        p.laid = P::load(varying->sums[values] + at);
+        p.inverse = reciprocal_(max_(p.laid, V(how.leastLaid)));
         for (int i = 0; i < values; ++i)
-            p.value[i] = min_(P::load(varying->sums[i] + at) * p.inverse, V(1));
+            p.value[i] = min_(max_(P::load(varying->sums[i] + at) * p.inverse, V(leastValue)), V(mostValue));
     }
     p.gamma = V(1);
     if (eta) {
@@ -314,11 +348,12 @@ SUFFUSE_INLINE V pixelsBack(const Shading<Number> &how, const StrokeTile<Number>
     if (how.varies) {
         V byLaid(0);
         for (int i = 0; i < values; ++i) {
-            const V slope = byValue[i] * p.inverse;
+            const auto inside = and_(less_(V(leastValue), p.value[i]), less_(p.value[i], V(mostValue)));
+            const V slope = select_(inside, byValue[i] * p.inverse, V(0));
             P::store(slope, out.planes[i] + at);
             byLaid = negMulAdd_(slope, p.value[i], byLaid);
         }
-        P::store(byLaid, out.planes[values] + at);
+        P::store(select_(less_(V(how.leastLaid), p.laid), byLaid, V(0)), out.planes[values] + at);
     } else
         for (int i = 0; i < values; ++i)
             constants.constant[i] = constants.constant[i] + byValue[i];
@@ -394,17 +429,17 @@ SUFFUSE_INLINE void fillRows(const TileNode<Number> &node, RowTables<Number> &t)
     using P = Pixels<V>;
     const V inverse(node.inverse), half = V(0.5) * inverse * inverse;
     for (int y = 0; y < tileSide; y += P::count()) {
-        const NodeAxis<V> axis = axisOf<V>(node.y, y, node);
+        const NodeAxis<V> axis = gaussAxis<V>(node.y, y, node);
         P::store(axis.inside, t.inside + y);
-        P::store(axis.once() * inverse, t.once + y);
+        P::store(axis.once * inverse, t.once + y);
         P::store(axis.twice() * inverse, t.twice + y);
-        P::store(V(0) - axis.onceSlope() * half, t.slope + y);
+        P::store(V(0) - axis.onceSlope * half, t.slope + y);
         P::store(axis.onceBySpread() * half, t.bySpread + y);
     }
 }
 
 /// The same for `many` nodes at once, so that no sum waits for its own last term.
-template <int many, class V, class Number>
+template <Source source, int many, class V, class Number>
 SUFFUSE_INLINE void someNodesBack(const TileNode<Number> *nodes, const Number (*bySums)[tileSize], int firstRow,
                                   int endRow, NodeSlopes<Number> *out)
 {
@@ -440,10 +475,10 @@ SUFFUSE_INLINE void someNodesBack(const TileNode<Number> *nodes, const Number (*
         }
         for (int i = 0; i < many; ++i) {
             const V inverse(nodes[i].inverse), twice = V(2) * inverse, square = inverse * inverse;
-            const NodeAxis<V> axis = axisOf<V>(nodes[i].x, x, nodes[i]);
-            const V once = axis.once(), perSpread = once * twice;
+            const NodeAxis<V> axis = columnAxis<source, V>(x, nodes[i]);
+            const V once = axis.once, perSpread = once * twice;
             byWeight[i] = mulAdd_(axis.inside, a[i], mulAdd_(once * inverse, e[i], byWeight[i]));
-            byX[i] = mulAdd_(perSpread, a[i], negMulAdd_(axis.onceSlope() * square, e[i], byX[i]));
+            byX[i] = mulAdd_(perSpread, a[i], negMulAdd_(axis.onceSlope * square, e[i], byX[i]));
             byY[i] = mulAdd_(V(2) * axis.inside, c[i], mulAdd_(perSpread, f1[i], byY[i]));
             bySpread[i] = mulAdd_(axis.twice() * twice, a[i], mulAdd_(V(2) * axis.inside, d[i], bySpread[i]));
             bySpread[i] = mulAdd_(axis.onceBySpread() * square, e[i], mulAdd_(perSpread, f2[i], bySpread[i]));
@@ -456,26 +491,34 @@ SUFFUSE_INLINE void someNodesBack(const TileNode<Number> *nodes, const Number (*
     }
 }
 
-template <class V, class Number>
-void nodesBack(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow, int endRow,
+template <Source source, class V, class Number>
+void nodesBackOf(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow, int endRow,
                NodeSlopes<Number> *out)
 {
     constexpr int many = Pixels<V>::mostCount >= tileSide ? 2 : 1;
     int i = 0;
     for (; i + many <= count; i += many)
-        someNodesBack<many, V>(nodes + i, bySums, firstRow, endRow, out + i);
+        someNodesBack<source, many, V>(nodes + i, bySums, firstRow, endRow, out + i);
     for (; i < count; ++i)
-        someNodesBack<1, V>(nodes + i, bySums, firstRow, endRow, out + i);
+        someNodesBack<source, 1, V>(nodes + i, bySums, firstRow, endRow, out + i);
 }
 
 template <class V, class Number>
-void valuesBack(const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
+void nodesBack(Source source, const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow,
+               int endRow, NodeSlopes<Number> *out)
+{
+    source == Source::Outline ? nodesBackOf<Source::Outline, V>(nodes, count, bySums, firstRow, endRow, out)
+                              : nodesBackOf<Source::Segment, V>(nodes, count, bySums, firstRow, endRow, out);
+}
+
+template <class V, class Number>
+void valuesBack(Source source, const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
                 NodeSlopes<Number> *out, Number *byValue)
 {
     using P = Pixels<V>;
     alignas(64) Number density[tileSize];
     alignas(64) Number own[3][tileSize];
-    densityOf<V>(nodes, count, density);
+    densityOf<V>(source, nodes, count, density);
     V totals[values] = {V(0), V(0), V(0), V(0), V(0)};
     for (int at = by.firstRow * tileSide; at < by.endRow * tileSide; at += P::count()) {
         const V d = P::load(density + at);
@@ -491,7 +534,7 @@ void valuesBack(const TileNode<Number> *nodes, int count, const double *value, c
     }
     for (int i = 0; i < values; ++i)
         byValue[i] = P::total(totals[i]);
-    nodesBack<V>(nodes, count, own, by.firstRow, by.endRow, out);
+    nodesBack<V>(source, nodes, count, own, by.firstRow, by.endRow, out);
 }
 
 template <class V>

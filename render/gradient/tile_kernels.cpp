@@ -31,12 +31,13 @@ struct Pixels<Lanes> {
         const hn::RebindToUnsigned<Tag> placeTag;
         constexpr double half = 0.5 * (tileSide - 1);
         const Lanes x(search.left + float(half)), y(search.top + float(half)), near2(search.near * search.near);
-        const auto beyond = [](const float *places, Lanes middle) {
-            return max_(abs_(Lanes(hn::LoadU(Tag(), places)) - middle) - Lanes(half), Lanes(0));
+        const auto beyond = [](const float *places, Lanes middle, bool oneSide) {
+            const Lanes across = Lanes(hn::LoadU(Tag(), places)) - middle;
+            return max_((oneSide ? across : abs_(across)) - Lanes(half), Lanes(0));
         };
         std::size_t count = 0;
         for (std::uint32_t i = search.first; i < search.end; i += std::uint32_t(hn::Lanes(Tag()))) {
-            const Lanes dx = beyond(search.x + i, x), dy = beyond(search.y + i, y);
+            const Lanes dx = beyond(search.x + i, x, search.leftwards), dy = beyond(search.y + i, y, false);
             const Mask there = hn::And(hn::FirstN(Tag(), search.end - i), hn::Le((dx * dx + dy * dy).v, near2.v));
             const auto places = hn::Iota(placeTag, i);
             hn::StoreU(hn::Compress(places, hn::RebindMask(placeTag, there)), placeTag, found + count);
@@ -44,6 +45,7 @@ struct Pixels<Lanes> {
         }
         return count;
     }
+    static HWY_INLINE Lanes halfErfc(Lanes u, Lanes gaussian) { return HWY_NAMESPACE::halfErfc(u, gaussian); }
     static HWY_INLINE float total(Lanes v) { return hn::GetLane(hn::SumOfLanes(Tag(), v.v)); }
 };
 

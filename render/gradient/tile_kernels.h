@@ -14,7 +14,11 @@ inline constexpr int tileSide = 16, tileSize = tileSide * tileSide;
 /// Values that may vary along a stroke: R, Y, B, opacity, ω; then φ⁺ itself.
 inline constexpr int values = 5, planes = values + 1;
 
-/// A Gaussian node as a tile sees it, in pixels: weight · (e^(−r²/s²) − cut), cut off at 0 along each axis.
+/// What nodes are places on: a segment, or the outline of a fill.
+enum class Source : std::uint8_t { Segment, Outline };
+
+/// A node as a tile sees it, in pixels. That of a segment is weight · (e^(−u²) − cut) (e^(−v²) − cut), both cut off at 0; that
+/// of an outline weight · ½erfc(−u) (e^(−v²) − cut).
 template <class Number>
 struct TileNode {
     Number x, y;    ///< from the centre of the tile's first pixel
@@ -38,6 +42,7 @@ struct Shading {
     Number keep;            ///< 1 − β
     Number constant[values]; ///< what does not vary
     bool varies;            ///< whether values are taken from planes
+    Number leastLaid;       ///< of φ⁺ where values are divided by it: outside of a fill errors of its nodes are left
 };
 
 /// What the pixels of a vector show of a stroke, so that most need not be looked at on the way back.
@@ -80,12 +85,14 @@ struct StrokeSlopes {
     Number constant[values];
 };
 
-/// Which of some nodes are looked for: those whose distance from the pixels of a tile is `near` at most.
+/// Which of some nodes are looked for: those whose distance from the pixels of a tile is `near` at most. If `leftwards`,
+/// pixels reach to the left without end.
 struct NodeSearch {
     const float *x, *y;       ///< places of nodes, pixels
     std::uint32_t first, end; ///< the nodes to look through
     float left, top;          ///< centre of the tile's first pixel
     float near;
+    bool leftwards = false;
 };
 /// There must be room for so many more nodes than are found.
 inline constexpr int searchMargin = 16;
@@ -94,10 +101,11 @@ template <class Number>
 struct TileKernels {
     /// Writes down the nodes that are found, in their order. Returns their number.
     std::size_t (*findNodes)(const NodeSearch &search, std::uint32_t *found);
-    /// Sets sums to those of nodes.
-    void (*accumulate)(const TileNode<Number> *nodes, int count, Number (*sums)[tileSize]);
-    /// Adds the nodes of one segment, which lays paint, to the planes.
-    void (*addValues)(const TileNode<Number> *nodes, int count, const double *value, ValueTile<Number> &to);
+    /// Sets sums to those of nodes, or adds them if `add`. `source`: what all of them are.
+    void (*accumulate)(Source source, const TileNode<Number> *nodes, int count, bool add, Number (*sums)[tileSize]);
+    /// Adds the nodes of one segment, which lays paint, or of a fill to the planes.
+    void (*addValues)(Source source, const TileNode<Number> *nodes, int count, const double *value,
+                      ValueTile<Number> &to);
     /// Mixes a stroke, whose sums are there, into the R, Y, B of a tile. `eta` is the paper, or null for 1. With `keep` it
     /// writes down what the way back needs.
     void (*mixStroke)(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
@@ -111,10 +119,10 @@ struct TileKernels {
                        const Number *eta, bool xi, ColourTile<Number> &by, SumSlopes<Number> &out,
                        StrokeSlopes<Number> &constants);
     /// Finds the derivatives by nodes from those by sums.
-    void (*nodesBack)(const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow,
+    void (*nodesBack)(Source source, const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow,
                       int endRow, NodeSlopes<Number> *out);
-    /// The same for the nodes of one segment that lays paint, whose values vary; `byValue` gets the derivatives by these.
-    void (*valuesBack)(const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
+    /// The same for the nodes of one segment that lays paint or of a fill, whose values vary; `byValue` gets the derivatives by these.
+    void (*valuesBack)(Source source, const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
                        NodeSlopes<Number> *out, Number *byValue);
 };
 

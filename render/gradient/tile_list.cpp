@@ -62,12 +62,16 @@ void StrokeFinder::prepare(const FlatScene &scene, const SceneNodes &nodes, int 
     for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
         const FlatStroke &stroke = scene.strokes[i];
         Reach reach{std::uint32_t(i), 1e30f, 1e30f, -1e30f, -1e30f, levelOf(stroke)};
-        for (std::size_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
-            const PixelSegment &s = nodes.segments[k];
+        const auto include = [&](const PixelSegment &s) {
             const auto by = float(s.reach) + 1e-3f;
             reach.left = std::min(reach.left, s.left - by), reach.right = std::max(reach.right, s.right + by);
             reach.top = std::min(reach.top, s.top - by), reach.bottom = std::max(reach.bottom, s.bottom + by);
-        }
+        };
+        for (std::size_t k = stroke.first; k < stroke.first + stroke.count; ++k)
+            if (nodes.segments[k].first < nodes.segments[k].end)
+                include(nodes.segments[k]);
+        if (stroke.filled)
+            include(nodes.segments[nodes.fills[i]]);
         if (!(reach.right >= 0 && reach.left <= float(columns * tileSide)))
             continue;
         const auto rowOf = [&](float y) { return int(std::clamp(std::floor(y / tileSide), -1.0f, float(rows))); };
@@ -86,35 +90,65 @@ void StrokeFinder::list(int column, int row, TileList &out) const
             addStroke(reach, x, y, out);
 }
 
+bool StrokeFinder::addRun(std::uint32_t segment, float x, float y, TileList &out) const
+{
+    const PixelSegment &s = m_nodes->segments[segment];
+    const auto near = float(s.reach) + 1e-3f;
+    const bool tooFarLeft = s.right < x - near && !s.outline;
+    if (s.left > x + 15 + near || tooFarLeft || s.top > y + 15 + near || s.bottom < y - near)
+        return false;
+    const std::size_t first = out.nodes.size();
+    out.nodes.resize(first + (s.end - s.first) + searchMargin);
+    // Farther away a node is below what is cut off.
+    const NodeSearch search{m_nodes->x.data(), m_nodes->y.data(), s.first, s.end, x, y, near, s.outline};
+    const std::size_t end = first + m_findNodes(search, out.nodes.data() + first);
+    out.nodes.resize(end);
+    if (first == end)
+        return false;
+    out.runs.push_back({segment, std::uint32_t(first), std::uint32_t(end)});
+    return true;
+}
+
+bool StrokeFinder::addFill(std::uint32_t fill, float x, float y, TileList &out) const
+{
+    const std::size_t before = out.nodes.size();
+    if (!addRun(fill, x, y, out))
+        return false;
+    const PixelSegment &s = m_nodes->segments[fill];
+    const auto near = float(s.reach), inverse = float(s.inverse);
+    double within = 0; // the density in the middle of the tile, if its outline is far away
+    for (const std::uint32_t i : std::span(out.nodes).subspan(before)) {
+        if (beyond(m_nodes->x[i], x) <= near && beyond(m_nodes->y[i], y) <= near)
+            return true;
+        const float v = (m_nodes->y[i] - (y + 7.5f)) * inverse;
+        within += m_nodes->nodes[i].weight * double(std::max(std::exp(-v * v) - float(s.cut), 0.0f));
+    }
+    if (std::fabs(within) > 0.5 * m_scene->strokes[s.stroke].fill.density)
+        return true;
+    out.nodes.resize(before);
+    out.runs.pop_back();
+    return false;
+}
+
 void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out) const
 {
     const FlatStroke &stroke = m_scene->strokes[reach.stroke];
-    const auto firstRun = std::uint32_t(out.runs.size()), firstNode = std::uint32_t(out.nodes.size());
+    const auto firstRun = std::uint32_t(out.runs.size());
+    const std::size_t firstNode = out.nodes.size();
     TileBounds bounds; // as long as it is not sure that the stroke shows there
     for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
-        const PixelSegment &s = m_nodes->segments[k];
-        const auto near = float(s.reach) + 1e-3f;
-        if (s.left > x + 15 + near || s.right < x - near || s.top > y + 15 + near || s.bottom < y - near)
-            continue;
-        const std::size_t first = out.nodes.size();
-        out.nodes.resize(first + (s.end - s.first) + searchMargin);
-        // Farther away a node is below what is cut off.
-        const NodeSearch search{m_nodes->x.data(), m_nodes->y.data(), s.first, s.end, x, y, near};
-        const std::size_t end = first + m_findNodes(search, out.nodes.data() + first);
-        out.nodes.resize(end);
-        if (out.nodes.size() == first)
-            continue;
-        out.runs.push_back({k, std::uint32_t(first), std::uint32_t(end)});
-        if (bounds.density <= reach.level)
-            bounds.add(*m_nodes, s, std::span(out.nodes).subspan(first), x, y);
+        const std::size_t before = out.nodes.size();
+        if (addRun(k, x, y, out) && bounds.density <= reach.level)
+            bounds.add(*m_nodes, m_nodes->segments[k], std::span(out.nodes).subspan(before), x, y);
     }
-    if (out.runs.size() == firstRun || vanishes(stroke.kind, reach.level, bounds.density * 1.001f,
-                                               0.5f * bounds.slope * 1.001f)) {
+    const bool fillSeen = stroke.filled && addFill(m_nodes->fills[reach.stroke], x, y, out);
+    if (!fillSeen && vanishes(stroke.kind, reach.level, bounds.density * 1.001f, 0.5f * bounds.slope * 1.001f)) {
         out.runs.resize(firstRun);
         out.nodes.resize(firstNode);
         return;
     }
-    out.strokes.push_back({reach.stroke, firstRun, std::uint32_t(out.runs.size())});
+    if (out.runs.size() > firstRun)
+        out.strokes.push_back({reach.stroke, firstRun, std::uint32_t(out.runs.size())});
 }
 
 } // namespace suffuse::gradient

@@ -3,15 +3,16 @@
 
 #include "render/gradient/scene_nodes.h"
 #include "render/gradient/tile_kernels.h"
+#include "render/threads/unset_vector.h"
 
 namespace suffuse::gradient {
 
-/// Nodes of one segment, among those of a tile.
+/// Nodes of one segment or fill, among those of a tile.
 struct TileRun {
     std::uint32_t segment, first, end;
 };
 
-/// A stroke that can be seen in a tile, with its runs there.
+/// A stroke that can be seen in a tile, with its runs there. That of its fill is the last one.
 struct TileStroke {
     std::uint32_t stroke, firstRun, endRun;
 };
@@ -20,7 +21,7 @@ struct TileStroke {
 struct TileList {
     std::vector<TileStroke> strokes;
     std::vector<TileRun> runs;
-    std::vector<std::uint32_t> nodes;
+    UnsetVector<std::uint32_t> nodes;
 };
 
 /// What is found out about the strokes of a scene once for all tiles.
@@ -41,6 +42,10 @@ private:
         float level;                    ///< its style shows nothing below this density
     };
     void addStroke(const Reach &reach, float x, float y, TileList &out) const;
+    /// Adds the nodes of a segment or fill that reach a tile. Returns whether there are any.
+    bool addRun(std::uint32_t segment, float x, float y, TileList &out) const;
+    /// Adds the nodes of a fill. Returns whether it can be seen in the tile.
+    bool addFill(std::uint32_t fill, float x, float y, TileList &out) const;
 
     FindNodes m_findNodes;
     const FlatScene *m_scene = nullptr;

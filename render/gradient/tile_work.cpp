@@ -7,10 +7,43 @@ namespace suffuse::gradient {
 
 namespace {
 
-void valuesOf(const SegmentNumbers &s, double (&out)[values])
+template <class Numbers>
+void valuesOf(const Numbers &s, double (&out)[values])
 {
     std::copy_n(s.colour, 3, out);
     out[3] = s.opacity, out[4] = s.granulation;
+}
+
+/// The values of a run.
+void valuesOf(const FlatScene &scene, const FlatStroke &stroke, const TileRun &run, double (&out)[values])
+{
+    if (run.segment >= scene.segments.size())
+        valuesOf(stroke.fill, out);
+    else
+        valuesOf(scene.segments[run.segment], out);
+}
+
+Source sourceOf(const FlatScene &scene, const TileRun &run)
+{
+    return run.segment < scene.segments.size() ? Source::Segment : Source::Outline;
+}
+
+bool isLift(const FlatScene &scene, const TileRun &run)
+{
+    return !scene.marks.empty() && run.segment < scene.segments.size() && scene.marks[run.segment].lift;
+}
+
+/// Calls use(source, first, end) for the nodes of a stroke's segments, and for those of its fill.
+template <class Use>
+void forBothSources(const FlatScene &scene, const TileList &list, const TileStroke &stroke, Use use)
+{
+    const TileRun &last = list.runs[stroke.endRun - 1];
+    const bool filled = sourceOf(scene, last) == Source::Outline;
+    const std::uint32_t first = list.runs[stroke.firstRun].first, end = filled ? last.first : last.end;
+    if (first < end)
+        use(Source::Segment, first, int(end - first));
+    if (filled)
+        use(Source::Outline, last.first, int(last.end - last.first));
 }
 
 } // namespace
@@ -24,10 +57,11 @@ Shading<Number> TileWork<Number>::shadingOf(const FlatScene &scene, const FlatSt
         how.xi[i] = Number(stroke.xi[i]);
     how.keep = Number(stroke.keep);
     double constant[values];
-    valuesOf(scene.segments[stroke.first], constant);
+    stroke.filled ? valuesOf(stroke.fill, constant) : valuesOf(scene.segments[stroke.first], constant);
     for (int i = 0; i < values; ++i)
         how.constant[i] = Number(constant[i]);
     how.varies = !stroke.oneColour;
+    how.leastLaid = Number(stroke.filled ? std::max(4e-6 * stroke.fill.density, 1e-30) : 1e-30);
     return how;
 }
 
@@ -67,17 +101,21 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
         const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
         StrokeTile<Number> &tile = m_strokes[keep ? i : 0];
         ValueTile<Number> *varying = nullptr;
-        const std::uint32_t first = list.runs[tileStroke.firstRun].first, end = list.runs[tileStroke.endRun - 1].end;
-        m_kernels.accumulate(m_nodes.data() + first, int(end - first), tile.sums);
+        bool add = false;
+        forBothSources(scene, list, tileStroke, [&](Source source, std::uint32_t first, int count) {
+            m_kernels.accumulate(source, m_nodes.data() + first, count, add, tile.sums);
+            add = true;
+        });
         if (!stroke.oneColour) {
             varying = &m_values[keep ? i : 0];
             std::memset(varying, 0, sizeof *varying);
             for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
                 const TileRun &run = list.runs[r];
                 double value[values];
-                valuesOf(scene.segments[run.segment], value);
-                if (!nodes.segments[run.segment].lift)
-                    m_kernels.addValues(m_nodes.data() + run.first, int(run.end - run.first), value, *varying);
+                valuesOf(scene, stroke, run, value);
+                if (!isLift(scene, run))
+                    m_kernels.addValues(sourceOf(scene, run), m_nodes.data() + run.first, int(run.end - run.first), value,
+                                        *varying);
             }
         }
         m_kernels.mixStroke(shadingOf(scene, stroke), tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
@@ -111,24 +149,23 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, 
     if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi, m_by,
                               m_bySums, out.strokes[at]))
         return;
-    if (!varying) {
-        const std::uint32_t first = list.runs[tileStroke.firstRun].first, end = list.runs[tileStroke.endRun - 1].end;
-        m_kernels.nodesBack(m_nodes.data() + first, int(end - first), m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,
+    const auto back = [&](Source source, std::uint32_t first, int count) {
+        m_kernels.nodesBack(source, m_nodes.data() + first, count, m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,
                             out.nodes.data() + first);
-        return;
-    }
+    };
+    if (!varying)
+        return forBothSources(scene, list, tileStroke, back);
     for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
         const TileRun &run = list.runs[r];
-        const TileNode<Number> *nodes = m_nodes.data() + run.first;
         const int count = int(run.end - run.first);
-        if (!scene.marks.empty() && scene.marks[run.segment].lift) {
-            m_kernels.nodesBack(nodes, count, m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,
-                                out.nodes.data() + run.first);
+        if (isLift(scene, run)) {
+            back(Source::Segment, run.first, count);
             continue;
         }
         double value[values];
-        valuesOf(scene.segments[run.segment], value);
-        m_kernels.valuesBack(nodes, count, value, m_bySums, out.nodes.data() + run.first, out.values.data() + r * values);
+        valuesOf(scene, stroke, run, value);
+        m_kernels.valuesBack(sourceOf(scene, run), m_nodes.data() + run.first, count, value, m_bySums,
+                             out.nodes.data() + run.first, out.values.data() + r * values);
     }
 }
 

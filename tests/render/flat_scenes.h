@@ -19,6 +19,7 @@ struct SceneKind {
     bool paper = false;
     bool lifts = false;     ///< whether the last segment of each stroke takes paint away
     bool turnedView = false;
+    bool filled = false;    ///< whether each stroke goes round an area
     int segments = 3;       ///< of a stroke
     double least = 1.5, greatest = 6; ///< spreads, px
     double length = 14;     ///< of a segment, px
@@ -45,6 +46,23 @@ inline View viewOf(int width, int height, bool turned)
     if (turned)
         view.scale = 1.25, view.rotation = 0.7, view.mirrored = true;
     return view;
+}
+
+/// Makes the segments of a stroke go round a point, at some distance. Every other one is nothing but an outline, and a
+/// straight line is left to close it.
+inline void surround(FlatStroke &stroke, std::vector<SegmentNumbers> &segments, Point centre, double distance)
+{
+    stroke.filled = true;
+    const double part = 1.9 * std::numbers::pi / stroke.count;
+    for (std::uint32_t k = 0; k < stroke.count; ++k) {
+        SegmentNumbers &s = segments[stroke.first + k];
+        for (int j = 0; j < 4; ++j) {
+            const double angle = part * (k + j / 3.0), radius = distance * (1 + 0.2 * std::sin(3 * angle));
+            s.x[j] = centre.x + radius * std::cos(angle), s.y[j] = centre.y + radius * std::sin(angle);
+        }
+        if (k % 2 == 0)
+            s.density = 0;
+    }
 }
 
 inline FlatScene randomScene(std::uint64_t seed, int strokes, int width, int height, const SceneKind &kind)
@@ -90,6 +108,10 @@ inline FlatScene randomScene(std::uint64_t seed, int strokes, int width, int hei
             scene.segments.push_back(s);
             scene.marks.push_back({k == 0 || lifts, lifts});
         }
+        if (kind.filled)
+            surround(stroke, scene.segments, {width * u(random), height * u(random)}, 2 * kind.length * (0.5 + u(random)));
+        if (kind.filled)
+            stroke.fill = {0.8 + 0.4 * u(random), 1.3 * spread, {u(random), 0.5, u(random)}, 0.3 + 0.6 * u(random), u(random)};
         scene.strokes.push_back(stroke);
     }
     return scene;
@@ -120,14 +142,25 @@ void forEachNumber(FlatScene &scene, const FlatGradient &by, Use use)
             const double spread = s.spread, density = s.density;
             for (int j = 0; j < 4; ++j)
                 use(s.x[j], d.x[j], spread), use(s.y[j], d.y[j], spread);
-            use(s.density, d.density, density);
-            use(s.spread, d.spread, spread);
-            if (stroke.oneColour && k > stroke.first)
+            if (density > 0 || !stroke.filled) {
+                use(s.density, d.density, density);
+                use(s.spread, d.spread, spread);
+            }
+            if (stroke.oneColour && (k > stroke.first || stroke.filled))
                 continue;
             for (int c = 0; c < 3; ++c)
                 use(s.colour[c], d.colour[c], 1.0);
             use(s.opacity, d.opacity, 1.0);
             use(s.granulation, d.granulation, 1.0);
+        }
+        FillNumbers &fill = stroke.fill;
+        const FillNumbers &d = by.strokes[i].fill;
+        if (stroke.filled) {
+            const double spread = fill.spread;
+            use(fill.density, d.density, 1.0), use(fill.spread, d.spread, spread);
+            for (int c = 0; c < 3; ++c)
+                use(fill.colour[c], d.colour[c], 1.0);
+            use(fill.opacity, d.opacity, 1.0), use(fill.granulation, d.granulation, 1.0);
         }
         for (int j = 0; j < (stroke.kind == StyleKind::Edge ? 3 : 2); ++j)
             use(stroke.xi[j], by.strokes[i].xi[j], stroke.xi[j]);
