@@ -169,7 +169,7 @@ Fault CudaGradient::prepare(const FlatScene &scene)
         return fault;
     describe(scene);
     if (double(m_entryCount) >= mostEntries)
-        return {Fault::OutOfMemory, "too many nodes reach too many tiles"};
+        return {Fault::Refused, "too many nodes reach too many tiles"};
     return inTurn([&] { return uploadRules(); }, [&] { return scene.paper ? uploadPaper(scene) : Fault(); },
                   [&] {
                       return m_device->upload(m_deviceSegments.data(), m_segments.data(),
@@ -252,8 +252,15 @@ Fault CudaGradient::attempt(Loss loss, bool &enough)
     return {};
 }
 
+bool CudaGradient::canDraw(const FlatScene &scene)
+{
+    return std::none_of(scene.strokes.begin(), scene.strokes.end(), [](const FlatStroke &s) { return s.filled; });
+}
+
 Fault CudaGradient::run(Loss loss, bool picture)
 {
+    if (!canDraw(m_scene))
+        return {Fault::Refused, "fills have no gradient on the device"};
     if (const Fault fault = inTurn([&] { return prepare(m_scene); }, [&] { return reserve(loss); }))
         return fault;
     m_work.picture = nullptr;
@@ -314,7 +321,7 @@ Fault CudaGradient::drawAndDifferentiate(const FlatScene &scene, bool picture)
 {
     m_scene = scene;
     if (m_targetSize != std::size_t(scene.view.width) * std::size_t(scene.view.height) * 3)
-        return {Fault::Lost, "the target has not the size of the picture"};
+        return {Fault::Refused, "the target has not the size of the picture"};
     return run(Loss::Target, picture);
 }
 

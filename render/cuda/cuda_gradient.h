@@ -8,10 +8,14 @@
 namespace suffuse {
 
 /// Results are a pure function of the scene, the nodes chosen and the loss: the same bits each time on the same device.
-/// After a fault results are not valid; the next call may try again unless the device is lost.
+/// After a fault results are not valid; the next call may try again unless the device is lost. Scenes with fills are
+/// refused (`canDraw`).
 class CudaGradient {
 public:
     explicit CudaGradient(std::shared_ptr<cuda::Device> device, Threads threads = {});
+
+    /// False for scenes with fills, of which only the CPU finds the gradient.
+    static bool canDraw(const gradient::FlatScene &scene);
 
     /// Chooses how many nodes each segment has, as SceneGradient::choose does.
     void choose(const gradient::FlatScene &scene, const gradient::Precision &precision = {});
@@ -23,8 +27,8 @@ public:
     /// Finds the derivatives of a loss by the numbers of the scene drawn last, from ∂L/∂(R, G, B) of each pixel.
     cuda::Fault backward(std::span<const float> lossByRgb);
     /// Draws the scene, and finds the loss Σ(picture − target)² over pixels and channels, and its derivatives. Only
-    /// numbers of the scene go to the device, and only derivatives come back. The target has the size of the scene's
-    /// view. With `picture` the picture stays on the device, too.
+    /// numbers of the scene go to the device, and only derivatives come back. A target that has not the size of
+    /// the scene's view is refused. With `picture` the picture stays on the device, too.
     cuda::Fault drawAndDifferentiate(const gradient::FlatScene &scene, bool picture = false);
 
     /// Derivatives found last.

@@ -334,17 +334,14 @@ private:
     /// sinh(x)/x from x², and its derivative by x², for x ≤ 1.8.
     static SUFFUSE_INLINE V sinhOver(V x2)
     {
-        V s(1.0 / 6227020800.0);
-        for (const double c : {1.0 / 39916800, 1.0 / 362880, 1.0 / 5040, 1.0 / 120, 1.0 / 6, 1.0})
-            s = mulAdd_(s, x2, V(c));
-        return s;
+        const V tenth = mulAdd_(V(1.0 / 6227020800.0), x2, V(1.0 / 39916800)), eighth = mulAdd_(tenth, x2, V(1.0 / 362880));
+        const V fourth = mulAdd_(mulAdd_(eighth, x2, V(1.0 / 5040)), x2, V(1.0 / 120));
+        return mulAdd_(mulAdd_(fourth, x2, V(1.0 / 6)), x2, V(1.0));
     }
     static SUFFUSE_INLINE V sinhOverSlope(V x2)
     {
-        V s(6.0 / 6227020800.0);
-        for (const double c : {5.0 / 39916800, 4.0 / 362880, 3.0 / 5040, 2.0 / 120, 1.0 / 6})
-            s = mulAdd_(s, x2, V(c));
-        return s;
+        const V tenth = mulAdd_(V(6.0 / 6227020800.0), x2, V(5.0 / 39916800)), eighth = mulAdd_(tenth, x2, V(4.0 / 362880));
+        return mulAdd_(mulAdd_(mulAdd_(eighth, x2, V(3.0 / 5040)), x2, V(2.0 / 120)), x2, V(1.0 / 6));
     }
 };
 

@@ -14,7 +14,8 @@ namespace suffuse::cuda {
 
 /// Says why a call failed, or by None that it did not fail.
 struct Fault {
-    enum Kind { None, OutOfMemory, Lost }; ///< Lost means that this process can no longer use the device.
+    /// Lost means that this process can no longer use the device, Refused that nothing was asked of it.
+    enum Kind { None, OutOfMemory, Lost, Refused };
     Kind kind = None;
     std::string what; ///< the reason in the words of the driver
 

@@ -27,9 +27,19 @@ private slots:
         CudaGradient onDevice(open());
         onDevice.choose(scene);
         QVERIFY(!onDevice.setTarget(std::vector<float>(19 * 20 * 3)));
-        QVERIFY(onDevice.drawAndDifferentiate(scene));
+        QCOMPARE(onDevice.drawAndDifferentiate(scene).kind, cuda::Fault::Refused);
         QVERIFY(!onDevice.setTarget(std::vector<float>(20 * 20 * 3)));
         QVERIFY(!onDevice.drawAndDifferentiate(scene));
+    }
+
+    void fillsAreRefused()
+    {
+        FlatScene scene = randomScene(1, 2, 20, 20, {});
+        scene.strokes[1].filled = true;
+        QVERIFY(!CudaGradient::canDraw(scene));
+        CudaGradient onDevice(open());
+        onDevice.choose(scene);
+        QCOMPARE(onDevice.draw(scene).kind, cuda::Fault::Refused);
     }
 
     void anyCallMayFail_data()
