@@ -10,7 +10,7 @@ using namespace gradient;
 
 namespace {
 
-constexpr std::size_t mostKeptBytes = std::size_t(1) << 30; // for warps; where they need more, fewer warps draw
+constexpr std::size_t mostKeptBytes = std::size_t(1) << 30; // of warps that draw; where they need more, fewer draw
 constexpr double mostEntries = double(1u << 31);
 constexpr double widestReach = 1e7; // pixels
 

@@ -9,7 +9,7 @@ namespace suffuse::cuda {
 
 /// Finds how many warps draw tiles at the same time on a device.
 cudaError_t fillingGradient(int device, std::uint32_t &warps);
-/// Launches a warp for each stroke, as many warps as there are slots for the tiles, and a warp for each segment.
+/// Launches a warp for each stroke, GradientWork::warps of them for the tiles, and a warp for each segment.
 cudaError_t launchGradient(const GradientWork &work, cudaStream_t stream);
 
 } // namespace suffuse::cuda

@@ -15,8 +15,8 @@ public:
     /// `slot`: where this warp may keep what the way back needs.
     SUFFUSE_PROGRAM GradientTile(Warp &warp, const GradientWork &work, Scratch &scratch, std::uint32_t tile,
                                  std::uint32_t slot)
-        : m_place(warp, work, scratch, int(tile) % work.columns, int(tile) / work.columns), m_nodes(m_place),
-          m_paint(m_place), m_warp(warp), m_work(work), m_scratch(scratch), m_tile(tile),
+        : m_place(warp, work, scratch, int(tile) % work.columns, int(tile) / work.columns), m_warp(warp), m_work(work),
+          m_scratch(scratch), m_tile(tile),
           m_kept(work.kept + std::size_t(slot) * work.slotStrokes * keptFloats<varies>),
           m_shown(work.shown + std::size_t(slot) * work.slotStrokes)
     {}
@@ -53,6 +53,9 @@ private:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
+    // Made where they are needed: members that refer to another member would keep all of them out of registers.
+    SUFFUSE_PROGRAM GradientNodeSums<Warp, varies> nodes() { return GradientNodeSums<Warp, varies>(m_place); }
+    SUFFUSE_PROGRAM GradientPaint<Warp, varies> paint() { return GradientPaint<Warp, varies>(m_place); }
     SUFFUSE_PROGRAM bool goesBack() const { return m_work.target || m_work.byRgb; }
 
     SUFFUSE_PROGRAM void draw(std::uint32_t index)
@@ -65,13 +68,13 @@ private:
         if (varies && stroke.varies) {
             Var<LanePlanes> planes;
             m_warp.each([&](int lane) { planes[lane] = {}; });
-            m_nodes.template add<varies>(stroke.firstNode, stroke.endNode, sums, &planes);
+            nodes().template add<varies>(stroke.firstNode, stroke.endNode, sums, &planes);
             m_warp.each([&](int lane) {
                 for (int i = 0; i < valuePlanes; ++i)
                     writePlane(lane, m_scratch.planes[i], planes[lane].v[i]);
             });
         } else
-            m_nodes.template add<false>(stroke.firstNode, stroke.endNode, sums,
+            nodes().template add<false>(stroke.firstNode, stroke.endNode, sums,
                                         static_cast<Var<LanePlanes> *>(nullptr));
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
@@ -79,7 +82,7 @@ private:
                 writePlane(lane, m_scratch.sums[i], sums[lane].v[i]);
         });
         const bool keeps = goesBack() && m_count < m_work.slotStrokes;
-        if (!m_paint.mix(stroke, keeps ? m_kept + std::size_t(m_count) * keptFloats<varies> : nullptr))
+        if (!paint().mix(stroke, keeps ? m_kept + std::size_t(m_count) * keptFloats<varies> : nullptr))
             return;
         if (keeps)
             m_warp.each([&](int lane) {
@@ -145,7 +148,7 @@ private:
     {
         const GradientStroke &stroke = m_work.strokes[m_shown[i]];
         Var<LaneTotals> lanes;
-        const bool any = m_paint.back(stroke, m_kept + std::size_t(i) * keptFloats<varies>, lanes);
+        const bool any = paint().back(stroke, m_kept + std::size_t(i) * keptFloats<varies>, lanes);
         LaneTotals totals = {};
         if (m_work.byXi)
             for (int j = 0; j < 3; ++j)
@@ -187,7 +190,7 @@ private:
                 return;
             SUFFUSE_ROLLED
             for (int at = 0; at < count; at += Scratch::batch)
-                m_nodes.back(at, count - at < Scratch::batch ? count - at : Scratch::batch, g);
+                nodes().back(at, count - at < Scratch::batch ? count - at : Scratch::batch, g);
         }
     }
 
@@ -214,7 +217,7 @@ private:
             }
             Var<LaneSums> sums;
             m_warp.each([&](int lane) { sums[lane] = {}; });
-            m_nodes.template add<false>(segment.firstNode, segment.endNode, sums,
+            nodes().template add<false>(segment.firstNode, segment.endNode, sums,
                                         static_cast<Var<LanePlanes> *>(nullptr));
             Var<LaneTotals> lanes;
             m_warp.each([&](int lane) {
@@ -242,8 +245,6 @@ private:
     }
 
     Place m_place;
-    GradientNodeSums<Warp, varies> m_nodes;
-    GradientPaint<Warp, varies> m_paint;
     Warp &m_warp;
     const GradientWork &m_work;
     Scratch &m_scratch;
