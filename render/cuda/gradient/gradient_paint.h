@@ -31,7 +31,7 @@ public:
                 for (int i = 0; i < lanePixels; ++i) {
                     const int at = pairOf(lane, i / 2) + i % 2;
                     const Sample p = sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at],
-                                              m_scratch.sums[2][at], m_scratch.planes[0] + at);
+                                              m_scratch.sums[2][at], planesAt(at));
                     any = any || style.seen(p.phi, p.square);
                 }
                 return any;
@@ -99,6 +99,15 @@ private:
                                                  : 1;
     }
 
+    /// The first value's sum at a pixel, as `sampleAt` takes it.
+    SUFFUSE_PROGRAM const float *planesAt(int at) const
+    {
+        if constexpr (varies)
+            return m_scratch.planes[0] + at;
+        else
+            return nullptr;
+    }
+
     /// `planes`: the first value's sum at the pixel; those of the others follow in planes of a tile's size.
     SUFFUSE_PROGRAM Sample sampleAt(const GradientStroke &stroke, int at, float phi, float gx, float gy,
                                     const float *planes) const
@@ -119,8 +128,8 @@ private:
     template <class Style>
     SUFFUSE_PROGRAM void mixPixel(const GradientStroke &stroke, const Style &style, int at)
     {
-        const Sample p = sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at], m_scratch.sums[2][at],
-                                  m_scratch.planes[0] + at);
+        const Sample p =
+            sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at], m_scratch.sums[2][at], planesAt(at));
         if (!style.seen(p.phi, p.square))
             return;
         float mean = 1;
@@ -196,11 +205,20 @@ private:
         m_scratch.sums[0][at] = slopes.byPhi;
         m_scratch.sums[1][at] = 2 * slopes.bySquare * sums[1];
         m_scratch.sums[2][at] = 2 * slopes.bySquare * sums[2];
-        if (!(varies && stroke.varies)) {
-            for (int i = 0; i < gradientValues; ++i)
-                totals.value[i] += slopes.value[i];
-            return !isFull;
+        if constexpr (varies) {
+            if (stroke.varies) {
+                valuesBack(p, slopes, at);
+                return 1;
+            }
         }
+        for (int i = 0; i < gradientValues; ++i)
+            totals.value[i] += slopes.value[i];
+        return !isFull;
+    }
+
+    /// Puts the derivatives by sums of values, and by φ⁺, in the place of these sums.
+    SUFFUSE_PROGRAM void valuesBack(const Sample &p, const Slopes &slopes, int at)
+    {
         float byLaid = 0;
         for (int i = 0; i < gradientValues; ++i) {
             const float slope = slopes.value[i] * p.inverse;
@@ -208,7 +226,6 @@ private:
             byLaid = math::negMulAdd_(slope, p.value[i], byLaid);
         }
         m_scratch.planes[gradientValues][at] = byLaid;
-        return 1;
     }
 
     Place &m_place;
