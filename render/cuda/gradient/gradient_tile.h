@@ -60,7 +60,7 @@ private:
 
     SUFFUSE_PROGRAM void draw(std::uint32_t index)
     {
-        const GradientStroke &stroke = m_work.strokes[index];
+        const GradientStroke stroke = m_work.strokes[index]; // a copy, which no store can change
         if (!m_place.mayShow(stroke, m_work.levels[index]))
             return;
         Var<LaneSums> sums;
@@ -146,7 +146,7 @@ private:
 
     SUFFUSE_PROGRAM void back(std::uint32_t i)
     {
-        const GradientStroke &stroke = m_work.strokes[m_shown[i]];
+        const GradientStroke stroke = m_work.strokes[m_shown[i]]; // a copy, which no store can change
         Var<LaneTotals> lanes;
         const bool any = paint().back(stroke, m_kept + std::size_t(i) * keptFloats<varies>, lanes);
         LaneTotals totals = {};
