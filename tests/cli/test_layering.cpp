@@ -79,7 +79,7 @@ const QList<Rule> &rules()
         // Paintings as numbers, and derivatives by them: no renderer is part of it.
         {"render/gradient/",
          {"model/", "render/gradient/", "render/math/", "render/nodes/", "render/threads/", "render/view.h",
-          "render/scene/paper.h"},
+          "render/scene/paper.h", "render/simd_targets.h"},
          {"QtCore"},
          {"hwy"}},
         {"render/scene/",
