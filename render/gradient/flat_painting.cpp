@@ -1,7 +1,6 @@
 #include "render/gradient/flat_painting.h"
 
 #include "render/gradient/outline_rule.h"
-#include "render/gradient/scene_gradient.h"
 #include "render/math/paper.h"
 #include "render/nodes/node_builder.h"
 #include "render/scene/paper.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/gradient/outline_rule.h"
-#include "render/gradient/scene_gradient.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse::gradient {
 

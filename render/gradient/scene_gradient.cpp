@@ -73,7 +73,8 @@ template <class Number>
 void SceneGradient<Number>::Work::storePicture(const TilePlace &place, const ColourTile<Number> &rgb)
 {
     for (int y = 0; y < place.height; ++y) {
-        Number *to = picture.data() + (std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x)) * 3;
+        Number *to =
+            picture.data() + (std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x)) * 3;
         for (int x = 0; x < place.width; ++x)
             for (int c = 0; c < 3; ++c)
                 to[3 * x + c] = rgb.v[c][y * tileSide + x];
@@ -135,7 +136,7 @@ void SceneGradient<Number>::Work::addTile(const TileList &list, const TileSlopes
             add(gradient.segments[flat.first], tile.strokes[i].constant);
         for (std::uint32_t r = stroke.firstRun; r < stroke.endRun && !flat.oneColour; ++r) {
             const Number *by = tile.values.data() + r * values;
-            if (nodes.segments[list.runs[r].segment].outline)
+            if (list.runs[r].segment >= scene.segments.size())
                 add(fill, by);
             else
                 add(gradient.segments[list.runs[r].segment], by);
@@ -190,7 +191,7 @@ const FlatGradient &SceneGradient<Number>::backward(std::span<const Number> loss
         work.begin(m->scene, place);
         work.draw(m->scene, m->nodes, m->lists[i], true);
         m->takeSlopes(place, lossByRgb, work.slopes());
-        work.back(m->scene, m->lists[i], m->slopes[i]);
+        work.back(m->scene, m->nodes, m->lists[i], m->slopes[i]);
     });
     return m->addUp();
 }
@@ -205,7 +206,7 @@ const FlatGradient &SceneGradient<Number>::drawAndDifferentiate(const FlatScene 
         work.draw(m->scene, m->nodes, m->lists[i], true);
         m->storePicture(place, work.rgb());
         m->callLoss(place, loss, work.slopes());
-        work.back(m->scene, m->lists[i], m->slopes[i]);
+        work.back(m->scene, m->nodes, m->lists[i], m->slopes[i]);
     });
     return m->addUp();
 }

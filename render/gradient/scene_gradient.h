@@ -11,14 +11,8 @@
 
 namespace suffuse::gradient {
 
-/// Says how exact a picture is. Errors of opacity up to `unseen` may be made by the number of nodes and by where they
-/// are cut off; the renderer's own is 5e-4.
-struct Precision {
-    double unseen = 5e-4;
-};
-
-/// Draws a scene and takes derivatives. `Number` is float, or double to check it by. Pictures and derivatives are a pure
-/// function of the scene, the nodes chosen and the loss: the same bits for any number of threads and any history.
+/// Draws a scene and takes derivatives. `Number` is float, or double to check it by. Pictures and derivatives are a
+/// pure function of the scene, the nodes chosen and the loss: the same bits for any number of threads and any history.
 /// It keeps its memory from one picture to the next.
 template <class Number>
 class SceneGradient {
@@ -40,8 +34,8 @@ public:
     const FlatGradient &backward(std::span<const Number> lossByRgb);
 
     /// Does both at once, in two thirds of the time, for a loss that is a sum over pixels. `loss` is called for pixels
-    /// [first, first + count), which lie side by side in a row, from several threads at once: it gets their R, G, B, and
-    /// writes ∂L/∂(R, G, B).
+    /// [first, first + count), which lie side by side in a row, from several threads at once: it gets their R, G, B,
+    /// and writes ∂L/∂(R, G, B).
     using PixelLoss = std::function<void(std::size_t first, std::size_t count, const Number *rgb, Number *byRgb)>;
     const FlatGradient &drawAndDifferentiate(const FlatScene &scene, const PixelLoss &loss);
     /// The picture drawn last.

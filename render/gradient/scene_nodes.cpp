@@ -145,6 +145,11 @@ void placeFill(const FlatScene &scene, const NodeRules &rules, const ViewMatrix 
     const double gain = stroke.fill.density * senseOf(places) * weightScale(stroke, rule, map);
     for (std::size_t i = 0; i < places.size(); ++i)
         includeNode(out, segment, segment.first + i, {places[i].x, places[i].y, gain * places[i].rise});
+    PixelSegment &inside = out.segments[insideOf(out, out.fills[rule.stroke])];
+    inside.stroke = rule.stroke;
+    inside.first = before + std::uint32_t(rules.outlines.nodes.size() + f), inside.end = inside.first + 1;
+    inside.reach = 1e9;
+    includeNode(out, inside, inside.first, {0, 0, stroke.fill.density});
 }
 
 void segmentToNumbers(const FlatScene &scene, const NodeRules &rules, const ViewMatrix &map, std::size_t k,
@@ -175,11 +180,13 @@ void segmentToNumbers(const FlatScene &scene, const NodeRules &rules, const View
         slopes.addTo(map, j, by, j);
 }
 
-void fillToNumbers(const FlatScene &scene, const NodeRules &rules, const ViewMatrix &map, const OutlineRule &rule,
+void fillToNumbers(const FlatScene &scene, const NodeRules &rules, const ViewMatrix &map, std::size_t f,
                    const std::vector<NodeSum> &sums, FlatGradient &out)
 {
+    const OutlineRule &rule = rules.outlines.fills[f];
     const FlatStroke &stroke = scene.strokes[rule.stroke];
     FillNumbers &by = out.strokes[rule.stroke].fill;
+    by.density += sums[rules.nodes.size() + rules.outlines.nodes.size() + f].weight; // far inside
     const std::vector<OutlinePlace> places = placesOf(scene, rules.outlines, rule, map);
     const double scale = senseOf(places) * weightScale(stroke, rule, map), spread = stroke.fill.spread * map.scale;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -203,11 +210,12 @@ void fillToNumbers(const FlatScene &scene, const NodeRules &rules, const ViewMat
 
 void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out)
 {
-    const std::size_t nodes = rules.nodes.size() + rules.outlines.nodes.size();
+    out.fillCount = rules.outlines.fills.size();
+    const std::size_t nodes = rules.nodes.size() + rules.outlines.nodes.size() + out.fillCount;
     out.nodes.resize(nodes);
     for (auto *numbers : {&out.x, &out.y, &out.strength})
         numbers->resize(nodes + searchMargin); // for whole vectors
-    out.segments.assign(rules.segments.size() + rules.outlines.fills.size(), {});
+    out.segments.assign(rules.segments.size() + 2 * out.fillCount, {});
     out.fills.assign(scene.strokes.size(), noFill);
     const ViewMatrix map(scene.view);
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)
@@ -224,8 +232,8 @@ void nodesToNumbers(const FlatScene &scene, const NodeRules &rules, const std::v
     const ViewMatrix map(scene.view);
     for (std::size_t k = 0; k < scene.segments.size(); ++k)
         segmentToNumbers(scene, rules, map, k, sums, out.segments[k]);
-    for (const OutlineRule &rule : rules.outlines.fills)
-        fillToNumbers(scene, rules, map, rule, sums, out);
+    for (std::size_t f = 0; f < rules.outlines.fills.size(); ++f)
+        fillToNumbers(scene, rules, map, f, sums, out);
 }
 
 } // namespace suffuse::gradient

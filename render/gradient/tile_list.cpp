@@ -123,11 +123,15 @@ bool StrokeFinder::addFill(std::uint32_t fill, float x, float y, TileList &out) 
         const float v = (m_nodes->y[i] - (y + 7.5f)) * inverse;
         within += m_nodes->nodes[i].weight * double(std::max(std::exp(-v * v) - float(s.cut), 0.0f));
     }
-    if (std::fabs(within) > 0.5 * m_scene->strokes[s.stroke].fill.density)
-        return true;
+    const bool inside = std::fabs(within) > 0.5 * m_scene->strokes[s.stroke].fill.density;
     out.nodes.resize(before);
     out.runs.pop_back();
-    return false;
+    if (!inside)
+        return false;
+    const std::uint32_t place = insideOf(*m_nodes, fill);
+    out.nodes.push_back(m_nodes->segments[place].first);
+    out.runs.push_back({place, std::uint32_t(before), std::uint32_t(before + 1)});
+    return true;
 }
 
 void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out) const

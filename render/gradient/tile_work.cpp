@@ -23,9 +23,9 @@ void valuesOf(const FlatScene &scene, const FlatStroke &stroke, const TileRun &r
         valuesOf(scene.segments[run.segment], out);
 }
 
-Source sourceOf(const FlatScene &scene, const TileRun &run)
+Source sourceOf(const SceneNodes &nodes, const TileRun &run)
 {
-    return run.segment < scene.segments.size() ? Source::Segment : Source::Outline;
+    return nodes.segments[run.segment].outline ? Source::Outline : Source::Segment;
 }
 
 bool isLift(const FlatScene &scene, const TileRun &run)
@@ -33,12 +33,12 @@ bool isLift(const FlatScene &scene, const TileRun &run)
     return !scene.marks.empty() && run.segment < scene.segments.size() && scene.marks[run.segment].lift;
 }
 
-/// Calls use(source, first, end) for the nodes of a stroke's segments, and for those of its fill.
+/// Calls use(source, first, count) for the nodes that are like a segment's, and for those on an outline.
 template <class Use>
-void forBothSources(const FlatScene &scene, const TileList &list, const TileStroke &stroke, Use use)
+void forBothSources(const SceneNodes &nodes, const TileList &list, const TileStroke &stroke, Use use)
 {
     const TileRun &last = list.runs[stroke.endRun - 1];
-    const bool filled = sourceOf(scene, last) == Source::Outline;
+    const bool filled = sourceOf(nodes, last) == Source::Outline;
     const std::uint32_t first = list.runs[stroke.firstRun].first, end = filled ? last.first : last.end;
     if (first < end)
         use(Source::Segment, first, int(end - first));
@@ -77,8 +77,8 @@ void TileWork<Number>::begin(const FlatScene &scene, const TilePlace &place)
     std::fill_n(m_eta, tileSize, Number(1));
     for (int y = 0; y < place.height; ++y)
         for (int x = 0; x < place.width; ++x)
-            m_eta[y * tileSide + x] =
-                Number((*scene.paper)[std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x + x)]);
+            m_eta[y * tileSide + x] = Number(
+                (*scene.paper)[std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x + x)]);
 }
 
 template <class Number>
@@ -102,7 +102,7 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
         StrokeTile<Number> &tile = m_strokes[keep ? i : 0];
         ValueTile<Number> *varying = nullptr;
         bool add = false;
-        forBothSources(scene, list, tileStroke, [&](Source source, std::uint32_t first, int count) {
+        forBothSources(nodes, list, tileStroke, [&](Source source, std::uint32_t first, int count) {
             m_kernels.accumulate(source, m_nodes.data() + first, count, add, tile.sums);
             add = true;
         });
@@ -114,8 +114,8 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
                 double value[values];
                 valuesOf(scene, stroke, run, value);
                 if (!isLift(scene, run))
-                    m_kernels.addValues(sourceOf(scene, run), m_nodes.data() + run.first, int(run.end - run.first), value,
-                                        *varying);
+                    m_kernels.addValues(sourceOf(nodes, run), m_nodes.data() + run.first, int(run.end - run.first),
+                                        value, *varying);
             }
         }
         m_kernels.mixStroke(shadingOf(scene, stroke), tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
@@ -130,31 +130,33 @@ const ColourTile<Number> &TileWork<Number>::rgb()
 }
 
 template <class Number>
-void TileWork<Number>::back(const FlatScene &scene, const TileList &list, TileSlopes<Number> &out)
+void TileWork<Number>::back(const FlatScene &scene, const SceneNodes &nodes, const TileList &list,
+                            TileSlopes<Number> &out)
 {
     out.nodes.assign(list.nodes.size(), {});
     out.strokes.assign(list.strokes.size(), {});
     out.values.assign(list.runs.size() * values, Number(0));
     m_kernels.rgbBack(m_ryb, m_by);
     for (std::size_t i = list.strokes.size(); i-- > 0;)
-        strokeBack(scene, list, i, out);
+        strokeBack(scene, nodes, list, i, out);
 }
 
 template <class Number>
-void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, std::size_t at, TileSlopes<Number> &out)
+void TileWork<Number>::strokeBack(const FlatScene &scene, const SceneNodes &nodes, const TileList &list, std::size_t at,
+                                  TileSlopes<Number> &out)
 {
     const TileStroke &tileStroke = list.strokes[at];
     const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
     const ValueTile<Number> *varying = stroke.oneColour ? nullptr : &m_values[at];
-    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi, m_by,
-                              m_bySums, out.strokes[at]))
+    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi,
+                              m_by, m_bySums, out.strokes[at]))
         return;
     const auto back = [&](Source source, std::uint32_t first, int count) {
         m_kernels.nodesBack(source, m_nodes.data() + first, count, m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,
                             out.nodes.data() + first);
     };
     if (!varying)
-        return forBothSources(scene, list, tileStroke, back);
+        return forBothSources(nodes, list, tileStroke, back);
     for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
         const TileRun &run = list.runs[r];
         const int count = int(run.end - run.first);
@@ -164,7 +166,7 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const TileList &list, 
         }
         double value[values];
         valuesOf(scene, stroke, run, value);
-        m_kernels.valuesBack(sourceOf(scene, run), m_nodes.data() + run.first, count, value, m_bySums,
+        m_kernels.valuesBack(sourceOf(nodes, run), m_nodes.data() + run.first, count, value, m_bySums,
                              out.nodes.data() + run.first, out.values.data() + r * values);
     }
 }

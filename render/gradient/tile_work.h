@@ -32,11 +32,12 @@ public:
     /// Takes ∂L/∂(R, G, B) of the tile.
     ColourTile<Number> &slopes() { return m_by; }
     /// Goes back from them through all strokes.
-    void back(const FlatScene &scene, const TileList &list, TileSlopes<Number> &out);
+    void back(const FlatScene &scene, const SceneNodes &nodes, const TileList &list, TileSlopes<Number> &out);
 
 private:
     static Shading<Number> shadingOf(const FlatScene &scene, const FlatStroke &stroke);
-    void strokeBack(const FlatScene &scene, const TileList &list, std::size_t at, TileSlopes<Number> &out);
+    void strokeBack(const FlatScene &scene, const SceneNodes &nodes, const TileList &list, std::size_t at,
+                    TileSlopes<Number> &out);
 
     const TileKernels<Number> &m_kernels = tileKernels<Number>();
     TilePlace m_place{};

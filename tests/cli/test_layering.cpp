@@ -76,6 +76,12 @@ const QList<Rule> &rules()
          {"model/", "render/contours/", "render/nodes/", "render/math/", "render/image_io/image_io.h"},
          {"QtCore"},
          {"hwy"}},
+        // Paintings as numbers, and derivatives by them: no renderer is part of it.
+        {"render/gradient/",
+         {"model/", "render/gradient/", "render/math/", "render/nodes/", "render/threads/", "render/view.h",
+          "render/scene/paper.h", "render/simd_targets.h"},
+         {"QtCore"},
+         {"hwy"}},
         {"render/scene/",
          {"model/", "render/composition/", "render/math/", "render/nodes/", "render/scene/", "render/threads/",
           "render/renderer.h", "render/target.h", "render/view.h", "render/picture_grid.h",

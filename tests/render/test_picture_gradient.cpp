@@ -11,7 +11,7 @@ using namespace suffuse::test;
 
 namespace {
 
-constexpr int width = 32, height = 24;
+constexpr int width = 32, height = 16;
 
 /// The loss that is linear in the picture.
 double lossOf(SceneGradient<double> &gradient, const FlatScene &scene, const std::vector<double> &by)
@@ -23,8 +23,8 @@ double lossOf(SceneGradient<double> &gradient, const FlatScene &scene, const std
     return sum;
 }
 
-/// How far a derivative is from central differences, in units of `norm`. Where a step meets a bend of the picture (a pixel
-/// whose edge begins to cover a jump) a smaller step does not.
+/// How far a derivative is from central differences, in units of `norm`. Where a step meets a bend of the picture (a
+/// pixel whose edge begins to cover a jump) a smaller step does not.
 double errorOf(double derivative, double &number, double scale, double norm, const std::function<double()> &loss)
 {
     const double value = number;
@@ -49,16 +49,29 @@ double normOf(FlatScene &scene, const FlatGradient &by)
     return std::sqrt(sum);
 }
 
-/// The greatest difference of two gradients in units of the norm of the first one.
-double distanceOf(FlatScene &scene, const FlatGradient &a, const FlatGradient &b)
+/// The gradient if segments around a fill keep their common points: what opens a gap there would let paint out, along
+/// all of the picture, and cancels.
+FlatGradient joined(const FlatScene &scene, FlatGradient by)
 {
+    for (const FlatStroke &stroke : scene.strokes)
+        for (std::size_t k = stroke.first; stroke.filled && k + 1 < stroke.first + stroke.count; ++k) {
+            SegmentNumbers &a = by.segments[k], &b = by.segments[k + 1];
+            a.x[3] += b.x[0], a.y[3] += b.y[0];
+            b.x[0] = b.y[0] = 0;
+        }
+    return by;
+}
+
+/// The greatest difference of two gradients in units of the norm of the first one.
+double distanceOf(FlatScene &scene, const FlatGradient &first, const FlatGradient &second)
+{
+    const FlatGradient a = joined(scene, first), b = joined(scene, second);
     std::vector<double> values;
     forEachNumber(scene, a, [&](double, double d, double scale) { values.push_back(d * scale); });
     std::size_t i = 0;
     double worst = 0;
-    forEachNumber(scene, b, [&](double, double d, double scale) {
-        worst = std::max(worst, std::abs(values[i++] - d * scale));
-    });
+    forEachNumber(scene, b,
+                  [&](double, double d, double scale) { worst = std::max(worst, std::abs(values[i++] - d * scale)); });
     return worst / normOf(scene, a);
 }
 
@@ -149,8 +162,8 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         double worst = 0;
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) { // 28 kinds of 3 · 4 · 3 segments: 1,008
-            FlatScene scene = randomScene(seed, 4, width, height, kind);
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) { // 34 kinds of 2 · 5 · 3 segments: 1,020
+            FlatScene scene = randomScene(seed, 5, width, height, kind);
             const auto by = randomLoss<double>(seed, width, height);
             SceneGradient<double> gradient;
             gradient.choose(scene, {1e-7});
@@ -171,8 +184,8 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         std::vector<double> distances;
-        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-            FlatScene scene = randomScene(seed, 6, 2 * width, 2 * height, kind);
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            FlatScene scene = randomScene(seed, 5, 2 * width, 2 * height, kind);
             SceneGradient<double> inDouble;
             SceneGradient<float> inFloat;
             inDouble.choose(scene), inFloat.choose(scene);
@@ -183,7 +196,7 @@ private slots:
         }
         // Where two components of a pixel's colour are the same but for rounding, either side of the bend may be taken.
         std::ranges::sort(distances);
-        QVERIFY2(distances[9] < 3e-4, qPrintable(QString::number(distances[9])));
+        QVERIFY2(distances[4] < 3e-4, qPrintable(QString::number(distances[4])));
         QVERIFY2(distances.back() < 2e-2, qPrintable(QString::number(distances.back())));
     }
 
