@@ -11,7 +11,6 @@
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
 #include "hwy/highway.h"
-#include "model/environment.h"
 #include "render/cpu/kernels.h"
 #include "render/cpu/paper-inl.h"
 #include "render/cpu/shading-inl.h"
@@ -21,11 +20,11 @@
 // These have templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
 #include "render/math/blend.h"
+#include "render/simd_targets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <string>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -447,10 +446,7 @@ HWY_EXPORT(table);
 const cpu::Kernels &cpu::kernels()
 {
     static const Kernels chosen = [] {
-        if (const std::string wanted = environment::value(environment::Variable::Simd); !wanted.empty())
-            for (std::int64_t bit = 1; bit > 0; bit <<= 1)
-                if ((hwy::SupportedTargets() & bit) && hwy::TargetName(bit) == wanted)
-                    hwy::SetSupportedTargetsForTest(bit);
+        useWantedSimd();
         return HWY_DYNAMIC_DISPATCH(table)();
     }();
     return chosen;

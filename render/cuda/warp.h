@@ -42,6 +42,10 @@ inline constexpr int fetchBytes = 16;
 struct alignas(16) Four {
     float x, y, z, w;
 };
+/// Two such numbers.
+struct alignas(8) Two {
+    float x, y;
+};
 
 #ifdef __CUDACC__
 
@@ -113,6 +117,14 @@ public:
     {
         SUFFUSE_UNROLL
         for (int by = 1; by < 8; by *= 2)
+            v.value += __shfl_xor_sync(everyLane, v.value, by);
+    }
+    /// Makes each lane's value the sum over its four lanes: (0+1)+(2+3).
+    template <class T>
+    SUFFUSE_PROGRAM void sumFours(Var<T> &v)
+    {
+        SUFFUSE_UNROLL
+        for (int by = 1; by < 4; by *= 2)
             v.value += __shfl_xor_sync(everyLane, v.value, by);
     }
     /// Sets the value of lane `to`.
@@ -188,6 +200,20 @@ public:
     {
         const float4 v = *reinterpret_cast<const float4 *>(from);
         return {v.x, v.y, v.z, v.w};
+    }
+    static SUFFUSE_PROGRAM void writeFour(float *to, const Four &v)
+    {
+        *reinterpret_cast<float4 *>(to) = make_float4(v.x, v.y, v.z, v.w);
+    }
+    /// The same for two numbers, and a multiple of 8.
+    static SUFFUSE_PROGRAM Two readTwo(const float *from)
+    {
+        const float2 v = *reinterpret_cast<const float2 *>(from);
+        return {v.x, v.y};
+    }
+    static SUFFUSE_PROGRAM void writeTwo(float *to, const Two &v)
+    {
+        *reinterpret_cast<float2 *>(to) = make_float2(v.x, v.y);
     }
     /// Reads 16 bytes that another warp has published.
     template <class T>
@@ -297,6 +323,15 @@ public:
         }
     }
     template <class T>
+    void sumFours(Var<T> &v)
+    {
+        for (int i = 0; i < warpLanes; i += 4) {
+            const T sum = (v[i] + v[i + 1]) + (v[i + 2] + v[i + 3]);
+            for (int lane = i; lane < i + 4; ++lane)
+                v[lane] = sum;
+        }
+    }
+    template <class T>
     void put(Var<T> &v, int to, T value)
     {
         v[to] = value;
@@ -324,6 +359,9 @@ public:
     }
     static std::uint32_t look(const std::uint32_t *word) { return *word; }
     static Four readFour(const float *from) { return {from[0], from[1], from[2], from[3]}; }
+    static void writeFour(float *to, const Four &v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
+    static Two readTwo(const float *from) { return {from[0], from[1]}; }
+    static void writeTwo(float *to, const Two &v) { to[0] = v.x, to[1] = v.y; }
     template <class T>
     static T readPublished(const T *from)
     {

@@ -22,8 +22,8 @@ struct SegmentNumbers {
 };
 
 /// Holds the numbers of a fill, or the derivatives by them. The outline has no numbers of its own: derivatives by it
-/// are part of those by the segments' control points. It is what the chains of the stroke enclose, each closed by a straight
-/// line, without those that take paint away. It must not cross itself.
+/// are part of those by the segments' control points. It is what the chains of the stroke enclose, each closed by a
+/// straight line, without those that take paint away. It must not cross itself.
 struct FillNumbers {
     double density = 0;     ///< ρ
     double spread = 0;      ///< s, units
@@ -43,8 +43,8 @@ struct FlatStroke {
     StyleKind kind = StyleKind::Uniform;
     double xi[3] = {0.5, 0.05, 0};
     double keep = 1; ///< 1 for alpha (22), 1 − β for pigment (23)
-    /// Whether the colour, opacity and ω of the first segment hold for all of the stroke, or those of the fill if there is
-    /// one. That is cheaper, and the derivatives by them stand there.
+    /// Whether the colour, opacity and ω of the first segment hold for all of the stroke, or those of the fill if there
+    /// is one. That is cheaper, and the derivatives by them stand there.
     bool oneColour = false;
     bool filled = false; ///< segments with φˢ = 0 are then nothing but its outline, and their derivative by φˢ is 0
     FillNumbers fill;

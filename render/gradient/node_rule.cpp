@@ -79,8 +79,8 @@ void addPanelRules(const panels::Curve &curve, double tolerance, std::vector<Rul
         const panels::Curve piece = place.piece(curve);
         const double allowed = place.tolerance(tolerance);
         int n = panelNodes(piece, piece, allowed);
-        if (n == 0 && (place.depth == panels::mostHalvings || out.size() >= mostNodesOfSegment ||
-                       panels::isTiny(piece, allowed)))
+        if (n == 0 &&
+            (place.depth == panels::mostHalvings || out.size() >= mostNodesOfSegment || panels::isTiny(piece, allowed)))
             n = panels::anyRule;
         if (n == 0) {
             place.halve();

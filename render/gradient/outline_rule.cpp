@@ -98,7 +98,8 @@ std::vector<Polygon> polygonsOf(const FlatScene &scene, const OutlineRules &rule
         const SegmentNumbers &s = scene.segments[node.segment], &begin = scene.segments[node.closesTo];
         Point at;
         if (node.closing)
-            at = {node.point[0] * s.x[3] + node.point[1] * begin.x[0], node.point[0] * s.y[3] + node.point[1] * begin.y[0]};
+            at = {node.point[0] * s.x[3] + node.point[1] * begin.x[0],
+                  node.point[0] * s.y[3] + node.point[1] * begin.y[0]};
         else
             for (int j = 0; j < 4; ++j)
                 at.x += node.point[j] * s.x[j], at.y += node.point[j] * s.y[j];

@@ -30,8 +30,8 @@ struct OutlineRules {
 
 OutlineRules chooseOutlines(const FlatScene &scene, double unseen);
 
-/// Tells whether an outline seems to cross itself or goes round the same points twice, from places beside some hundred of
-/// its nodes.
+/// Tells whether an outline seems to cross itself or goes round the same points twice, from places beside some hundred
+/// of its nodes.
 bool crossesItself(const FlatScene &scene, const OutlineRules &rules, const OutlineRule &rule);
 
 /// A fill's node in pixels: its place, and dy.

@@ -73,7 +73,8 @@ template <class Number>
 void SceneGradient<Number>::Work::storePicture(const TilePlace &place, const ColourTile<Number> &rgb)
 {
     for (int y = 0; y < place.height; ++y) {
-        Number *to = picture.data() + (std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x)) * 3;
+        Number *to =
+            picture.data() + (std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x)) * 3;
         for (int x = 0; x < place.width; ++x)
             for (int c = 0; c < 3; ++c)
                 to[3 * x + c] = rgb.v[c][y * tileSide + x];

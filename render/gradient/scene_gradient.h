@@ -11,8 +11,8 @@
 
 namespace suffuse::gradient {
 
-/// Draws a scene and takes derivatives. `Number` is float, or double to check it by. Pictures and derivatives are a pure
-/// function of the scene, the nodes chosen and the loss: the same bits for any number of threads and any history.
+/// Draws a scene and takes derivatives. `Number` is float, or double to check it by. Pictures and derivatives are a
+/// pure function of the scene, the nodes chosen and the loss: the same bits for any number of threads and any history.
 /// It keeps its memory from one picture to the next.
 template <class Number>
 class SceneGradient {
@@ -34,8 +34,8 @@ public:
     const FlatGradient &backward(std::span<const Number> lossByRgb);
 
     /// Does both at once, in two thirds of the time, for a loss that is a sum over pixels. `loss` is called for pixels
-    /// [first, first + count), which lie side by side in a row, from several threads at once: it gets their R, G, B, and
-    /// writes ∂L/∂(R, G, B).
+    /// [first, first + count), which lie side by side in a row, from several threads at once: it gets their R, G, B,
+    /// and writes ∂L/∂(R, G, B).
     using PixelLoss = std::function<void(std::size_t first, std::size_t count, const Number *rgb, Number *byRgb)>;
     const FlatGradient &drawAndDifferentiate(const FlatScene &scene, const PixelLoss &loss);
     /// The picture drawn last.

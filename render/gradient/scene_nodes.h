@@ -15,18 +15,18 @@ struct PixelSegment {
     std::uint32_t stroke = 0;
     bool lift = false;
     bool outline = false; ///< whether it is a fill
-    double inverse = 0; ///< 1/s
-    double reach = 0;   ///< R s
+    double inverse = 0;   ///< 1/s
+    double reach = 0;     ///< R s
     double cut = 0;
     float left = 1e30f, top = 1e30f, right = -1e30f, bottom = -1e30f; ///< a box of its nodes' places
 };
 
 struct SceneNodes {
     std::vector<PixelNode> nodes;
-    std::vector<float> x, y, strength; ///< of each node, rounded, and the size of its weight: what is looked through
+    std::vector<float> x, y, strength;  ///< of each node, rounded, and the size of its weight: what is looked through
     std::vector<PixelSegment> segments; ///< of the scene, then its fills, then what is far inside of each fill
     std::size_t fillCount = 0;
-    std::vector<std::uint32_t> fills;   ///< of each stroke: the place of its fill among them; noFill
+    std::vector<std::uint32_t> fills; ///< of each stroke: the place of its fill among them; noFill
 };
 inline constexpr std::uint32_t noFill = 0xffffffff;
 
@@ -45,6 +45,7 @@ struct NodeSum {
 void placeNodes(const FlatScene &scene, const NodeRules &rules, SceneNodes &out);
 
 /// Adds up what nodes say of control points, φˢ, ρ and s. Other numbers of `out` are left.
-void nodesToNumbers(const FlatScene &scene, const NodeRules &rules, const std::vector<NodeSum> &sums, FlatGradient &out);
+void nodesToNumbers(const FlatScene &scene, const NodeRules &rules, const std::vector<NodeSum> &sums,
+                    FlatGradient &out);
 
 } // namespace suffuse::gradient

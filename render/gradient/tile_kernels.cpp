@@ -14,6 +14,7 @@
 #include "render/math/lanes-inl.h"
 // This has templates over the lanes, which must be declared before.
 #include "render/gradient/tile_kernels-inl.h"
+#include "render/simd_targets.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace suffuse::HWY_NAMESPACE {
@@ -65,7 +66,10 @@ HWY_EXPORT(gradientKernels);
 template <>
 const gradient::TileKernels<float> &gradient::tileKernels<float>()
 {
-    static const TileKernels<float> chosen = HWY_DYNAMIC_DISPATCH(gradientKernels)();
+    static const TileKernels<float> chosen = [] {
+        useWantedSimd();
+        return HWY_DYNAMIC_DISPATCH(gradientKernels)();
+    }();
     return chosen;
 }
 

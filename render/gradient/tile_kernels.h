@@ -17,8 +17,8 @@ inline constexpr int values = 5, planes = values + 1;
 /// What nodes are places on: a segment, or the outline of a fill.
 enum class Source : std::uint8_t { Segment, Outline };
 
-/// A node as a tile sees it, in pixels. That of a segment is weight · (e^(−u²) − cut) (e^(−v²) − cut), both cut off at 0; that
-/// of an outline weight · ½erfc(−u) (e^(−v²) − cut).
+/// A node as a tile sees it, in pixels. That of a segment is weight · (e^(−u²) − cut) (e^(−v²) − cut), both cut off at
+/// 0; that of an outline weight · ½erfc(−u) (e^(−v²) − cut).
 template <class Number>
 struct TileNode {
     Number x, y;    ///< from the centre of the tile's first pixel
@@ -39,17 +39,17 @@ template <class Number>
 struct Shading {
     StyleKind kind;
     Number xi[3];
-    Number keep;            ///< 1 − β
+    Number keep;             ///< 1 − β
     Number constant[values]; ///< what does not vary
-    bool varies;            ///< whether values are taken from planes
-    Number leastLaid;       ///< of φ⁺ where values are divided by it: outside of a fill errors of its nodes are left
+    bool varies;             ///< whether values are taken from planes
+    Number leastLaid; ///< of φ⁺ where values are divided by it: outside of a fill errors of its nodes are left
 };
 
 /// What the pixels of a vector show of a stroke, so that most need not be looked at on the way back.
 enum class Shown : std::uint8_t { Nothing, Something, FullPaint };
 
-/// φ, −½∂φ/∂x, −½∂φ/∂y of a stroke at the pixels of a tile; and what the way back needs: the R, Y, B below it, and F with
-/// its derivatives by φ′ and h².
+/// φ, −½∂φ/∂x, −½∂φ/∂y of a stroke at the pixels of a tile; and what the way back needs: the R, Y, B below it, and F
+/// with its derivatives by φ′ and h².
 template <class Number>
 struct alignas(64) StrokeTile {
     Number sums[3][tileSize];
@@ -85,8 +85,8 @@ struct StrokeSlopes {
     Number constant[values];
 };
 
-/// Which of some nodes are looked for: those whose distance from the pixels of a tile is `near` at most. If `leftwards`,
-/// pixels reach to the left without end.
+/// Which of some nodes are looked for: those whose distance from the pixels of a tile is `near` at most. If
+/// `leftwards`, pixels reach to the left without end.
 struct NodeSearch {
     const float *x, *y;       ///< places of nodes, pixels
     std::uint32_t first, end; ///< the nodes to look through
@@ -106,8 +106,8 @@ struct TileKernels {
     /// Adds the nodes of one segment, which lays paint, or of a fill to the planes.
     void (*addValues)(Source source, const TileNode<Number> *nodes, int count, const double *value,
                       ValueTile<Number> &to);
-    /// Mixes a stroke, whose sums are there, into the R, Y, B of a tile. `eta` is the paper, or null for 1. With `keep` it
-    /// writes down what the way back needs.
+    /// Mixes a stroke, whose sums are there, into the R, Y, B of a tile. `eta` is the paper, or null for 1. With `keep`
+    /// it writes down what the way back needs.
     void (*mixStroke)(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,
                       const Number *eta, bool keep, ColourTile<Number> &ryb);
     void (*toRgb)(const ColourTile<Number> &ryb, ColourTile<Number> &rgb);
@@ -119,11 +119,12 @@ struct TileKernels {
                        const Number *eta, bool xi, ColourTile<Number> &by, SumSlopes<Number> &out,
                        StrokeSlopes<Number> &constants);
     /// Finds the derivatives by nodes from those by sums.
-    void (*nodesBack)(Source source, const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize], int firstRow,
-                      int endRow, NodeSlopes<Number> *out);
-    /// The same for the nodes of one segment that lays paint or of a fill, whose values vary; `byValue` gets the derivatives by these.
-    void (*valuesBack)(Source source, const TileNode<Number> *nodes, int count, const double *value, const SumSlopes<Number> &by,
-                       NodeSlopes<Number> *out, Number *byValue);
+    void (*nodesBack)(Source source, const TileNode<Number> *nodes, int count, const Number (*bySums)[tileSize],
+                      int firstRow, int endRow, NodeSlopes<Number> *out);
+    /// The same for the nodes of one segment that lays paint or of a fill, whose values vary; `byValue` gets the
+    /// derivatives by these.
+    void (*valuesBack)(Source source, const TileNode<Number> *nodes, int count, const double *value,
+                       const SumSlopes<Number> &by, NodeSlopes<Number> *out, Number *byValue);
 };
 
 /// Returns those for the best instruction set of this machine, or those in double.

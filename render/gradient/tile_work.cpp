@@ -77,8 +77,8 @@ void TileWork<Number>::begin(const FlatScene &scene, const TilePlace &place)
     std::fill_n(m_eta, tileSize, Number(1));
     for (int y = 0; y < place.height; ++y)
         for (int x = 0; x < place.width; ++x)
-            m_eta[y * tileSide + x] =
-                Number((*scene.paper)[std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x + x)]);
+            m_eta[y * tileSide + x] = Number(
+                (*scene.paper)[std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x + x)]);
 }
 
 template <class Number>
@@ -114,8 +114,8 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
                 double value[values];
                 valuesOf(scene, stroke, run, value);
                 if (!isLift(scene, run))
-                    m_kernels.addValues(sourceOf(nodes, run), m_nodes.data() + run.first, int(run.end - run.first), value,
-                                        *varying);
+                    m_kernels.addValues(sourceOf(nodes, run), m_nodes.data() + run.first, int(run.end - run.first),
+                                        value, *varying);
             }
         }
         m_kernels.mixStroke(shadingOf(scene, stroke), tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
@@ -148,8 +148,8 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const SceneNodes &node
     const TileStroke &tileStroke = list.strokes[at];
     const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
     const ValueTile<Number> *varying = stroke.oneColour ? nullptr : &m_values[at];
-    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi, m_by,
-                              m_bySums, out.strokes[at]))
+    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi,
+                              m_by, m_bySums, out.strokes[at]))
         return;
     const auto back = [&](Source source, std::uint32_t first, int count) {
         m_kernels.nodesBack(source, m_nodes.data() + first, count, m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,

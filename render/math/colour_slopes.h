@@ -11,8 +11,8 @@
 SUFFUSE_MATH_BEGIN
 namespace suffuse::SUFFUSE_MATH {
 
-/// ∂L/∂(R, Y, B) from ∂L/∂(R, G, B), at a colour. The function is linear in parts; where parts meet (greys, and colours of
-/// which two components are the same) this takes one of them.
+/// ∂L/∂(R, Y, B) from ∂L/∂(R, G, B), at a colour. The function is linear in parts; where parts meet (greys, and colours
+/// of which two components are the same) this takes one of them.
 template <class V>
 SUFFUSE_INLINE Triple<V> rybSlopes(V red, V yellow, V blue, const Triple<V> &by)
 {

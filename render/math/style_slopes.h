@@ -23,15 +23,16 @@ struct MeanSlopes {
 /// takes the place of the other, M must not jump by more than its derivatives may be off by.
 ///
 /// Doubles take each form where it is exact. In floats, where some samples of a vector need the difference, all of them
-/// take it, over a range that is not shorter than `least`: there its digits are enough, and M changes by less than 1e-5.
+/// take it, over a range that is not shorter than `least`: there its digits are enough, and M changes by less than
+/// 1e-5.
 template <class V>
 struct SlopeLimits {
     static constexpr bool exact = false;
-    static constexpr double uniform = 0.5, leastUniform = 0.02;         // h/ξ2
-    static constexpr double feathering = 0.4, leastFeathering = 0.02;   // h/φ, times max(ξ2, 2)
-    static constexpr double edge = 0.3, leastEdge = 0.01;               // h/φ
-    static constexpr double full = 12;                                  // (φ − h − ξ1)/ξ2 beyond which F is 1
-    static constexpr double tail = 17;                                  // −log₂ of the opacity at which a style ends
+    static constexpr double uniform = 0.5, leastUniform = 0.02;       // h/ξ2
+    static constexpr double feathering = 0.4, leastFeathering = 0.02; // h/φ, times max(ξ2, 2)
+    static constexpr double edge = 0.3, leastEdge = 0.01;             // h/φ
+    static constexpr double full = 12;                                // (φ − h − ξ1)/ξ2 beyond which F is 1
+    static constexpr double tail = 17;                                // −log₂ of the opacity at which a style ends
     static constexpr double nearZero = 1e-30;
 };
 template <>
@@ -47,9 +48,9 @@ struct SlopeLimits<double> {
 
 /// Takes the series where all samples that count may have it, else the difference: for each sample that needs it, or
 /// for all of them.
-template <class V, class Short, class Long>
+template <class V, class Short, class Long, class Select>
 SUFFUSE_INLINE auto eitherForm(const decltype(less_(V(0), V(0))) &isShort, const decltype(less_(V(0), V(0))) &counts,
-                               Short series, Long difference, auto select)
+                               Short series, Long difference, Select select)
 {
     if (all_(or_(isShort, not_(counts))))
         return series();
@@ -66,14 +67,18 @@ SUFFUSE_INLINE MeanSlopes<V> slopesOfDifference(V rise, V low, V high, V half, V
 {
     const V inverse = V(0.5) * reciprocal_(max_(half, V(1e-18))), mean = rise * inverse;
     const V bySquare = V(2) * inverse * inverse * (V(0.5) * (high + low) - mean);
-    return {mean, (high - low) * inverse, SlopeLimits<V>::exact ? bySquare : select_(less_(least, half), bySquare, V(0)), {}};
+    return {mean,
+            (high - low) * inverse,
+            SlopeLimits<V>::exact ? bySquare : select_(less_(least, half), bySquare, V(0)),
+            {}};
 }
 
 template <class V>
 SUFFUSE_INLINE MeanSlopes<V> select_slopes(const decltype(less_(V(0), V(0))) &which, const MeanSlopes<V> &a,
                                            const MeanSlopes<V> &b)
 {
-    return {select_(which, a.mean, b.mean), select_(which, a.byDensity, b.byDensity),
+    return {select_(which, a.mean, b.mean),
+            select_(which, a.byDensity, b.byDensity),
             select_(which, a.bySquare, b.bySquare),
             {select_(which, a.byXi[0], b.byXi[0]), select_(which, a.byXi[1], b.byXi[1]),
              select_(which, a.byXi[2], b.byXi[2])}};
@@ -92,15 +97,9 @@ struct UniformSlopes {
           cut(max_(start, x1 - x2 * V(ln2) * log2_(gain / (exp2_(V(-SlopeLimits<V>::tail)) + loss) - V(1)))),
           inLoss(select_(less_(V(0), x1 - V(8) * x2), V(0), loss * inverse / gain))
     {}
-    SUFFUSE_INLINE auto seen(V phi, V h2) const
-    {
-        return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2));
-    }
+    SUFFUSE_INLINE auto seen(V phi, V h2) const { return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2)); }
     /// True only where F is 1 over the whole range, but for less than anybody sees.
-    SUFFUSE_INLINE auto full(V phi, V h2) const
-    {
-        return below_(h2, phi - mulAdd_(V(SlopeLimits<V>::full), xi2, xi1));
-    }
+    SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, phi - mulAdd_(V(SlopeLimits<V>::full), xi2, xi1)); }
     template <bool xi>
     SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
     {
@@ -181,15 +180,15 @@ private:
 template <class V>
 struct FeatheringSlopes {
     V xi1, xi2, inverse, cut, narrow, perPower; ///< the last: 1/(ξ2 + 1)
-    V c2, c4, c6; ///< ξ2 (ξ2 − 1)/3!, … (ξ2 − 2)(ξ2 − 3)/5!, … /7!
-    V d2, d4, d6; ///< their derivatives by ξ2
+    V c2, c4, c6;                               ///< ξ2 (ξ2 − 1)/3!, … (ξ2 − 2)(ξ2 − 3)/5!, … /7!
+    V d2, d4, d6;                               ///< their derivatives by ξ2
 
     SUFFUSE_INLINE FeatheringSlopes(V x1, V x2, V)
-        : xi1(x1), xi2(x2), inverse(V(1) / x1),
-          cut(x1 * exp2_(max_(V(-SlopeLimits<V>::tail) / x2, V(-100)))),
-          narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), perPower(V(1) / (x2 + V(1))), c2(x2 * (x2 - V(1)) * V(1.0 / 6)),
-          c4(c2 * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)), c6(c4 * (x2 - V(4)) * (x2 - V(5)) * V(1.0 / 42)),
-          d2((V(2) * x2 - V(1)) * V(1.0 / 6)), d4((((V(4) * x2 - V(18)) * x2 + V(22)) * x2 - V(6)) * V(1.0 / 120)),
+        : xi1(x1), xi2(x2), inverse(V(1) / x1), cut(x1 * exp2_(max_(V(-SlopeLimits<V>::tail) / x2, V(-100)))),
+          narrow(V(SlopeLimits<V>::feathering) / max_(x2, V(2))), perPower(V(1) / (x2 + V(1))),
+          c2(x2 * (x2 - V(1)) * V(1.0 / 6)), c4(c2 * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)),
+          c6(c4 * (x2 - V(4)) * (x2 - V(5)) * V(1.0 / 42)), d2((V(2) * x2 - V(1)) * V(1.0 / 6)),
+          d4((((V(4) * x2 - V(18)) * x2 + V(22)) * x2 - V(6)) * V(1.0 / 120)),
           d6((((((V(6) * x2 - V(75)) * x2 + V(340)) * x2 - V(675)) * x2 + V(548)) * x2 - V(120)) * V(1.0 / 5040))
     {}
     SUFFUSE_INLINE auto seen(V phi, V h2) const { return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2)); }
@@ -221,10 +220,11 @@ private:
     {
         const V log = logarithm(x), over = reciprocal_(max_(x, V(1e-18))), f = exp2_(xi2 * log);
         const V q2 = min_(r2 * over * over, V(1)), slope = f * over;
-        MeanSlopes<V> m{f * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6, c4), c2), V(1)),
-                        slope * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6 * (xi2 - V(6)), c4 * (xi2 - V(4))), c2 * (xi2 - V(2))), xi2),
-                        slope * over * mulAdd_(q2, mulAdd_(q2, V(3) * c6, V(2) * c4), c2),
-                        {V(0), V(0), V(0)}};
+        MeanSlopes<V> m{
+            f * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6, c4), c2), V(1)),
+            slope * mulAdd_(q2, mulAdd_(q2, mulAdd_(q2, c6 * (xi2 - V(6)), c4 * (xi2 - V(4))), c2 * (xi2 - V(2))), xi2),
+            slope * over * mulAdd_(q2, mulAdd_(q2, V(3) * c6, V(2) * c4), c2),
+            {V(0), V(0), V(0)}};
         if (xi)
             m.byXi[1] = mulAdd_(V(ln2) * log, m.mean, f * q2 * mulAdd_(q2, mulAdd_(q2, d6, d4), d2));
         return m;
@@ -281,7 +281,8 @@ struct EdgeSlopes {
     SUFFUSE_INLINE MeanSlopes<V> slopes(V phi, V h2) const
     {
         const V p = max_(phi, V(1e-18)), over = reciprocal_(p), room = max_(phi - phiE, V(0));
-        const V whole = h2 * over * over, q2 = min_(whole, V(4)), limit = V(SlopeLimits<V>::edge * SlopeLimits<V>::edge);
+        const V whole = h2 * over * over, q2 = min_(whole, V(4)),
+                limit = V(SlopeLimits<V>::edge * SlopeLimits<V>::edge);
         const auto isShort = and_(less_(whole, limit), less_(h2, room * room));
         const Inner inner = eitherForm<V>(
             isShort, seen(phi, h2), [&] { return shortSlopes(phiE * over, min_(q2, limit)); },
@@ -290,7 +291,7 @@ struct EdgeSlopes {
                 return Inner{select_slopes(which, one.m, other.m), select_(which, one.sixth, other.sixth),
                              select_(which, one.third, other.third)};
             });
-        const MeanSlopes<V> &v = inner.m; // by v and q²
+        const MeanSlopes<V> &v = inner.m;                                 // by v and q²
         const V bySquare = select_(less_(whole, V(4)), v.bySquare, V(0)); // q stays 2
         MeanSlopes<V> m{v.mean, (v.byDensity - V(2) * whole * bySquare) * over, bySquare * over * over, {}};
         if (xi) {
@@ -316,15 +317,19 @@ private:
     {
         const V e = ratio * ratio * ratio, e2 = e * e, z = V(9) * q2;
         const V s6 = sinhOver(V(4) * z), s3 = sinhOver(z), b = beta * e, a = alpha * e2;
-        return {{xi3 * (a * s6 - b * s3 + V(1)), xi3 * (V(3) * b * s3 - V(6) * a * s6),
-                 xi3 * (V(36) * a * sinhOverSlope(V(4) * z) - V(9) * b * sinhOverSlope(z)), {}},
-                e2 * s6, e * s3};
+        return {{xi3 * (a * s6 - b * s3 + V(1)),
+                 xi3 * (V(3) * b * s3 - V(6) * a * s6),
+                 xi3 * (V(36) * a * sinhOverSlope(V(4) * z) - V(9) * b * sinhOverSlope(z)),
+                 {}},
+                e2 * s6,
+                e * s3};
     }
     SUFFUSE_INLINE Inner longSlopes(V v, V q2) const
     {
         const V least(SlopeLimits<V>::leastEdge), q = max_(sqrt_(q2), least);
         const V low = v - q, a = max_(low, V(0)), b = max_(v + q, V(0));
-        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b), inverse = V(0.5) * reciprocal_(max_(q, V(1e-18)));
+        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b),
+                inverse = V(0.5) * reciprocal_(max_(q, V(1e-18)));
         const V third = (ea - eb) * V(1.0 / 3), sixth = (ea - eb) * (ea + eb) * V(1.0 / 6);
         const V rise = xi3 * ((b - a) + alpha * sixth - beta * third);
         const V bottom = select_(less_(V(0), low), of(ea), V(0)), top = select_(less_(V(0), v + q), of(eb), V(0));
@@ -334,17 +339,14 @@ private:
     /// sinh(x)/x from x², and its derivative by x², for x ≤ 1.8.
     static SUFFUSE_INLINE V sinhOver(V x2)
     {
-        V s(1.0 / 6227020800.0);
-        for (const double c : {1.0 / 39916800, 1.0 / 362880, 1.0 / 5040, 1.0 / 120, 1.0 / 6, 1.0})
-            s = mulAdd_(s, x2, V(c));
-        return s;
+        const V tenth = mulAdd_(V(1.0 / 6227020800.0), x2, V(1.0 / 39916800)), eighth = mulAdd_(tenth, x2, V(1.0 / 362880));
+        const V fourth = mulAdd_(mulAdd_(eighth, x2, V(1.0 / 5040)), x2, V(1.0 / 120));
+        return mulAdd_(mulAdd_(fourth, x2, V(1.0 / 6)), x2, V(1.0));
     }
     static SUFFUSE_INLINE V sinhOverSlope(V x2)
     {
-        V s(6.0 / 6227020800.0);
-        for (const double c : {5.0 / 39916800, 4.0 / 362880, 3.0 / 5040, 2.0 / 120, 1.0 / 6})
-            s = mulAdd_(s, x2, V(c));
-        return s;
+        const V tenth = mulAdd_(V(6.0 / 6227020800.0), x2, V(5.0 / 39916800)), eighth = mulAdd_(tenth, x2, V(4.0 / 362880));
+        return mulAdd_(mulAdd_(mulAdd_(eighth, x2, V(3.0 / 5040)), x2, V(2.0 / 120)), x2, V(1.0 / 6));
     }
 };
 

@@ -101,7 +101,7 @@ int main(int argc, char **argv)
     kind.oneColour = false;
     measure("the same, colours vary", kind, options, out);
     kind.oneColour = true, kind.pigment = false, kind.filled = true;
-    kind.least = 1.5, kind.greatest = 5;
+    kind.least = 1.5, kind.greatest = 5, kind.length = 12;
     measure("filled, s = 2 to 6 px", kind, options, out);
     return 0;
 }

@@ -79,7 +79,7 @@ const QList<Rule> &rules()
         // Paintings as numbers, and derivatives by them: no renderer is part of it.
         {"render/gradient/",
          {"model/", "render/gradient/", "render/math/", "render/nodes/", "render/threads/", "render/view.h",
-          "render/scene/paper.h"},
+          "render/scene/paper.h", "render/simd_targets.h"},
          {"QtCore"},
          {"hwy"}},
         {"render/scene/",
@@ -108,8 +108,12 @@ const QList<Rule> &rules()
          {"render/cuda/nodes/", "render/cuda/warp.h", "render/math/"},
          {},
          {"cuda_runtime.h", "cuda_pipeline.h"}},
+        {"render/cuda/gradient/",
+         {"render/cuda/gradient/", "render/cuda/warp.h", "render/math/", "model/painting/style.h"},
+         {},
+         {"cuda_runtime.h", "cuda_pipeline.h"}},
         {"render/cuda/device/",
-         {"render/cuda/device/", "render/cuda/nodes/", "render/cuda/tiles/", "model/environment.h"},
+         {"render/cuda/device/", "render/cuda/gradient/", "render/cuda/nodes/", "render/cuda/tiles/", "model/environment.h"},
          {"QtCore"},
          {"cuda_runtime.h"}},
         // OpenGL by its types only: no library of it is linked.

@@ -14,15 +14,15 @@ using namespace gradient;
 /// What random strokes are like.
 struct SceneKind {
     StyleKind style = StyleKind::Uniform;
-    bool pigment = false;   ///< mixed by (23)
-    bool oneColour = true;  ///< along each stroke
+    bool pigment = false;  ///< mixed by (23)
+    bool oneColour = true; ///< along each stroke
     bool paper = false;
-    bool lifts = false;     ///< whether the last segment of each stroke takes paint away
+    bool lifts = false; ///< whether the last segment of each stroke takes paint away
     bool turnedView = false;
-    bool filled = false;    ///< whether each stroke goes round an area
-    int segments = 3;       ///< of a stroke
+    bool filled = false;              ///< whether each stroke goes round an area
+    int segments = 3;                 ///< of a stroke
     double least = 1.5, greatest = 6; ///< spreads, px
-    double length = 14;     ///< of a segment, px
+    double length = 14;               ///< of a segment, px
 };
 
 inline void setXi(FlatStroke &stroke, double a, double b, double c)
@@ -109,9 +109,11 @@ inline FlatScene randomScene(std::uint64_t seed, int strokes, int width, int hei
             scene.marks.push_back({k == 0 || lifts, lifts});
         }
         if (kind.filled)
-            surround(stroke, scene.segments, {width * u(random), height * u(random)}, 2 * kind.length * (0.5 + u(random)));
+            surround(stroke, scene.segments, {width * u(random), height * u(random)},
+                     2 * kind.length * (0.5 + u(random)));
         if (kind.filled)
-            stroke.fill = {0.8 + 0.4 * u(random), 1.3 * spread, {u(random), 0.5, u(random)}, 0.3 + 0.6 * u(random), u(random)};
+            stroke.fill = {
+                0.8 + 0.4 * u(random), 1.3 * spread, {u(random), 0.5, u(random)}, 0.3 + 0.6 * u(random), u(random)};
         scene.strokes.push_back(stroke);
     }
     return scene;

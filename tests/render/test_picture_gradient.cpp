@@ -23,8 +23,8 @@ double lossOf(SceneGradient<double> &gradient, const FlatScene &scene, const std
     return sum;
 }
 
-/// How far a derivative is from central differences, in units of `norm`. Where a step meets a bend of the picture (a pixel
-/// whose edge begins to cover a jump) a smaller step does not.
+/// How far a derivative is from central differences, in units of `norm`. Where a step meets a bend of the picture (a
+/// pixel whose edge begins to cover a jump) a smaller step does not.
 double errorOf(double derivative, double &number, double scale, double norm, const std::function<double()> &loss)
 {
     const double value = number;
@@ -49,8 +49,8 @@ double normOf(FlatScene &scene, const FlatGradient &by)
     return std::sqrt(sum);
 }
 
-/// The gradient if segments around a fill keep their common points: what opens a gap there would let paint out, along all of
-/// the picture, and cancels.
+/// The gradient if segments around a fill keep their common points: what opens a gap there would let paint out, along
+/// all of the picture, and cancels.
 FlatGradient joined(const FlatScene &scene, FlatGradient by)
 {
     for (const FlatStroke &stroke : scene.strokes)
@@ -70,9 +70,8 @@ double distanceOf(FlatScene &scene, const FlatGradient &first, const FlatGradien
     forEachNumber(scene, a, [&](double, double d, double scale) { values.push_back(d * scale); });
     std::size_t i = 0;
     double worst = 0;
-    forEachNumber(scene, b, [&](double, double d, double scale) {
-        worst = std::max(worst, std::abs(values[i++] - d * scale));
-    });
+    forEachNumber(scene, b,
+                  [&](double, double d, double scale) { worst = std::max(worst, std::abs(values[i++] - d * scale)); });
     return worst / normOf(scene, a);
 }
 

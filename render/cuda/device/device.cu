@@ -3,6 +3,7 @@
 #include "render/cuda/device/device.h"
 
 #include "render/cuda/device/gl_interop.h"
+#include "render/cuda/gradient/gradient_kernels.cuh"
 #include "render/cuda/tiles/kernels.cuh"
 #include "render/cuda/nodes/node_kernels.cuh"
 
@@ -114,7 +115,8 @@ public:
         for (cudaError_t error :
              {use(), cudaGetDeviceProperties(&properties, m_index),
               cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking), cudaEventCreate(&m_begin),
-              cudaEventCreate(&m_end), fillingGrid(m_index, m_grid), fillingMergers(m_index, m_mergers)})
+              cudaEventCreate(&m_end), fillingGrid(m_index, m_grid), fillingMergers(m_index, m_mergers),
+              fillingGradient(m_index, m_gradientWarps)})
             if (error != cudaSuccess)
                 return faultOf(error);
         m_name = properties.name;
@@ -203,6 +205,17 @@ public:
         return call([&] { return launchNodes(work, m_mergers, m_stream); });
     }
 
+    std::uint32_t gradientWarps() const override { return m_gradientWarps; }
+    Fault findGradient(const GradientWork &work) override
+    {
+        use();
+        m_timed = true;
+        cudaEventRecord(m_begin, m_stream);
+        if (const Fault fault = call([&] { return launchGradient(work, m_stream); }))
+            return fault;
+        return call([&] { return cudaEventRecord(m_end, m_stream); });
+    }
+
     Fault finish(double *milliseconds) override
     {
         use();
@@ -235,6 +248,7 @@ private:
     bool m_timed = false;
     Grid m_grid;
     unsigned m_mergers = 1;
+    std::uint32_t m_gradientWarps = 1;
     FrameGraph m_graphs[2][2][2][2][2];
     int4 *m_rects = nullptr;
     int m_rectRoom = 0;

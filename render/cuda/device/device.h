@@ -1,6 +1,7 @@
 // This is what the host asks of a device that renders, without how CUDA does it. The header is C++17 and knows no Qt.
 #pragma once
 
+#include "render/cuda/gradient/gradient_records.h"
 #include "render/cuda/nodes/node_records.h"
 #include "render/cuda/tiles/records.h"
 
@@ -13,7 +14,8 @@ namespace suffuse::cuda {
 
 /// Says why a call failed, or by None that it did not fail.
 struct Fault {
-    enum Kind { None, OutOfMemory, Lost }; ///< Lost means that this process can no longer use the device.
+    /// Lost means that this process can no longer use the device, Refused that nothing was asked of it.
+    enum Kind { None, OutOfMemory, Lost, Refused };
     Kind kind = None;
     std::string what; ///< the reason in the words of the driver
 
@@ -63,8 +65,12 @@ public:
     virtual Fault run(const Frame &frame, Work work) = 0;
     /// Runs the programs that build nodes (render/cuda/nodes/node_place.h and node_merge.h).
     virtual Fault buildNodes(const NodeWork &work) = 0;
-    /// Waits for everything that was asked for. `milliseconds`, if not null, gets the time of the last run() on the
-    /// device's clock.
+    /// Returns how many warps find gradients at the same time, which GradientWork::warps need not exceed.
+    virtual std::uint32_t gradientWarps() const = 0;
+    /// Runs the programs that find the gradient of a picture (render/cuda/gradient).
+    virtual Fault findGradient(const GradientWork &work) = 0;
+    /// Waits for everything that was asked for. `milliseconds`, if not null, gets the time of the last run() or
+    /// findGradient() on the device's clock.
     virtual Fault finish(double *milliseconds) = 0;
 
     /// Registers a texture of the current OpenGL context. Returns null if this device does not draw it (another GPU,

@@ -64,6 +64,12 @@ Fault FailingDevice::buildNodes(const NodeWork &work)
     return fault ? fault : m_device->buildNodes(work);
 }
 
+Fault FailingDevice::findGradient(const GradientWork &work)
+{
+    const Fault fault = next();
+    return fault ? fault : m_device->findGradient(work);
+}
+
 Fault FailingDevice::finish(double *milliseconds)
 {
     const Fault fault = next();

@@ -34,6 +34,8 @@ public:
     Fault clear(void *memory, std::size_t bytes) override;
     Fault run(const Frame &frame, Work work) override;
     Fault buildNodes(const NodeWork &work) override;
+    std::uint32_t gradientWarps() const override { return m_device->gradientWarps(); }
+    Fault findGradient(const GradientWork &work) override;
     Fault finish(double *milliseconds) override;
     std::unique_ptr<GlTexture> registerTexture(unsigned texture, Fault &fault) override;
 

@@ -1,5 +1,8 @@
 #include "tests/render/cuda/emulated_device.h"
 
+#include "render/cuda/gradient/gradient_place.h"
+#include "render/cuda/gradient/gradient_sum.h"
+#include "render/cuda/gradient/gradient_tile.h"
 #include "render/cuda/nodes/node_merge.h"
 #include "render/cuda/nodes/node_place.h"
 #include "render/cuda/tiles/tile_lists.h"
@@ -221,6 +224,32 @@ void EmulatedDevice::makeNodes(NodeWork work)
     for (std::uint32_t leaf; (leaf = warp.take(work.status + nextLeaf)) < leaves;)
         merger.merge(leaf);
     counts.nodeJobs += work.jobCount;
+}
+
+Fault EmulatedDevice::findGradient(const GradientWork &work)
+{
+    perform([=, this] { makeGradient(work); });
+    return {};
+}
+
+void EmulatedDevice::makeGradient(GradientWork work)
+{
+    HostWarp warp;
+    for (std::uint32_t stroke = 0; stroke < work.strokeCount; ++stroke)
+        GradientPlacer<HostWarp>(warp, work, stroke).run();
+    const auto tiles = std::uint32_t(work.columns) * std::uint32_t(work.rows);
+    const auto draw = [&](auto varies) {
+        const auto scratch = std::make_unique<GradientScratch<varies.value>>();
+        for (std::uint32_t tile; (tile = warp.take(work.status + nextGradientTile)) < tiles;)
+            GradientTile<HostWarp, varies.value>(warp, work, *scratch, tile, tile % work.warps).run();
+    };
+    if (work.varies)
+        draw(std::true_type{});
+    else
+        draw(std::false_type{});
+    if (work.target || work.byRgb)
+        for (std::uint32_t segment = 0; segment < work.segmentCount; ++segment)
+            GradientSummer<HostWarp>(warp, work, segment).run();
 }
 
 Fault EmulatedDevice::finish(double *milliseconds)

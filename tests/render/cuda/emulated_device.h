@@ -33,6 +33,8 @@ public:
     cuda::Fault clear(void *memory, std::size_t bytes) override;
     cuda::Fault run(const cuda::Frame &frame, cuda::Work work) override;
     cuda::Fault buildNodes(const cuda::NodeWork &work) override;
+    std::uint32_t gradientWarps() const override { return 3; }
+    cuda::Fault findGradient(const cuda::GradientWork &work) override;
     cuda::Fault finish(double *milliseconds) override;
     std::unique_ptr<cuda::GlTexture> registerTexture(unsigned texture, cuda::Fault &fault) override;
 
@@ -54,6 +56,7 @@ private:
     void perform(std::function<void()> work);
     void performLate();
     void makeNodes(cuda::NodeWork work);
+    void makeGradient(cuda::GradientWork work);
     void paint(cuda::Frame frame, cuda::Work work);
 
     std::size_t m_memory, m_used = 0;

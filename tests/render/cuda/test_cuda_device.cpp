@@ -1,6 +1,7 @@
 // The CUDA renderer on a real GPU; skipped where there is none.
 #include "tests/render/cuda/cuda_blending.h"
 #include "tests/render/cuda/cuda_pictures.h"
+#include "tests/render/cuda/gradient_checks.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -45,6 +46,9 @@ private slots:
     void pictureEdits() { checkPictureEdits(open, 300); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
+    void gradients() { checkGradientKinds(open, 40, 203, 150); }
+    void gradientExtremes() { checkGradientExtremes(open); }
+    void gradientOfTheTargetLoss() { checkTargetLoss(open, 60, 250, 190); }
 
     void hundredTimesTheSameBits()
     {

@@ -1,0 +1,88 @@
+// The gradient of the picture as a GPU finds it, without a GPU: its programs on the host (docs/cuda.md).
+#include "render/cuda/device/failing_device.h"
+#include "tests/render/cuda/emulated_device.h"
+#include "tests/render/cuda/gradient_checks.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestCudaGradient : public QObject {
+    Q_OBJECT
+
+    static std::shared_ptr<cuda::Device> open() { return std::make_shared<EmulatedDevice>(); }
+    static std::shared_ptr<cuda::Device> openLate()
+    {
+        return std::make_shared<EmulatedDevice>(std::size_t(1) << 30, EmulatedDevice::Timing::Late);
+    }
+
+private slots:
+    void kindsAgreeWithTheCpu() { checkGradientKinds(open, 6, 43, 30); }
+    void extremesAgreeWithTheCpu() { checkGradientExtremes(open); }
+    void targetLoss() { checkTargetLoss(open, 8, 50, 40); }
+    void targetLossOnAStream() { checkTargetLoss(openLate, 8, 50, 40); }
+
+    void targetOfAnotherSizeIsRefused()
+    {
+        const FlatScene scene = randomScene(1, 2, 20, 20, {});
+        CudaGradient onDevice(open());
+        onDevice.choose(scene);
+        QVERIFY(!onDevice.setTarget(std::vector<float>(19 * 20 * 3)));
+        QCOMPARE(onDevice.drawAndDifferentiate(scene).kind, cuda::Fault::Refused);
+        QVERIFY(!onDevice.setTarget(std::vector<float>(20 * 20 * 3)));
+        QVERIFY(!onDevice.drawAndDifferentiate(scene));
+    }
+
+    void fillsAreRefused()
+    {
+        FlatScene scene = randomScene(1, 2, 20, 20, {});
+        scene.strokes[1].filled = true;
+        QVERIFY(!CudaGradient::canDraw(scene));
+        CudaGradient onDevice(open());
+        onDevice.choose(scene);
+        QCOMPARE(onDevice.draw(scene).kind, cuda::Fault::Refused);
+    }
+
+    void anyCallMayFail_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("lost") << int(cuda::Fault::Lost);
+        QTest::newRow("out of memory") << int(cuda::Fault::OutOfMemory);
+    }
+    void anyCallMayFail()
+    {
+        QFETCH(int, kind);
+        SceneKind paper;
+        paper.paper = true;
+        const FlatScene scene = randomScene(3, 2, 20, 20, paper);
+        const std::vector<float> target(20 * 20 * 3, 0.5f);
+        const auto work = [&](CudaGradient &gradient) {
+            gradient.choose(scene);
+            cuda::Fault fault = gradient.setTarget(target);
+            if (!fault)
+                fault = gradient.drawAndDifferentiate(scene);
+            return fault;
+        };
+        CudaGradient sound(open());
+        QVERIFY(!work(sound));
+        const auto counting =
+            std::make_shared<cuda::FailingDevice>(std::make_unique<EmulatedDevice>(), cuda::PlannedFault{});
+        CudaGradient counted(counting);
+        QVERIFY(!work(counted));
+        const int calls = counting->calls();
+        QVERIFY(calls > 20);
+        for (int n = 1; n <= calls; ++n) {
+            CudaGradient failing(std::make_shared<cuda::FailingDevice>(std::make_unique<EmulatedDevice>(),
+                                                                       cuda::PlannedFault{n, cuda::Fault::Kind(kind)}));
+            const bool fails = bool(work(failing));
+            // Where memory runs out fewer warps draw.
+            QVERIFY2(fails || kind == cuda::Fault::OutOfMemory, qPrintable(QString::number(n)));
+            if (kind != cuda::Fault::OutOfMemory)
+                continue;
+            QVERIFY2(!work(failing), qPrintable(QString::number(n)));
+            QVERIFY2(sameBits(failing.gradient(), sound.gradient()), qPrintable(QString::number(n)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCudaGradient)
+#include "test_cuda_gradient.moc"
