@@ -32,6 +32,8 @@ QString meaningOf(const QString &argument)
 {
     if (argument == QLatin1String("IN"))
         return QCoreApplication::translate("Cli", "The painting, recording or drawing to read; -: standard input.");
+    if (argument == QLatin1String("PICTURE"))
+        return QCoreApplication::translate("Cli", "The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.");
     if (argument == QLatin1String("OUT"))
         return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json; -: standard output.");
     if (argument == QLatin1String("A"))

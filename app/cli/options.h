@@ -20,6 +20,7 @@ namespace suffuse::cli {
 enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 
 /// `arguments` as QCoreApplication::arguments(): program, command, then the command's own. Each returns an ExitCode.
+int fitCommand(const QStringList &arguments);
 int renderCommand(const QStringList &arguments);
 int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);

@@ -82,6 +82,12 @@ const QList<Rule> &rules()
           "render/scene/paper.h", "render/simd_targets.h"},
          {"QtCore"},
          {"hwy"}},
+        // Strokes that look like a picture: by the gradient, whoever draws them afterwards.
+        {"render/fitting/",
+         {"model/", "render/fitting/", "render/gradient/", "render/threads/", "render/view.h",
+          "render/image_io/image_io.h"},
+         {"QtCore"},
+         {}},
         {"render/scene/",
          {"model/", "render/composition/", "render/math/", "render/nodes/", "render/scene/", "render/threads/",
           "render/renderer.h", "render/target.h", "render/view.h", "render/picture_grid.h",

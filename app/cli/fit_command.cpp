@@ -1,0 +1,283 @@
+#include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "model/formats/files.h"
+#include "render/fitting/fitting.h"
+#include "render/fitting/picture_metrics.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <new>
+
+namespace suffuse::cli {
+
+namespace {
+
+using namespace fitting;
+
+/// So many strokes a fit may have where an error is asked for.
+constexpr int mostStrokes = 20'000;
+
+void addOptions(CommandLine &line)
+{
+    const auto add = [&line](const QStringList &names, const char *text, const QString &value = {}) {
+        line.add(names, QCoreApplication::translate("Cli", text), value);
+    };
+    add({"o", "output"}, QT_TRANSLATE_NOOP("Cli", "The painting to write: .suffuse or .json."), "OUT");
+    add({"strokes"}, QT_TRANSLATE_NOOP("Cli", "At most so many strokes (default 512)."), "N");
+    add({"numbers"}, QT_TRANSLATE_NOOP("Cli", "At most so many numbers, 27 for each stroke."), "N");
+    add({"error"}, QT_TRANSLATE_NOOP("Cli", "As many strokes as this root mean square error needs, in 255ths."), "E");
+    add({"palette"}, QT_TRANSLATE_NOOP("Cli", "So many paints, which become linked swatches."), "K");
+    add({"style"}, QT_TRANSLATE_NOOP("Cli", "feathering (default), uniform or edge."), "STYLE");
+    add({"least-width"}, QT_TRANSLATE_NOOP("Cli", "No stroke is narrower, pixels of PICTURE."), "W");
+    add({"greatest-width"}, QT_TRANSLATE_NOOP("Cli", "No stroke is wider, pixels of PICTURE."), "W");
+    add({"mask"}, QT_TRANSLATE_NOOP("Cli", "Another picture, white where PICTURE counts and black where not."), "MASK");
+    add({"perceptual"}, QT_TRANSLATE_NOOP("Cli", "The share of the error as people see it, 0 (default) to 1."), "P");
+    add({"from"}, QT_TRANSLATE_NOOP("Cli", "Goes on with a painting that was fitted before."), "FIT");
+    add({"iterations"}, QT_TRANSLATE_NOOP("Cli", "How many steps (default 1200)."), "N");
+    add({"pixels"}, QT_TRANSLATE_NOOP("Cli", "PICTURE is averaged down to so many pixels (default 600000)."), "N");
+    add({"seed"}, QT_TRANSLATE_NOOP("Cli", "Other numbers give other strokes (default 1)."), "N");
+    add({"threads"}, QT_TRANSLATE_NOOP("Cli", "Number of threads (default: one a core)."), "N");
+    add({"json"}, QT_TRANSLATE_NOOP("Cli", "Prints how near the painting comes, as JSON (docs/cli.md)."));
+}
+
+struct NumberRange {
+    double least, greatest;
+    bool isWhole;
+};
+
+/// The number that an option gives, or `usual`.
+Result<double> numberOf(const CommandLine &line, const QString &option, double usual, const NumberRange &range)
+{
+    if (!line.isSet(option))
+        return usual;
+    const std::optional<double> value = toNumber(line.value(option));
+    if (!value || *value < range.least || *value > range.greatest || (range.isWhole && *value != std::floor(*value)))
+        return Error{(range.isWhole ? QCoreApplication::translate("Cli", "--%1 %2: give a whole number from %3 to %4")
+                                    : QCoreApplication::translate("Cli", "--%1 %2: give a number from %3 to %4"))
+                         .arg(option, line.value(option))
+                         .arg(range.least, 0, 'g', 12)
+                         .arg(range.greatest, 0, 'g', 12)};
+    return *value;
+}
+
+/// What the command line asks for. Widths are in pixels of IN until the picture is known.
+struct FitRequest {
+    FitOptions options;
+    int pixels = usualFitPixels;
+};
+
+Result<StyleKind> styleOf(const CommandLine &line)
+{
+    const QString name = line.isSet("style") ? line.value("style") : QStringLiteral("feathering");
+    constexpr std::array names = {std::pair("feathering", StyleKind::Feathering),
+                                  std::pair("uniform", StyleKind::Uniform), std::pair("edge", StyleKind::Edge)};
+    for (const auto &[known, kind] : names)
+        if (name == QLatin1String(known))
+            return kind;
+    return Error{QCoreApplication::translate("Cli", "--style %1: give feathering, uniform or edge").arg(name)};
+}
+
+/// What contradicts itself; empty if nothing does.
+QString contradictionIn(const CommandLine &line)
+{
+    if (line.value("output").isEmpty())
+        return QCoreApplication::translate("Cli", "-o OUT is missing: name the painting to write");
+    if (formatForSaving(line.value("output")) == FileFormat::Unknown)
+        return QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json")
+            .arg(line.value("output"));
+    if (line.isSet("strokes") && line.isSet("numbers"))
+        return QCoreApplication::translate("Cli", "--strokes and --numbers say the same; give one of them");
+    if (line.isSet("style") && line.isSet("from"))
+        return QCoreApplication::translate("Cli", "--style goes without --from, whose strokes have a style already");
+    return {};
+}
+
+Result<FitRequest> requestOf(const CommandLine &line)
+{
+    const bool byError = line.isSet("error");
+    const Result<StyleKind> style = styleOf(line);
+    if (!style)
+        return Error{style.error()};
+    const Result<double> strokes =
+        line.isSet("numbers") ? numberOf(line, "numbers", 0, {double(strokeNumbers), 1e6, true})
+                              : numberOf(line, "strokes", byError ? mostStrokes : 512, {1, double(mostStrokes), true});
+    const Result<double> error = numberOf(line, "error", 0, {0.1, 255, false});
+    const Result<double> paints = numberOf(line, "palette", 0, {1, 256, true});
+    const Result<double> least = numberOf(line, "least-width", 0, {0.1, 1e5, false});
+    const Result<double> greatest = numberOf(line, "greatest-width", 0, {0.1, 1e5, false});
+    const Result<double> perceptual = numberOf(line, "perceptual", 0, {0, 1, false});
+    const Result<double> steps = numberOf(line, "iterations", usualFitSteps, {1, 1e6, true});
+    const Result<double> pixels = numberOf(line, "pixels", usualFitPixels, {1, 1e7, true});
+    const Result<double> seed = numberOf(line, "seed", 1, {0, 4294967295.0, true});
+    const Result<double> threads = numberOf(line, "threads", 0, {1, 1024, true});
+    for (const Result<double> *value :
+         {&strokes, &error, &paints, &least, &greatest, &perceptual, &steps, &pixels, &seed, &threads})
+        if (!*value)
+            return Error{value->error()};
+    if (*greatest > 0 && *greatest < *least)
+        return Error{QCoreApplication::translate("Cli", "--greatest-width %1 is below --least-width %2")
+                         .arg(*greatest)
+                         .arg(*least)};
+    FitRequest out;
+    out.options.strokes = line.isSet("numbers") ? int(*strokes) / int(strokeNumbers) : int(*strokes);
+    out.options.error = *error / 255;
+    out.options.paints = int(*paints);
+    out.options.limits.style = *style;
+    out.options.limits.leastWidth = *least;
+    out.options.limits.greatestWidth = *greatest;
+    out.options.perceptual = *perceptual;
+    out.options.steps = int(*steps);
+    out.options.seed = std::uint64_t(*seed);
+    out.options.threads = int(*threads);
+    out.pixels = int(*pixels);
+    return out;
+}
+
+Result<QByteArray> bytesOf(const QString &path)
+{
+    QFile file(path);
+    const bool isOpen =
+        path == QLatin1String("-") ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly);
+    if (!isOpen)
+        return Error{QStringLiteral("%1: %2").arg(path, file.errorString())};
+    return file.readAll();
+}
+
+Result<FitTarget> targetOf(const CommandLine &line, int pixels)
+{
+    const QString path = line.argument(0);
+    const Result<QByteArray> bytes = bytesOf(path);
+    if (!bytes)
+        return Error{bytes.error()};
+    if (const FileFormat format = detectFormat(*bytes); format == FileFormat::Suffuse || format == FileFormat::Text)
+        return Error{
+            QCoreApplication::translate("Cli", "%1: is a painting already; draw it with suffuse-cli render first")
+                .arg(path)};
+    Result<FitTarget> target = readFitTarget(*bytes, path, pixels, &interrupted());
+    if (!target || !line.isSet("mask"))
+        return target;
+    const Result<QByteArray> maskBytes = bytesOf(line.value("mask"));
+    if (!maskBytes)
+        return Error{maskBytes.error()};
+    const Result<FitPicture> mask = readMask(*maskBytes, line.value("mask"), *target);
+    if (!mask)
+        return Error{mask.error()};
+    target->weight = *mask;
+    return target;
+}
+
+/// Why OUT cannot be written, found before a minute is spent; or empty.
+QString problemOf(const QString &out)
+{
+    const QFileInfo file(out), folder(file.absolutePath());
+    if (!folder.isDir())
+        return QCoreApplication::translate("Cli", "%1: there is no folder %2").arg(out, folder.filePath());
+    if (!folder.isWritable() || file.isDir())
+        return QCoreApplication::translate("Cli", "%1: cannot be written").arg(out);
+    return {};
+}
+
+Result<std::unique_ptr<Fitting>> fittingOf(const CommandLine &line, FitTarget target, FitOptions options)
+{
+    const double scale = target.picture.width / target.canvasWidth;
+    options.limits.leastWidth *= scale;
+    options.limits.greatestWidth *= scale;
+    if (!line.isSet("from"))
+        return std::make_unique<Fitting>(std::move(target), options);
+    const QString path = line.value("from");
+    const Result<Painting> painting = paintingOf(path);
+    if (!painting)
+        return Error{painting.error()};
+    Result<FittedStrokes> start = fittedStrokesOf(*painting, target);
+    if (!start)
+        return Error{QStringLiteral("%1: %2").arg(path, start.error())};
+    return std::make_unique<Fitting>(std::move(target), options, std::move(*start));
+}
+
+QJsonObject statsOf(Fitting &fit, const FitOptions &options, int paints, double seconds)
+{
+    const FitPicture picture = fit.picture();
+    const FitTarget &target = fit.target();
+    const SimilarityAtScales similarity = multiScaleSimilarity(picture, target.picture);
+    const double square = meanSquare(picture, target.picture, target.weight);
+    const auto strokes = qint64(fit.strokes().strokes.size());
+    return {{"strokes", strokes},
+            {"numbers", strokes * qint64(strokeNumbers)},
+            {"paints", paints},
+            {"psnr", peakRatio(square)},
+            {"error", 255 * std::sqrt(square)},
+            {"msSsim", similarity.value},
+            {"msSsimScales", similarity.scales},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"iterations", fit.steps()},
+            {"seed", qint64(options.seed)},
+            {"seconds", seconds}};
+}
+
+int fitPicture(const CommandLine &line, const FitRequest &request)
+{
+    QElapsedTimer clock;
+    clock.start();
+    const QString out = line.value("output");
+    if (const QString problem = problemOf(out); !problem.isEmpty())
+        return fail(problem);
+    Result<FitTarget> target = targetOf(line, request.pixels);
+    if (!target)
+        return fail(interrupted() ? QCoreApplication::translate("Cli", "stopped; nothing was written")
+                                  : target.error());
+    const Result<std::unique_ptr<Fitting>> made = fittingOf(line, std::move(*target), request.options);
+    if (!made)
+        return fail(made.error());
+    Fitting *const fit = made->get();
+    fit->stopWith(&interrupted());
+    {
+        ProgressLine progress(QCoreApplication::translate("Cli", "fitting"), true);
+        while (!interrupted() && fit->step())
+            progress.show(qint64(1000 * fit->progress()), 1000);
+    }
+    if (interrupted() && fit->strokes().strokes.empty())
+        return fail(QCoreApplication::translate("Cli", "stopped; nothing was written"));
+    const Painting painting = fit->painting();
+    if (const Result<void> saved = saveDocument(painting, {}, out); !saved)
+        return fail(saved.error());
+    if (interrupted())
+        return fail(
+            QCoreApplication::translate("Cli", "stopped; %1 has the strokes so far, and --from %1 goes on").arg(out));
+    return line.isSet("json") ? printJson(statsOf(*fit, request.options, int(painting.swatches.size()),
+                                                  double(clock.elapsed()) * 1e-3))
+                              : Done;
+}
+
+} // namespace
+
+int fitCommand(const QStringList &arguments)
+{
+    CommandLine line("fit",
+                     QCoreApplication::translate("Cli", "Makes strokes that look like a picture, from the back to the "
+                                                        "front and large before small."),
+                     {"PICTURE"});
+    addOptions(line);
+    if (const std::optional<int> code = line.parse(arguments))
+        return *code;
+    if (const QString problem = contradictionIn(line); !problem.isEmpty())
+        return failUsage("fit", problem);
+    const Result<FitRequest> request = requestOf(line);
+    if (!request)
+        return failUsage("fit", request.error());
+    try {
+        return fitPicture(line, *request);
+    } catch (const std::bad_alloc &) {
+        return fail(QCoreApplication::translate("Cli", "there is not enough memory to fit %1. Choose fewer --pixels.")
+                        .arg(line.argument(0)));
+    }
+}
+
+} // namespace suffuse::cli

@@ -1,0 +1,271 @@
+#include "render/fitting/fitting.h"
+
+#include "model/painting/ryb.h"
+#include "render/fitting/error_strokes.h"
+#include "render/fitting/picture_metrics.h"
+#include "render/fitting/stroke_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace suffuse::fitting {
+
+namespace {
+
+constexpr int stepsForNodes = 10;           ///< Nodes are chosen anew after so many steps.
+constexpr double unseenWhileFitting = 2e-3; ///< Errors of opacity that are too small to lead a fit astray.
+constexpr double leastEffect = 2e-6;        ///< of the whole error: strokes that do less are left out at the end
+constexpr double doubtfulEffect = 3e-4;     ///< Strokes that do less by a rough measure are measured exactly.
+
+/// The colour of the canvas: the mean of what counts.
+Colour meanColour(const FitTarget &target)
+{
+    std::array<double, 3> sum{};
+    double weights = 0;
+    for (std::size_t p = 0; p < target.picture.pixels(); ++p) {
+        const double w = target.weight.isEmpty() ? 1 : double(target.weight.values[p]);
+        for (std::size_t c = 0; c < 3; ++c)
+            sum[c] += w * double(target.picture.values[3 * p + c]);
+        weights += w;
+    }
+    for (double &v : sum)
+        v /= std::max(weights, 1e-9);
+    return rybFromSrgb(sum[0], sum[1], sum[2]);
+}
+
+} // namespace
+
+/// The target at one size.
+struct Fitting::Level {
+    FitLoss loss;
+    View view;
+    double scale = 1; ///< its pixels for each of the target's
+};
+
+Fitting::Fitting(FitTarget target, const FitOptions &options)
+    : Fitting(std::move(target), options, {{}, options.limits.style, {}})
+{
+    m_fitted.background = meanColour(m_target);
+}
+
+Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes start)
+    : m_target(std::move(target)), m_options(options), m_fitted(std::move(start)),
+      m_plan(planOf(int(m_fitted.strokes.size()), std::max(options.strokes, int(m_fitted.strokes.size())),
+                    options.error > 0, options.steps, m_target.picture.width, m_target.picture.height)),
+      m_gradient(Threads(options.threads))
+{
+    m_options.limits.style = m_fitted.style;
+    m_options.limits.greatestSpread = std::max(m_target.picture.width, m_target.picture.height);
+    m_adam.grow(m_fitted.strokes.size());
+}
+
+Fitting::~Fitting() = default;
+
+const Fitting::Level &Fitting::levelAt(int halvings)
+{
+    m_levels.resize(std::max(m_levels.size(), std::size_t(halvings) + 1));
+    std::unique_ptr<Level> &level = m_levels[std::size_t(halvings)];
+    if (!level) {
+        level = std::make_unique<Level>();
+        const FitPicture &full = m_target.picture;
+        const Rect area = Rect::of(0, 0, full.width, full.height);
+        const int width = std::max(1, full.width >> halvings),
+                  height = std::clamp(heightForWidth(area, width), 1, full.height);
+        level->loss = FitLoss(averaged(full, width, height),
+                              m_target.weight.isEmpty() ? FitPicture() : averaged(m_target.weight, width, height),
+                              m_options.perceptual);
+        level->view = View::ofArea(area, width, height);
+        level->scale = double(width) / full.width;
+    }
+    return *level;
+}
+
+void Fitting::choose()
+{
+    m_gradient.choose(m_scene, {unseenWhileFitting});
+}
+
+void Fitting::keep(const std::vector<std::size_t> &kept)
+{
+    std::vector<FitStroke> strokes;
+    strokes.reserve(kept.size());
+    for (const std::size_t i : kept)
+        strokes.push_back(m_fitted.strokes[i]);
+    m_fitted.strokes = std::move(strokes);
+    m_adam.keep(kept);
+    m_palette.keep(kept);
+}
+
+/// Takes away so many strokes that do the least.
+void Fitting::removeLeast(std::size_t count)
+{
+    const std::vector<double> effects = roughErrorsWithout(
+        m_gradient, m_scene, {m_level->loss.target(), m_level->loss.weight(), m_level->view}, m_options.seed, m_cancel);
+    std::vector<std::size_t> order(effects.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return effects[a] < effects[b]; });
+    order.erase(order.begin(), order.begin() + std::ptrdiff_t(std::min(count, order.size())));
+    std::sort(order.begin(), order.end());
+    keep(order);
+}
+
+/// Takes away the strokes that do nothing, or harm. Returns false if it was stopped before.
+bool Fitting::removeIdle()
+{
+    const RemovalView seen{m_level->loss.target(), m_level->loss.weight(), m_level->view};
+    setNumbers(m_fitted.strokes, m_fitted.style, m_scene);
+    choose();
+    const std::vector<double> rough = roughErrorsWithout(m_gradient, m_scene, seen, m_options.seed, m_cancel);
+    const double error =
+        meanSquare(picture(), m_target.picture, m_target.weight) * 3 * double(m_target.picture.pixels());
+    std::vector<std::size_t> doubtful, kept;
+    for (std::size_t i = 0; i < rough.size(); ++i)
+        if (rough[i] < doubtfulEffect * error)
+            doubtful.push_back(i);
+    const std::vector<double> effects = errorsWithout(m_fitted.strokes, doubtful, m_fitted.style, m_fitted.background,
+                                                      seen, Threads(m_options.threads), m_cancel);
+    if (isCancelled())
+        return false;
+    std::vector<char> gone(rough.size());
+    for (std::size_t k = 0; k < effects.size(); ++k)
+        gone[doubtful[k]] = effects[k] < leastEffect * error ? 1 : 0;
+    for (std::size_t i = 0; i < gone.size(); ++i)
+        if (!gone[i])
+            kept.push_back(i);
+    keep(kept);
+    return true;
+}
+
+void Fitting::addStrokes(std::size_t count)
+{
+    const FitPicture &target = m_level->loss.target();
+    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    choose();
+    FitPicture drawn(target.width, target.height, 3);
+    const std::span<const float> values = m_gradient.draw(m_scene);
+    std::copy(values.begin(), values.end(), drawn.values.begin());
+    const std::vector<FitStroke> added = strokesForError({target, drawn, m_level->loss.weight(), m_level->scale}, count,
+                                                         m_options.limits, m_options.seed + m_phase, m_cancel);
+    m_fitted.strokes.insert(m_fitted.strokes.end(), added.begin(), added.end());
+    m_adam.grow(m_fitted.strokes.size());
+}
+
+/// Begins a phase. Returns false if it was stopped before, and has changed nothing then.
+bool Fitting::begin(const FitPhase &phase)
+{
+    const std::vector<FitStroke> strokes = m_fitted.strokes;
+    const AdamSteps adam = m_adam;
+    const FitPalette palette = m_palette;
+    m_level = &levelAt(phase.halvings);
+    m_options.limits.leastSpread = std::min(1 / m_level->scale, 2.0);
+    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    choose();
+    if (const auto moved = std::size_t(std::lround(phase.moved * double(m_fitted.strokes.size()))); moved > 0)
+        removeLeast(moved);
+    if (const auto wanted = std::size_t(phase.strokes); m_fitted.strokes.size() < wanted)
+        addStrokes(wanted - m_fitted.strokes.size());
+    if (isCancelled()) {
+        m_fitted.strokes = strokes;
+        m_adam = adam;
+        m_palette = palette;
+        return false;
+    }
+    if (m_options.paints > 0 && m_phase + 1 == m_plan.size())
+        m_palette = FitPalette(m_fitted.strokes, m_fitted.style, m_options.paints, m_options.seed);
+    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    return true;
+}
+
+void Fitting::move(const FitPhase &phase)
+{
+    setNumbers(m_fitted.strokes, m_fitted.style, m_scene);
+    if (m_step % stepsForNodes == 0)
+        choose();
+    const FitLoss &loss = m_level->loss;
+    const gradient::FlatGradient &by = m_gradient.drawAndDifferentiate(
+        m_scene, [&loss](std::size_t first, std::size_t count, const float *rgb, float *byRgb) {
+            loss.differentiate(first, count, rgb, byRgb);
+        });
+    std::vector<StrokeSlope> slopes = slopesOf(by, m_scene, m_fitted.strokes);
+    if (!m_palette.isEmpty())
+        m_palette.share(slopes);
+    const double passed = double(m_step) / phase.steps;
+    m_adam.move(m_fitted.strokes, slopes, {}, phase.firstRate * std::pow(phase.lastRate / phase.firstRate, passed));
+    for (FitStroke &stroke : m_fitted.strokes)
+        keepWithin(stroke, m_options.limits);
+    if (!m_palette.isEmpty())
+        m_palette.apply(m_fitted.strokes);
+}
+
+bool Fitting::step()
+{
+    if (isDone() || isCancelled())
+        return !isDone();
+    const FitPhase &phase = m_plan[m_phase];
+    if (m_step < 0) {
+        if (!begin(phase))
+            return true;
+        m_step = 0;
+    }
+    if (m_step < phase.steps && !m_fitted.strokes.empty()) {
+        move(phase);
+        ++m_steps;
+        if (++m_step < phase.steps)
+            return true;
+    }
+    end();
+    return !isDone();
+}
+
+/// Ends a phase, unless it is stopped.
+void Fitting::end()
+{
+    if (m_phase + 1 == m_plan.size() && !removeIdle())
+        return;
+    m_step = -1;
+    ++m_phase;
+    if (isDone())
+        return;
+    if (m_options.error > 0 && m_plan[m_phase].grows && std::sqrt(meanSquareError()) <= m_options.error) {
+        while (m_plan[m_phase].grows)
+            ++m_phase;
+        for (FitPhase &phase : m_plan)
+            phase.strokes = std::min(phase.strokes, int(m_fitted.strokes.size()));
+    }
+}
+
+double Fitting::progress() const
+{
+    double done = 0, all = 0;
+    for (std::size_t k = 0; k < m_plan.size(); ++k) {
+        const double cost = std::pow(0.25, m_plan[k].halvings) * m_plan[k].steps;
+        all += cost;
+        done += k < m_phase ? cost : k == m_phase && m_step > 0 ? cost * m_step / m_plan[k].steps : 0;
+    }
+    return all > 0 ? done / all : 1;
+}
+
+Painting Fitting::painting() const
+{
+    return paintingOf(m_fitted, m_target, m_palette.paints());
+}
+
+FitPicture Fitting::picture()
+{
+    const Level &full = levelAt(0);
+    gradient::SceneGradient<float> gradient{Threads(m_options.threads)};
+    const gradient::FlatScene scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, full.view);
+    gradient.choose(scene);
+    FitPicture out(full.view.width, full.view.height, 3);
+    const std::span<const float> drawn = gradient.draw(scene);
+    std::copy(drawn.begin(), drawn.end(), out.values.begin());
+    return out;
+}
+
+double Fitting::meanSquareError()
+{
+    return meanSquare(picture(), m_target.picture, m_target.weight);
+}
+
+} // namespace suffuse::fitting

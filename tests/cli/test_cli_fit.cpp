@@ -1,0 +1,365 @@
+// From an image file to strokes through suffuse-cli, good and bad.
+#include "cli_pictures.h"
+
+#include "model/formats/files.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <array>
+#include <cmath>
+#include <csignal>
+
+using namespace suffuse;
+
+class TestCliFit : public CliPictures {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void statistics();
+    void theSameTwice();
+    void goesOn();
+    void budgets();
+    void palette();
+    void mask();
+    void styles_data();
+    void styles();
+    void kindsOfPictures_data();
+    void kindsOfPictures();
+    void largePictures();
+    void standardInput();
+    void wrongUsage_data();
+    void wrongUsage();
+    void failures_data();
+    void failures();
+    void interrupted();
+
+private:
+    using Value = std::function<std::array<float, 4>(double x, double y)>;
+    QString write(const QString &name, int width, int height, const ImageOptions &options, const Value &value) const;
+    CliOutcome fit(const QString &in, const QString &out, const QStringList &options = {}) const
+    {
+        return runCli(QStringList{"fit", path(in), "-o", path(out), "--iterations", "60"} + options);
+    }
+    /// The PSNR of what `render` draws of a painting.
+    double drawnRatio(const QString &painting, const QString &original) const;
+};
+
+namespace {
+
+/// A blue ground with a red disc and a bright bar.
+std::array<float, 4> scene(double x, double y)
+{
+    const bool isDisc = std::hypot((x - 0.3) * 1.3, y - 0.5) < 0.25, isBar = std::abs(x + y - 1.3) < 0.08;
+    return isDisc  ? std::array<float, 4>{0.8f, 0.2f, 0.1f, 1}
+           : isBar ? std::array<float, 4>{0.9f, 0.9f, 0.7f, 1}
+                   : std::array<float, 4>{0.2f, 0.3f, 0.6f, 1};
+}
+
+} // namespace
+
+QString TestCliFit::write(const QString &name, int width, int height, const ImageOptions &options,
+                          const Value &value) const
+{
+    FloatPicture picture;
+    picture.resize(width, height);
+    std::vector<float> rgba(4 * std::size_t(width) * std::size_t(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::array<float, 4> v = value((x + 0.5) / width, (y + 0.5) / height);
+            std::copy(v.begin(), v.end(), rgba.begin() + 4 * (std::ptrdiff_t(y) * width + x));
+        }
+    picture.store({0, 0, width, height}, rgba.data(), width);
+    const Result<void> written = writeImage(path(name), picture, options);
+    if (!written)
+        qWarning("%s", qPrintable(written.error()));
+    return path(name);
+}
+
+double TestCliFit::drawnRatio(const QString &painting, const QString &original) const
+{
+    const CliOutcome drawn = runCli({"render", path(painting), "-o", path("drawn.png"), "--depth", "16"});
+    if (drawn.code != 0)
+        qWarning("%s", qPrintable(drawn.text()));
+    const FloatPicture a = picture("drawn.png"), b = picture(original);
+    if (a.width != b.width || a.height != b.height)
+        return -1;
+    double sum = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                sum += std::pow(double(a.at(x, y)[c] - b.at(x, y)[c]), 2);
+    return -10 * std::log10(sum / (3.0 * a.width * a.height));
+}
+
+void TestCliFit::initTestCase()
+{
+    prepare();
+    write("scene.png", 60, 40, {}, scene);
+}
+
+void TestCliFit::statistics()
+{
+    const CliOutcome outcome = fit("scene.png", "scene.suffuse", {"--strokes", "10", "--json", "--iterations", "200"});
+    // --iterations is given twice.
+    QCOMPARE(outcome.code, 2);
+    const CliOutcome fitted = fit("scene.png", "scene.suffuse", {"--strokes", "10", "--json"});
+    QVERIFY2(fitted.code == 0, qPrintable(fitted.text()));
+    const QJsonObject stats = fitted.json();
+    QCOMPARE(stats["width"].toInt(), 60);
+    QCOMPARE(stats["height"].toInt(), 40);
+    QVERIFY(stats["strokes"].toInt() > 4 && stats["strokes"].toInt() <= 10);
+    QCOMPARE(stats["numbers"].toInt(), 27 * stats["strokes"].toInt());
+    QVERIFY(stats["seconds"].toDouble() > 0 && stats["iterations"].toInt() > 50);
+    QVERIFY(stats["msSsim"].toDouble() > 0.5 && stats["msSsim"].toDouble() <= 1);
+    QCOMPARE(stats["msSsimScales"].toInt(), 2);
+    const double ratio = stats["psnr"].toDouble();
+    QVERIFY2(ratio > 20, qPrintable(QString::number(ratio)));
+    QVERIFY(std::abs(stats["error"].toDouble() - 255 * std::pow(10, -ratio / 20)) < 1e-6);
+    // What `render` draws is what was fitted.
+    QVERIFY(std::abs(drawnRatio("scene.suffuse", "scene.png") - ratio) < 0.05);
+}
+
+void TestCliFit::theSameTwice()
+{
+    for (const char *name : {"one.json", "two.json"})
+        QVERIFY(fit("scene.png", name, {"--strokes", "6", "--threads", name[0] == 'o' ? "1" : "3"}).code == 0);
+    QVERIFY(readFile(path("one.json")) == readFile(path("two.json")));
+    QVERIFY(fit("scene.png", "three.json", {"--strokes", "6", "--seed", "7"}).code == 0);
+    QVERIFY(readFile(path("one.json")) != readFile(path("three.json")));
+}
+
+void TestCliFit::goesOn()
+{
+    const CliOutcome first = fit("scene.png", "first.suffuse", {"--strokes", "4", "--json"});
+    const CliOutcome second =
+        fit("scene.png", "second.suffuse", {"--strokes", "12", "--json", "--from", path("first.suffuse")});
+    QVERIFY2(first.code == 0 && second.code == 0, qPrintable(second.text()));
+    QVERIFY(second.json()["psnr"].toDouble() > first.json()["psnr"].toDouble() + 1);
+    QVERIFY(second.json()["strokes"].toInt() > first.json()["strokes"].toInt());
+    const CliOutcome other = fit("scene.png", "other.suffuse", {"--from", path("a.json")});
+    QCOMPARE(other.code, 1);
+    QVERIFY2(other.err.contains("a.json"), other.err.constData());
+    QVERIFY(!QFile::exists(path("other.suffuse")));
+}
+
+void TestCliFit::budgets()
+{
+    const CliOutcome numbers = fit("scene.png", "n.suffuse", {"--numbers", "110", "--json"});
+    QVERIFY2(numbers.code == 0, qPrintable(numbers.text()));
+    QVERIFY(numbers.json()["numbers"].toInt() <= 110 && numbers.json()["strokes"].toInt() > 0);
+    const CliOutcome error = fit("scene.png", "e.suffuse", {"--error", "30", "--json"});
+    QVERIFY2(error.code == 0, qPrintable(error.text()));
+    QVERIFY(error.json()["error"].toDouble() <= 30);
+    QVERIFY(error.json()["strokes"].toInt() < 60);
+    const CliOutcome widths =
+        fit("scene.png", "w.json", {"--strokes", "6", "--least-width", "6", "--greatest-width", "8"});
+    QVERIFY2(widths.code == 0, qPrintable(widths.text()));
+}
+
+void TestCliFit::palette()
+{
+    const CliOutcome outcome = fit("scene.png", "p.suffuse", {"--strokes", "10", "--palette", "3", "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY(outcome.json()["paints"].toInt() >= 2 && outcome.json()["paints"].toInt() <= 3);
+    const Result<Painting> painting = loadPainting(path("p.suffuse"));
+    QVERIFY(bool(painting));
+    QCOMPARE(int(painting->swatches.size()), outcome.json()["paints"].toInt());
+    for (const StrokePtr &stroke : painting->strokes) {
+        const Colour c = stroke->segments.front().colour;
+        QVERIFY(std::any_of(painting->swatches.begin(), painting->swatches.end(), [&](const Swatch &s) {
+            return s.colour.red == c.red && s.colour.yellow == c.yellow && s.colour.blue == c.blue;
+        }));
+    }
+}
+
+void TestCliFit::mask()
+{
+    // The mask has another size than the picture, and lets the left half count.
+    write("mask.png", 30, 20, {}, [](double x, double) {
+        const float v = x < 0.5 ? 1 : 0;
+        return std::array<float, 4>{v, v, v, 1};
+    });
+    write("black.png", 3, 3, {}, [](double, double) { return std::array<float, 4>{0, 0, 0, 1}; });
+    const CliOutcome half = fit("scene.png", "m.suffuse", {"--strokes", "6", "--json", "--mask", path("mask.png")}),
+                     whole = fit("scene.png", "m2.suffuse", {"--strokes", "6", "--json"});
+    QVERIFY2(half.code == 0, qPrintable(half.text()));
+    QVERIFY(half.json()["psnr"].toDouble() > whole.json()["psnr"].toDouble());
+    QVERIFY(drawnRatio("m.suffuse", "scene.png") < drawnRatio("m2.suffuse", "scene.png"));
+    const CliOutcome none = fit("scene.png", "m3.suffuse", {"--mask", path("black.png")});
+    QCOMPARE(none.code, 1);
+    QVERIFY2(none.err.contains("black.png"), none.err.constData());
+}
+
+void TestCliFit::styles_data()
+{
+    QTest::addColumn<QString>("style");
+    QTest::newRow("feathering") << "feathering";
+    QTest::newRow("uniform") << "uniform";
+    QTest::newRow("edge") << "edge";
+}
+
+void TestCliFit::styles()
+{
+    QFETCH(QString, style);
+    const CliOutcome outcome = fit("scene.png", "s.suffuse", {"--strokes", "8", "--json", "--style", style});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY(std::abs(drawnRatio("s.suffuse", "scene.png") - outcome.json()["psnr"].toDouble()) < 0.05);
+    const Result<Painting> painting = loadPainting(path("s.suffuse"));
+    QVERIFY(painting && !painting->strokes.empty());
+    QCOMPARE(int(painting->strokes[0]->style.kind), style == "feathering" ? 1 : style == "uniform" ? 0 : 2);
+}
+
+void TestCliFit::kindsOfPictures_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("least");
+    ImageOptions deep, clear;
+    deep.depth = ImageDepth::Bits16;
+    clear.alpha = true;
+    write("grey16.png", 40, 30, deep, [](double x, double y) {
+        const auto v = float(0.2 + 0.6 * x * y);
+        return std::array<float, 4>{v, v, v, 1};
+    });
+    write("alpha.png", 40, 30, clear, [](double x, double) {
+        return std::array<float, 4>{0, 0, 1, x < 0.5 ? 1.0f : 0.0f};
+    });
+    write("flat.png", 40, 30, {}, [](double, double) { return std::array<float, 4>{0.2f, 0.4f, 0.6f, 1}; });
+    write("dot.png", 1, 1, {}, [](double, double) { return std::array<float, 4>{1, 0, 0, 1}; });
+    write("line.png", 90, 1, {}, scene);
+    write("noise.png", 40, 30, {}, [](double x, double y) {
+        const auto at = [](double v) { return float(v - std::floor(v)); };
+        return std::array<float, 4>{at(x * 9871.3 + y * 7771.9), at(x * 5417.1 - y * 1291.7), at(y * 3313.3 * x), 1};
+    });
+    QTest::newRow("grey, 16 bits") << "grey16.png" << 30.0;
+    QTest::newRow("transparent") << "alpha.png" << 18.0;
+    QTest::newRow("one colour") << "flat.png" << 50.0;
+    QTest::newRow("one pixel") << "dot.png" << 50.0;
+    QTest::newRow("one row") << "line.png" << 10.0;
+    QTest::newRow("noise") << "noise.png" << 8.0;
+}
+
+void TestCliFit::kindsOfPictures()
+{
+    QFETCH(QString, name);
+    QFETCH(double, least);
+    const CliOutcome outcome = fit(name, "k.suffuse", {"--strokes", "6", "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY2(outcome.json()["psnr"].toDouble() > least, qPrintable(outcome.text()));
+    QCOMPARE(runCli({"render", path("k.suffuse"), "-o", path("k.png")}).code, 0);
+    QCOMPARE(picture("k.png").width, picture(name).width);
+}
+
+void TestCliFit::largePictures()
+{
+    write("large.png", 600, 400, {}, scene);
+    const CliOutcome outcome = fit("large.png", "l.suffuse", {"--strokes", "6", "--json", "--pixels", "2000"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY(outcome.json()["width"].toInt() * outcome.json()["height"].toInt() <= 2100);
+    const Result<Painting> painting = loadPainting(path("l.suffuse"));
+    QVERIFY(painting && painting->canvas.width == 600 && painting->canvas.height == 400);
+    QVERIFY(drawnRatio("l.suffuse", "large.png") > 18); // it looks like the large picture, too
+}
+
+void TestCliFit::standardInput()
+{
+    const CliOutcome outcome = runCli({"fit", "-", "-o", path("i.suffuse"), "--strokes", "3", "--iterations", "5"},
+                                      readFile(path("scene.png")));
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY(outcome.out.isEmpty());
+    QVERIFY(QFile::exists(path("i.suffuse")));
+}
+
+void TestCliFit::wrongUsage_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const QStringList &options, const char *says) {
+        QTest::newRow(qPrintable(options.join(' '))) << options << QString(says);
+    };
+    row({"--strokes", "0"}, "whole number");
+    row({"--strokes", "3.5"}, "whole number");
+    row({"--strokes", "9", "--numbers", "270"}, "give one of them");
+    row({"--numbers", "26"}, "27");
+    row({"--error", "nothing"}, "number");
+    row({"--palette", "0"}, "whole number");
+    row({"--style", "round"}, "feathering");
+    row({"--style", "edge", "--from", "x.suffuse"}, "--from");
+    row({"--least-width", "5", "--greatest-width", "4"}, "below");
+    row({"--perceptual", "2"}, "0 to 1");
+    row({"--seed", "-1"}, "whole number");
+    row({"--threads", "0"}, "whole number");
+}
+
+void TestCliFit::wrongUsage()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QString, says);
+    const CliOutcome outcome = fit("scene.png", "u.suffuse", options);
+    QVERIFY2(outcome.code == 2, qPrintable(outcome.text()));
+    QVERIFY2(outcome.err.contains(says.toUtf8()), outcome.err.constData());
+    QVERIFY(!QFile::exists(path("u.suffuse")));
+    QCOMPARE(runCli({"fit", path("scene.png")}).code, 2);
+    QCOMPARE(runCli({"fit", path("scene.png"), "-o", path("u.png")}).code, 2);
+}
+
+void TestCliFit::failures_data()
+{
+    QTest::addColumn<QString>("in");
+    QTest::addColumn<QString>("out");
+    QTest::addColumn<QString>("says");
+    QVERIFY(writeFile(path("empty.png"), {}));
+    QVERIFY(writeFile(path("half.png"), readFile(path("scene.png")).left(60)));
+    QTest::newRow("no file") << "none.png"
+                             << "f.suffuse"
+                             << "none.png";
+    QTest::newRow("an empty file") << "empty.png"
+                                   << "f.suffuse"
+                                   << "empty.png";
+    QTest::newRow("a cut file") << "half.png"
+                                << "f.suffuse"
+                                << "half.png";
+    QTest::newRow("a painting") << "a.json"
+                                << "f.suffuse"
+                                << "suffuse-cli render";
+    QTest::newRow("no folder") << "scene.png"
+                               << "none/f.suffuse"
+                               << "no folder";
+}
+
+void TestCliFit::failures()
+{
+    QFETCH(QString, in);
+    QFETCH(QString, out);
+    QFETCH(QString, says);
+    const CliOutcome outcome = fit(in, out);
+    QVERIFY2(outcome.code == 1, qPrintable(outcome.text()));
+    QVERIFY2(outcome.err.contains(says.toUtf8()), outcome.err.constData());
+    QVERIFY(outcome.out.isEmpty() && !QFile::exists(path(out)));
+}
+
+/// The strokes so far are written, whole, and a further fit goes on with them.
+void TestCliFit::interrupted()
+{
+    QProcess process;
+    const QString out = path("stopped.suffuse");
+    process.start(SUFFUSE_BIN_DIR "/suffuse-cli",
+                  {"fit", path("scene.png"), "-o", out, "--strokes", "40", "--iterations", "1000000"});
+    QVERIFY(process.waitForStarted());
+    // It installs its handler first; by then it may have no stroke yet, and writes nothing.
+    QTest::qWait(1500);
+    ::kill(pid_t(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY2(said.contains("stopped"), said.constData());
+    QCOMPARE(QFile::exists(out), said.contains("--from"));
+    if (QFile::exists(out))
+        QCOMPARE(fit("scene.png", "resumed.suffuse", {"--strokes", "40", "--from", out}).code, 0);
+    QVERIFY(filesIn(path(".")).filter("stopped").size() <= 1);
+}
+
+QTEST_GUILESS_MAIN(TestCliFit)
+#include "test_cli_fit.moc"
