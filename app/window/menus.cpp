@@ -58,7 +58,8 @@ QMenu *addFileMenu(QMenuBar &bar, const Commands &table)
     append(*file, table,
            {{Save, SaveAs, SaveCopy, KeepHistory},
             {Revert, RestoreBackup},
-            {ImportStrokes, ImportPicture, ImportUnderlay, Export, ExportAgain, ExportDrawing, ExportTimelapse},
+            {ImportStrokes, ImportPicture, ImportUnderlay, PictureToStrokes},
+            {Export, ExportAgain, ExportDrawing, ExportTimelapse},
             {Close, Quit}});
     return recent;
 }

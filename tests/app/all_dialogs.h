@@ -5,6 +5,7 @@
 #include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
+#include "app/dialogs/fit/fit_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
@@ -41,6 +42,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"brush", [](MainWindow &w) { return std::make_unique<BrushDialog>(w.editor(), &w); }},
         {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
         {"drawing", [](MainWindow &w) { return std::make_unique<DrawingDialog>(w.editor(), &w); }},
+        {"fit", [](MainWindow &w) { return std::make_unique<FitDialog>(w.editor(), &w); }},
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
         {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},

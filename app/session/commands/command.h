@@ -17,6 +17,7 @@ enum class Command {
     ImportStrokes,
     ImportUnderlay,
     ImportPicture,
+    PictureToStrokes,
     Export,
     ExportAgain,
     ExportDrawing,

@@ -102,6 +102,14 @@ Painting inOneGroup(Painting painting, const QString &name)
     return painting;
 }
 
+std::vector<Swatch> withSwatches(std::vector<Swatch> swatches, const std::vector<Swatch> &more)
+{
+    for (const Swatch &swatch : more)
+        if (std::ranges::find(swatches, swatch) == swatches.end())
+            swatches.push_back(swatch);
+    return swatches;
+}
+
 bool isNameTaken(const std::vector<Group> &groups, const QString &name)
 {
     return !name.isEmpty() && std::ranges::find(groups, name, &Group::name) != groups.end();
@@ -109,7 +117,8 @@ bool isNameTaken(const std::vector<Group> &groups, const QString &name)
 
 } // namespace
 
-QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText)
+QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText,
+                   const std::vector<Swatch> &paints)
 {
     std::vector<Stroke> strokes;
     for (const StrokePtr &stroke : added.strokes)
@@ -163,6 +172,8 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
     }
     const bool comes = !edit.strokes.empty();
     if (comes) {
+        if (!paints.empty())
+            edit.swatches = withSwatches(document.painting()->swatches, paints);
         const std::vector<GroupId> layers = layersAdded(*document.painting(), edit);
         editor.push(editor.layer().takePasted(std::move(edit)), undoText);
         if (layers.size() == 1 && editor.layer().group() != 0)

@@ -25,9 +25,11 @@ struct Landing {
 /// own, visible but in groups that are hidden, unlocked and selected, as one undo step. They lie where `landing` says;
 /// where they would lie wholly outside of what is seen, their middle comes to the middle of that, or, where they are to
 /// lie as they were, only the returned string says so. An empty painting takes over their times, and is then seen at
-/// its end; in others none is born after the moment that is shown: all are brought back in time together. Returns an
-/// empty string, or which of them could not be added and why, and whether they were brought back.
-QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText);
+/// its end; in others none is born after the moment that is shown: all are brought back in time together. The step also
+/// puts `paints` behind the painting's swatches, but for those that are among them. Returns an empty string, or which
+/// of the strokes could not be added and why, and whether they were brought back.
+QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText,
+                   const std::vector<Swatch> &paints = {});
 
 struct ImportReport {
     std::vector<QString> losses; ///< what is missing of a damaged file

@@ -1,6 +1,7 @@
 #include "app/window/files/importing.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/dialogs/fit/fit_dialog.h"
 #include "app/session/commands/commands.h"
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/files/image_layer.h"
@@ -8,6 +9,7 @@
 #include "app/widgets/asking/choose_picture.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/habits/at_next_change.h"
+#include "app/widgets/look/section.h"
 #include "app/window/files/file_choice.h"
 
 #include <QFileDialog>
@@ -39,6 +41,10 @@ Importing::Importing(const Workplace &place, QObject *parent) : QObject(parent),
             if (const QString path = choosePicture(&m_place.window, tr("Import picture as layer")); !path.isEmpty())
                 importPicture(path);
         });
+    place.commands
+        .add(PictureToStrokes, "pictureToStrokes", Commands::tr("Picture to Stro&kes…"), "", {},
+             Commands::tr("Strokes that look like a picture, of a file or the underlay, as a layer"))
+        .runs([this] { pictureToStrokes(); });
     connect(&place.canvas, &CanvasWidget::underlayFailed, this,
             [this](const QString &problem) { m_place.window.statusBar()->showMessage(problem, 15'000); });
 }
@@ -84,6 +90,27 @@ void Importing::importPicture(const QString &path)
         return;
     }
     m_place.commands[Command::Select].setChecked(true); // it is to be put where it belongs
+}
+
+void Importing::pictureToStrokes()
+{
+    m_place.canvas.settleTool();
+    m_place.open.playback.pause();
+    Editor &editor = m_place.open.editor;
+    const bool hasUnderlay = editor.document().painting()->underlay != nullptr;
+    const QString path = hasUnderlay ? QString() : choosePicture(&m_place.window, tr("Picture to Strokes"));
+    if (!hasUnderlay && path.isEmpty())
+        return;
+    FitDialog dialog(editor, &m_place.window);
+    if (!hasUnderlay && !dialog.takeFile(path)) {
+        showError(&m_place.window, dialog.hint()->text());
+        return;
+    }
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    m_place.commands[Command::Select].setChecked(true); // it is to be put where it belongs
+    if (!dialog.said().isEmpty())
+        sayUntilChange(*m_place.window.statusBar(), editor.document(), dialog.said());
 }
 
 void Importing::offer(const QStringList &pictures, const QPoint &place)

@@ -25,6 +25,7 @@ public:
 
 private:
     void chooseStrokes();
+    void pictureToStrokes();
 
     Workplace m_place;
 };

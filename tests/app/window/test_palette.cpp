@@ -128,7 +128,7 @@ private slots:
         const QStringList known =
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay "
-                "importPicture export "
+                "importPicture pictureToStrokes export "
                 "exportAgain exportDrawing close quit undo redo cut copy paste pasteInPlace copyAppearance "
                 "pasteAppearance "
                 "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound searchStrokes "

@@ -229,7 +229,7 @@ private slots:
     {
         WaveSession s;
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
-        const QStringList showAtOnce{"along", "reshape", "vary", "recolour"};
+        const QStringList showAtOnce{"along", "reshape", "vary", "recolour", "fit"};
         QStringList tried;
         for (const DialogMaker &maker : allDialogs())
             for (qsizetype i = 0, count = 1; i < count; ++i) {
