@@ -5357,6 +5357,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Aus der Vorlage, wo sie liegt, eine Bildebene unter allem machen; sie wird dann mit exportiert</translation>
     </message>
     <message>
+        <source>Picture to Stro&amp;kes…</source>
+        <translation>Bild in Striche um&amp;wandeln …</translation>
+    </message>
+    <message>
+        <source>Strokes that look like a picture, of a file or the underlay, as a layer</source>
+        <translation>Striche, die wie ein Bild aussehen, das einer Datei oder der Vorlage, als Ebene</translation>
+    </message>
+    <message>
         <source>Import &amp;Picture as Layer…</source>
         <translation>Bild als Ebene i&amp;mportieren …</translation>
     </message>
@@ -7338,6 +7346,10 @@ Auch die Pfeiltasten wirken.</translation>
 </context>
 <context>
     <name>suffuse::Importing</name>
+    <message>
+        <source>Picture to Strokes</source>
+        <translation>Bild in Striche umwandeln</translation>
+    </message>
     <message>
         <source>Import underlay</source>
         <translation>Vorlage importieren</translation>
@@ -11471,6 +11483,236 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Profile of the Colours</source>
         <translation>Profil der Farben</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitJob</name>
+    <message>
+        <source>%1: there is not enough memory to fit it.</source>
+        <translation>%1: Der Speicher reicht nicht, um Striche daraus zu machen.</translation>
+    </message>
+</context>
+<context>
+    <name>FitLayer</name>
+    <message>
+        <source>Ground</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Picture to strokes</source>
+        <translation>Bild in Striche umwandeln</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitView</name>
+    <message>
+        <source>Picture made of strokes</source>
+        <translation>Bild aus Strichen</translation>
+    </message>
+    <message>
+        <source>What the strokes look like. While a mouse button is held on it, the original is seen.</source>
+        <translation>So sehen die Striche aus. Solange darauf eine Maustaste gedrückt ist, ist das Original zu sehen.</translation>
+    </message>
+    <message>
+        <source>Here the picture grows, stroke by stroke.</source>
+        <translation>Hier wächst das Bild, Strich für Strich.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitRows</name>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>At most so many. More of them go on with those that are there; fewer begin anew.</source>
+        <translation>Höchstens so viele. Mehr setzen auf den vorhandenen auf, weniger beginnen von vorn.</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Sorgfalt</translation>
+    </message>
+    <message>
+        <source>How much is done for each stroke. Better goes on with what is there.</source>
+        <translation>Wie viel für jeden Strich getan wird. Mehr setzt auf dem Vorhandenen auf.</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Am besten</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Of all strokes. Another one begins anew.</source>
+        <translation>Aller Striche. Ein anderer beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Each stroke its own, or a few paints, which become linked swatches</source>
+        <translation>Jedem Strich seine eigene, oder wenige, die zu verknüpften Farbfeldern werden</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Few paints</source>
+        <translation>Wenige</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>Anzahl der Farben</translation>
+    </message>
+    <message>
+        <source>So many colours in all</source>
+        <translation>So viele Farben insgesamt</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Widths of strokes, and the roll of the dice</source>
+        <translation>Breiten der Striche und der Zufall</translation>
+    </message>
+    <message>
+        <source>Least width</source>
+        <translation>Kleinste Breite</translation>
+    </message>
+    <message>
+        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
+        <translation>Kein Strich ist schmaler, in Einheiten der Leinwand; 0: beliebig schmal</translation>
+    </message>
+    <message>
+        <source>Greatest width</source>
+        <translation>Größte Breite</translation>
+    </message>
+    <message>
+        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
+        <translation>Kein Strich ist breiter, in Einheiten der Leinwand; 0: beliebig breit</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Another number gives other strokes, equally good ones</source>
+        <translation>Eine andere Zahl ergibt andere, ebenso gute Striche</translation>
+    </message>
+    <message>
+        <source>The greatest width is below the least one.</source>
+        <translation>Die größte Breite liegt unter der kleinsten.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitDialog</name>
+    <message>
+        <source>far: %1 dB</source>
+        <translation>fern: %1 dB</translation>
+    </message>
+    <message>
+        <source>roughly: %1 dB</source>
+        <translation>ungefähr: %1 dB</translation>
+    </message>
+    <message>
+        <source>near: %1 dB</source>
+        <translation>nah: %1 dB</translation>
+    </message>
+    <message>
+        <source>very near: %1 dB</source>
+        <translation>sehr nah: %1 dB</translation>
+    </message>
+    <message>
+        <source>Picture to Strokes</source>
+        <translation>Bild in Striche umwandeln</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>Wie weit es ist</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Shows the picture itself: while held, or click to switch back and forth.</source>
+        <translation>Zeigt das Bild selbst: solange gedrückt, oder per Klick hin und her.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Which picture becomes strokes</source>
+        <translation>Welches Bild zu Strichen wird</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keines</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei …</translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Puts the strokes so far into the painting, as a layer</source>
+        <translation>Fügt die bisherigen Striche als Ebene in das Gemälde ein</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stops the work, or goes on with it</source>
+        <translation>Hält die Arbeit an oder setzt sie fort</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Das Bild wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

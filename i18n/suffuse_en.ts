@@ -571,4 +571,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>suffuse::FitDialog</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -5335,6 +5335,14 @@ Arrow keys work too.</source>
         <translation>将底图原位转为最下方的图像图层；之后它会被导出</translation>
     </message>
     <message>
+        <source>Picture to Stro&amp;kes…</source>
+        <translation>图片转为笔画(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Strokes that look like a picture, of a file or the underlay, as a layer</source>
+        <translation>将文件或底图中的图片转为外观相同的笔画，作为图层</translation>
+    </message>
+    <message>
         <source>Import &amp;Picture as Layer…</source>
         <translation>将图片导入为图层(&amp;P)…</translation>
     </message>
@@ -7286,6 +7294,10 @@ Arrow keys work too.</source>
 </context>
 <context>
     <name>suffuse::Importing</name>
+    <message>
+        <source>Picture to Strokes</source>
+        <translation>图片转为笔画</translation>
+    </message>
     <message>
         <source>Import underlay</source>
         <translation>导入底图</translation>
@@ -11397,6 +11409,235 @@ Arrow keys work too.</source>
     <message>
         <source>Profile of the Colours</source>
         <translation>颜色的配置文件</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitJob</name>
+    <message>
+        <source>%1: there is not enough memory to fit it.</source>
+        <translation>%1：内存不足，无法将其转为笔画。</translation>
+    </message>
+</context>
+<context>
+    <name>FitLayer</name>
+    <message>
+        <source>Ground</source>
+        <translation>底色</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Picture to strokes</source>
+        <translation>图片转为笔画</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitView</name>
+    <message>
+        <source>Picture made of strokes</source>
+        <translation>由笔画组成的图片</translation>
+    </message>
+    <message>
+        <source>What the strokes look like. While a mouse button is held on it, the original is seen.</source>
+        <translation>笔画的样子。在其上按住鼠标键时显示原图。</translation>
+    </message>
+    <message>
+        <source>Here the picture grows, stroke by stroke.</source>
+        <translation>图片将在这里一笔一笔地生长。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitRows</name>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>At most so many. More of them go on with those that are there; fewer begin anew.</source>
+        <translation>最多这么多。增加时在现有笔画上继续；减少时重新开始。</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>精细度</translation>
+    </message>
+    <message>
+        <source>How much is done for each stroke. Better goes on with what is there.</source>
+        <translation>为每一笔所做的计算量。提高时在现有基础上继续。</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>Of all strokes. Another one begins anew.</source>
+        <translation>所有笔画的样式。更换后重新开始。</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Each stroke its own, or a few paints, which become linked swatches</source>
+        <translation>每笔各有颜色，或使用少数几种颜料（成为链接的色板）</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Few paints</source>
+        <translation>少数颜料</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>颜料数</translation>
+    </message>
+    <message>
+        <source>So many colours in all</source>
+        <translation>颜色总数</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Widths of strokes, and the roll of the dice</source>
+        <translation>笔画宽度和随机数</translation>
+    </message>
+    <message>
+        <source>Least width</source>
+        <translation>最小宽度</translation>
+    </message>
+    <message>
+        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
+        <translation>没有更窄的笔画，以画布单位计；0：不限</translation>
+    </message>
+    <message>
+        <source>Greatest width</source>
+        <translation>最大宽度</translation>
+    </message>
+    <message>
+        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
+        <translation>没有更宽的笔画，以画布单位计；0：不限</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Another number gives other strokes, equally good ones</source>
+        <translation>换一个数会得到另一组同样好的笔画</translation>
+    </message>
+    <message>
+        <source>The greatest width is below the least one.</source>
+        <translation>最大宽度小于最小宽度。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FitDialog</name>
+    <message>
+        <source>far: %1 dB</source>
+        <translation>相差较远：%1 dB</translation>
+    </message>
+    <message>
+        <source>roughly: %1 dB</source>
+        <translation>大致相似：%1 dB</translation>
+    </message>
+    <message>
+        <source>near: %1 dB</source>
+        <translation>接近：%1 dB</translation>
+    </message>
+    <message>
+        <source>very near: %1 dB</source>
+        <translation>非常接近：%1 dB</translation>
+    </message>
+    <message>
+        <source>Picture to Strokes</source>
+        <translation>图片转为笔画</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>进展</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>原图</translation>
+    </message>
+    <message>
+        <source>Shows the picture itself: while held, or click to switch back and forth.</source>
+        <translation>显示原图：按住时显示，或单击来回切换。</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>Which picture becomes strokes</source>
+        <translation>哪张图片转为笔画</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>底图</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation>插入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Puts the strokes so far into the painting, as a layer</source>
+        <translation>将目前的笔画作为图层放入画作</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stops the work, or goes on with it</source>
+        <translation>停止或继续计算</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>正在读取图片…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 笔</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -156,7 +156,7 @@ void FitDialog::addButtons(QBoxLayout &column)
     m_insert->setToolTip(tr("Puts the strokes so far into the painting, as a layer"));
     m_stop = buttons->addButton(tr("Go On"), QDialogButtonBox::ActionRole);
     m_stop->setToolTip(tr("Stops the work, or goes on with it"));
-    // Its letter must not be another widget's whichever of its texts it has, nor its size another one.
+    // It is as wide whichever of its texts it has.
     const QFontMetrics metrics = m_stop->fontMetrics();
     m_stop->setMinimumWidth(
         std::max(metrics.horizontalAdvance(tr("Go On")), metrics.horizontalAdvance(tr("Stop"))) + 40);
@@ -272,8 +272,11 @@ void FitDialog::showState()
         m_status->setText(tr("%1 · %2 · %3")
                               .arg(tr("%Ln stroke(s)", nullptr, news.strokes), nearness(news.peakRatio),
                                    Display{secondsUnit(), 1, 0, 0}.text(news.seconds)));
-    m_stop->setText(m_job.isRunning() ? tr("Stop") : tr("Go On"));
-    giveMnemonics(*this);
+    // Another text gets a letter that nothing else has; the same one keeps its own.
+    if (const QString text = m_job.isRunning() ? tr("Stop") : tr("Go On"); !m_stop->text().remove('&').startsWith(text)) {
+        m_stop->setText(text);
+        giveMnemonics(*this);
+    }
     m_stop->setEnabled(m_job.hasPicture() && !m_isFailed);
     m_original->setEnabled(!news.original.isNull());
     m_insert->setEnabled(news.strokes > 0);

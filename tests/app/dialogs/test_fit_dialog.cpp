@@ -1,0 +1,336 @@
+// Picture to Strokes: what is fitted, what is inserted and undone, and what is said where nothing can be.
+#include "app/dialogs/fit/fit_dialog.h"
+#include "app/dialogs/fit/fit_rows.h"
+#include "app/dialogs/fit/fit_view.h"
+#include "app/session/commands/underlay_commands.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/slider_field.h"
+#include "model/shaping/transform.h"
+#include "render/backends.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <set>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr int longMs = 60'000;
+constexpr QSize pictureSize(48, 32);
+
+/// A sky that darkens upwards, and a sun.
+QImage sunset()
+{
+    QImage image(pictureSize, QImage::Format_RGB32);
+    QPainter painter(&image);
+    QLinearGradient sky(0, 0, 0, pictureSize.height());
+    sky.setColorAt(0, QColor(30, 60, 120));
+    sky.setColorAt(1, QColor(230, 150, 90));
+    painter.fillRect(image.rect(), sky);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(250, 230, 120));
+    painter.drawEllipse(QPointF(30, 20), 8, 8);
+    return image;
+}
+
+void setCanvas(Editor &editor, double width, double height)
+{
+    Canvas canvas;
+    canvas.width = width, canvas.height = height;
+    editor.newPainting(canvas);
+}
+
+/// The painting as it is seen at its end, R, G, B.
+QImage drawn(const Editor &editor, const Rect &area, QSize size)
+{
+    RenderRequest request;
+    request.painting = editor.unsettled().snapshot();
+    request.time = request.painting->end();
+    request.view = View::ofArea(area, size.width(), size.height());
+    Picture8 picture;
+    auto renderer = makeRenderer({.backend = Backend::Cpu, .threads = 1});
+    if (!renderer || !(*renderer)->render(request, picture))
+        return {};
+    QImage image(size, QImage::Format_RGB32);
+    for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x)
+            image.setPixel(x, y, picture.argb[std::size_t(y) * std::size_t(size.width()) + std::size_t(x)]);
+    return image;
+}
+
+/// The mean difference of two pictures of one size, in 255ths.
+double difference(const QImage &a, const QImage &b)
+{
+    double sum = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+        }
+    return sum / (3.0 * a.width() * a.height());
+}
+
+std::set<std::tuple<float, float, float>> coloursOf(const Painting &painting)
+{
+    std::set<std::tuple<float, float, float>> colours;
+    for (const StrokePtr &stroke : painting.strokes)
+        for (const Segment &s : stroke->segments)
+            if (!stroke->fill)
+                colours.emplace(s.colour.red, s.colour.yellow, s.colour.blue);
+    return colours;
+}
+
+} // namespace
+
+class TestFitDialog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        qputenv("SUFFUSE_SETTINGS", pathOf("settings.ini").toUtf8());
+        settings::store().clear();
+        settings::store().setValue("fit/strokes", 12);
+        QVERIFY(sunset().save(pathOf("sunset.png")));
+    }
+
+    void fittedInsertedUndone_data()
+    {
+        QTest::addColumn<QSizeF>("canvas");
+        QTest::addColumn<QRectF>("area");
+        QTest::newRow("all of the canvas") << QSizeF(300, 200) << QRectF(0, 0, 300, 200);
+        QTest::newRow("a band of it") << QSizeF(300, 300) << QRectF(0, 50, 300, 200);
+    }
+    void fittedInsertedUndone()
+    {
+        QFETCH(QSizeF, canvas);
+        QFETCH(QRectF, area);
+        const Rect place = Rect::of(area.x(), area.y(), area.width(), area.height());
+        Editor editor;
+        setCanvas(editor, canvas.width(), canvas.height());
+        const Painting before = *editor.document().painting();
+        FitDialog dialog(editor, nullptr);
+        QVERIFY(!dialog.insertButton()->isEnabled() && !dialog.stopButton()->isEnabled());
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QCOMPARE(dialog.source()->currentText(), QStringLiteral("sunset.png"));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        const FitNews news = dialog.job().news();
+        QVERIFY2(news.peakRatio > 22, qPrintable(dialog.status()->text()));
+        QVERIFY(news.strokes > 0 && news.strokes <= 12);
+        QCOMPARE(dialog.progress()->value(), dialog.progress()->maximum());
+        QCOMPARE(dialog.view()->shown(), news.picture);
+        QCOMPARE(*editor.document().painting(), before); // until Insert
+
+        QVERIFY(dialog.insertButton()->isEnabled());
+        dialog.insertButton()->click();
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const Painting &painting = *editor.document().painting();
+        QCOMPARE(painting.strokes.size(), std::size_t(news.strokes) + 1); // and the sheet below them
+        QCOMPARE(editor.selection().strokes.size(), painting.strokes.size());
+        QCOMPARE(painting.groups.front().name, QStringLiteral("sunset"));
+        QCOMPARE(painting.groups.front().parent, GroupId(0));
+        QCOMPARE(editor.undoStack().count(), 1);
+        const double apart = difference(drawn(editor, place, pictureSize), news.picture);
+        QVERIFY2(apart < 1.5, qPrintable(QString::number(apart)));
+        if (canvas.height() > area.height()) { // Nothing runs over the edge of the picture.
+            editor.clock().setTime(painting.end());
+            const QImage above = drawn(editor, Rect::of(0, 0, 300, 49), {30, 5});
+            QCOMPARE(above.pixel(20, 4), above.pixel(0, 0));
+            QCOMPARE(above.pixel(29, 4), above.pixel(0, 0));
+        }
+        editor.undo();
+        QCOMPARE(*editor.document().painting(), before);
+        QVERIFY(!editor.canUndo());
+    }
+
+    void cancelLeavesAllAsItWas()
+    {
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        const PaintingPtr before = editor.document().snapshot();
+        const int steps = editor.undoStack().count();
+        FitDialog dialog(editor, nullptr);
+        dialog.rows()->detail()->setCurrentIndex(dialog.rows()->detail()->count() - 1);
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QVERIFY(dialog.job().isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.view()->shown().isNull(), longMs);
+        dialog.reject();
+        QVERIFY(!dialog.job().isRunning());
+        QCOMPARE(dialog.result(), int(QDialog::Rejected));
+        QCOMPARE(editor.document().snapshot(), before);
+        QCOMPARE(editor.undoStack().count(), steps);
+    }
+
+    void underlayIsTaken()
+    {
+        Editor editor;
+        setCanvas(editor, 400, 400);
+        QCOMPARE(underlay::importFile(editor, pathOf("sunset.png")), QString());
+        underlay::setArea(editor, Rect::of(100, 200, 150, 100));
+        const int steps = editor.undoStack().count();
+        FitDialog dialog(editor, nullptr);
+        QCOMPARE(dialog.source()->currentText(), QStringLiteral("Underlay"));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        dialog.accept();
+        const Painting &painting = *editor.document().painting();
+        QCOMPARE(editor.undoStack().count(), steps + 1);
+        QCOMPARE(painting.groups.front().name, QStringLiteral("Underlay"));
+        const Rect sheet = controlBox(*painting.strokes[0]);
+        QVERIFY(std::abs(sheet.left - 100) < 1e-3 && std::abs(sheet.top - 200) < 1e-3);
+        QVERIFY(std::abs(sheet.right - 250) < 1e-3 && std::abs(sheet.bottom - 300) < 1e-3);
+        QVERIFY(painting.underlay); // which stays
+    }
+
+    void stoppedAndGoneOnWith()
+    {
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        FitDialog dialog(editor, nullptr);
+        dialog.rows()->detail()->setCurrentIndex(dialog.rows()->detail()->count() - 1);
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.job().news().strokes > 0, longMs);
+        QCOMPARE(dialog.stopButton()->text().remove('&'), QStringLiteral("Stop"));
+        dialog.stopButton()->click();
+        QVERIFY(!dialog.job().isRunning());
+        QCOMPARE(dialog.stopButton()->text().remove('&'), QStringLiteral("Go On"));
+        QVERIFY(dialog.insertButton()->isEnabled()); // what there is
+        const std::size_t some = dialog.job().result().painting.strokes.size();
+        QVERIFY(some > 0);
+        dialog.stopButton()->click();
+        QVERIFY(dialog.job().isRunning());
+        dialog.stopButton()->click();
+        QVERIFY(dialog.job().result().painting.strokes.size() >= some); // it did not begin anew
+    }
+
+    void moreGoesOnAndFewerBeginAnew()
+    {
+        FitWish before;
+        before.strokes = 100;
+        FitWish more = before;
+        more.strokes = 200, more.steps *= 2, more.paints = 8, more.leastWidth = 3;
+        QVERIFY(more.goesOnFrom(before));
+        QVERIFY(!before.goesOnFrom(more));
+        FitWish other = before;
+        other.style = StyleKind::Uniform;
+        QVERIFY(!other.goesOnFrom(before));
+        other = before;
+        other.seed = 2;
+        QVERIFY(!other.goesOnFrom(before));
+
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        FitDialog dialog(editor, nullptr);
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        const double ratio = dialog.job().news().peakRatio;
+        emit dialog.rows()->strokes()->edited(30, nullptr);
+        QVERIFY(dialog.job().isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QVERIFY(dialog.job().news().strokes > 12);
+        QVERIFY2(dialog.job().news().peakRatio > ratio, qPrintable(dialog.status()->text()));
+        emit dialog.rows()->strokes()->edited(6, nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QVERIFY(dialog.job().news().strokes <= 6);
+    }
+
+    /// Also where it is stopped before the fit itself has come to its paints.
+    void fewPaintsBecomeSwatches()
+    {
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        const std::size_t swatches = editor.document().painting()->swatches.size();
+        settings::store().setValue("fit/colours", 1);
+        settings::store().setValue("fit/paints", 3);
+        FitDialog dialog(editor, nullptr);
+        QVERIFY(dialog.rows()->paints()->isEnabled());
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.job().news().strokes > 3, longMs);
+        dialog.accept();
+        const Painting &painting = *editor.document().painting();
+        const std::size_t paints = coloursOf(painting).size();
+        QVERIFY(paints > 0 && paints <= 3);
+        QCOMPARE(painting.swatches.size(), swatches + paints);
+        QVERIFY(painting.swatches.back().linked);
+        editor.undo();
+        QCOMPARE(editor.document().painting()->swatches.size(), swatches);
+    }
+
+    void theOriginalIsShown()
+    {
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        FitDialog dialog(editor, nullptr);
+        QVERIFY(!dialog.originalButton()->isEnabled());
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QVERIFY(difference(dialog.job().news().original, sunset()) < 1);
+        QTest::mousePress(dialog.originalButton(), Qt::LeftButton);
+        QCOMPARE(dialog.view()->shown(), dialog.job().news().original);
+        QTest::mouseRelease(dialog.originalButton(), Qt::LeftButton);
+        dialog.originalButton()->setChecked(false);
+        dialog.view()->showOriginal(false);
+        QCOMPARE(dialog.view()->shown(), dialog.job().news().picture);
+        QTest::mousePress(dialog.view(), Qt::LeftButton);
+        QCOMPARE(dialog.view()->shown(), dialog.job().news().original);
+        QTest::mouseRelease(dialog.view(), Qt::LeftButton);
+        QCOMPARE(dialog.view()->shown(), dialog.job().news().picture);
+    }
+
+    void whatIsNoPictureIsTold_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << "empty.png" << QByteArray();
+        QTest::newRow("text") << "text.png" << QByteArray("This is no picture.");
+        QTest::newRow("cut off") << "cut.png" << QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    }
+    void whatIsNoPictureIsTold()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        QFile file(pathOf(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        FitDialog dialog(editor, nullptr);
+        const QSignalSpy ended(&dialog.job(), &FitJob::ended);
+        if (dialog.takeFile(pathOf(name)))
+            QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longMs);
+        QVERIFY2(dialog.hint()->text().contains(name), qPrintable(dialog.hint()->text()));
+        QVERIFY(!dialog.insertButton()->isEnabled() && !dialog.stopButton()->isEnabled());
+        dialog.accept(); // inserts nothing
+        QVERIFY(editor.document().painting()->strokes.empty());
+        QVERIFY(!dialog.takeFile(pathOf("there is none.png")));
+        QVERIFY(dialog.hint()->text().contains("there is none.png"));
+        // After that, a picture is welcome.
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QVERIFY(dialog.hint()->text().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.job().news().strokes > 0, longMs);
+    }
+
+private:
+    QString pathOf(const QString &name) const { return m_folder->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestFitDialog)
+#include "test_fit_dialog.moc"
