@@ -1,4 +1,4 @@
-// The loops of tile_kernels.h over nodes: sums from nodes, and derivatives by nodes from those by sums. V holds one or
+// The loops of tile_data.h over nodes: sums from nodes, and derivatives by nodes from those by sums. V holds one or
 // more pixels of a row. docs/solver.md, "The gradient of the picture".
 #if defined(SUFFUSE_RENDER_GRADIENT_NODE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_GRADIENT_NODE_KERNELS_INL_H
@@ -7,7 +7,7 @@
 #define SUFFUSE_RENDER_GRADIENT_NODE_KERNELS_INL_H
 #endif
 
-#include "render/gradient/tile_kernels.h"
+#include "render/gradient/tile_data.h"
 #include "render/math/style.h"
 
 #include <algorithm>

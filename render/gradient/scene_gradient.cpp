@@ -1,5 +1,6 @@
 #include "render/gradient/scene_gradient.h"
 
+#include "render/gradient/tile_kernels.h"
 #include "render/gradient/work_pool.h"
 
 #include <algorithm>

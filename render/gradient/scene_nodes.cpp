@@ -1,6 +1,6 @@
 #include "render/gradient/scene_nodes.h"
 
-#include "render/gradient/tile_kernels.h"
+#include "render/gradient/tile_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The loops of tile_kernels.h over pixels: what strokes show, and the way back through that. V holds one or more pixels
+// The loops of tile_data.h over pixels: what strokes show, and the way back through that. V holds one or more pixels
 // of a row. docs/solver.md, "The gradient of the picture".
 #if defined(SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_GRADIENT_TILE_KERNELS_INL_H

@@ -11,6 +11,7 @@
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
 #include "hwy/highway.h"
+#include "render/gradient/tile_kernels.h"
 #include "render/math/lanes-inl.h"
 // This has templates over the lanes, which must be declared before.
 #include "render/gradient/tile_kernels-inl.h"

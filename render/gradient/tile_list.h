@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/gradient/scene_nodes.h"
-#include "render/gradient/tile_kernels.h"
+#include "render/gradient/tile_data.h"
 #include "render/threads/unset_vector.h"
 
 namespace suffuse::gradient {

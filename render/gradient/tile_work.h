@@ -1,6 +1,7 @@
 // Draws one tile, and goes back through it.
 #pragma once
 
+#include "render/gradient/tile_kernels.h"
 #include "render/gradient/tile_list.h"
 
 namespace suffuse::gradient {
