@@ -4,6 +4,9 @@
 
 #include "render/cuda/device/device_memory.h"
 #include "render/gradient/node_rule.h"
+#include "render/threads/parallel.h"
+
+#include <span>
 
 namespace suffuse {
 

@@ -1,6 +1,7 @@
 // Times of the gradient of the picture, on the CPU and on a CUDA device, and how far these agree.
 // bench_cuda_gradient [--backend cpu|cuda|both] [--size WxH] [--strokes N] [--runs N] [--only TEXT]
 #include "render/cuda/cuda_gradient.h"
+#include "render/gradient/scene_gradient.h"
 #include "tests/render/flat_scenes.h"
 
 #include <QCommandLineParser>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/cuda/cuda_gradient.h"
+#include "render/gradient/scene_gradient.h"
 #include "tests/render/flat_scenes.h"
 
 #include <QTest>
