@@ -11,6 +11,7 @@
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/slider_field.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -52,7 +53,7 @@ QString nearness(double ratio)
 
 } // namespace
 
-FitDialog::FitDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor)
+FitDialog::FitDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor), m_job(*new FitJob(qApp))
 {
     setWindowTitle(tr("Picture to Strokes"));
     auto *column = new QVBoxLayout(this);
@@ -76,7 +77,11 @@ FitDialog::FitDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_edito
     showState();
 }
 
-FitDialog::~FitDialog() = default;
+FitDialog::~FitDialog()
+{
+    m_job.disconnect(this);
+    m_job.abandon();
+}
 
 void FitDialog::addPicture(QBoxLayout &row)
 {
@@ -303,7 +308,7 @@ void FitDialog::accept()
 
 void FitDialog::reject()
 {
-    m_job.stop();
+    m_job.cancel();
     QDialog::reject();
 }
 

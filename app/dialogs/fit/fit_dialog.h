@@ -69,7 +69,7 @@ private:
     Rect area() const;
 
     Editor &m_editor;
-    FitJob m_job;
+    FitJob &m_job; ///< It may outlive the dialog for a moment, since Cancel waits for nothing.
     bool m_isUnderlay = false; ///< whose picture it is
     bool m_isFailed = false;
     QString m_said;

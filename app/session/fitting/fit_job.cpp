@@ -55,9 +55,23 @@ void FitJob::join()
     if (m_thread.joinable())
         m_thread.join();
     m_cancel = false;
-    m_running = false;
+    m_running = m_isBusy = false;
     ++m_run;
     m_untold = false;
+}
+
+void FitJob::cancel()
+{
+    m_cancel = true;
+    m_running = false;
+}
+
+void FitJob::abandon()
+{
+    cancel();
+    m_isAbandoned = true;
+    if (!m_isBusy)
+        deleteLater();
 }
 
 void FitJob::setPicture(EncodedImage image, const QString &place, const QString &name)
@@ -79,7 +93,7 @@ void FitJob::start(const FitWish &wish)
     join();
     if (!m_image)
         return;
-    m_running = true;
+    m_running = m_isBusy = true;
     m_thread = std::jthread([this, wish] { run(wish); });
 }
 
@@ -104,12 +118,15 @@ void FitJob::run(const FitWish &wish)
         m_fit.reset();
         done = Error{tr("%1: there is not enough memory to fit it.").arg(m_place)};
     }
-    if (m_cancel)
-        return; // Whoever stopped it knows.
     QMetaObject::invokeMethod(
         this,
         [this, run = m_run, error = done ? QString() : done.error()] {
             if (run != m_run)
+                return; // Whoever stopped it knows.
+            m_isBusy = false;
+            if (m_isAbandoned)
+                deleteLater();
+            if (!m_running)
                 return;
             m_running = false;
             emit ended(error);
@@ -200,7 +217,7 @@ void FitJob::tell()
     QMetaObject::invokeMethod(
         this,
         [this, run = m_run, size = QSizeF(m_target->canvasWidth, m_target->canvasHeight), news = std::move(news)] {
-            if (run != m_run)
+            if (run != m_run || !m_running)
                 return;
             m_untold = false;
             m_news = news;

@@ -63,6 +63,10 @@ public:
     void start(const FitWish &wish);
     /// Stops after some tens of milliseconds at the most, and waits for that. What was done stays.
     void stop();
+    /// Stops without waiting: what the thread still does is for nothing, and nothing more is told.
+    void cancel();
+    /// Cancels and goes, as soon as the thread has ended. Whoever owns it, it is not to be used after that.
+    void abandon();
     bool isRunning() const { return m_running; }
     const FitNews &news() const { return m_news; }
     /// What it has made so far, with no more colours than were asked for. To be asked while it does not run.
@@ -88,6 +92,8 @@ private:
     FitNews m_news;  ///< of the caller's thread
     QSizeF m_size;   ///< of the caller's thread
     bool m_running = false;
+    bool m_isBusy = false; ///< The thread may be at work, though nobody waits for it.
+    bool m_isAbandoned = false;
     int m_run = 0;   ///< News of a run that is over are not heard.
 
     // What follows is the thread's while it runs.
