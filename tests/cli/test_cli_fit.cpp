@@ -57,6 +57,14 @@ std::array<float, 4> scene(double x, double y)
                    : std::array<float, 4>{0.2f, 0.3f, 0.6f, 1};
 }
 
+/// Whether a process has a handler for SIGINT.
+bool catchesInterrupts(qint64 process)
+{
+    const QByteArray status = readFile(QStringLiteral("/proc/%1/status").arg(process));
+    const qsizetype at = status.indexOf("SigCgt:");
+    return at >= 0 && (status.mid(at + 7, 17).trimmed().toULongLong(nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+}
+
 } // namespace
 
 QString TestCliFit::write(const QString &name, int width, int height, const ImageOptions &options,
@@ -347,8 +355,9 @@ void TestCliFit::interrupted()
     process.start(SUFFUSE_BIN_DIR "/suffuse-cli",
                   {"fit", path("scene.png"), "-o", out, "--strokes", "40", "--iterations", "1000000"});
     QVERIFY(process.waitForStarted());
-    // It installs its handler first; by then it may have no stroke yet, and writes nothing.
-    QTest::qWait(1500);
+    // Before it catches the signal it would end by it. By then it may have no stroke yet, and writes nothing.
+    QTRY_VERIFY_WITH_TIMEOUT(catchesInterrupts(process.processId()), 60'000);
+    QTest::qWait(1000);
     ::kill(pid_t(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
