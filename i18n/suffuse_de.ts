@@ -1106,6 +1106,134 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1 is a picture: suffuse-cli render IN -o OUT writes pictures</source>
         <translation>%1 ist ein Bild: Bilder schreibt suffuse-cli render IN -o OUT</translation>
     </message>
+    <message>
+        <source>The painting to write: .suffuse or .json.</source>
+        <translation>Das Bild, das geschrieben wird: .suffuse oder .json.</translation>
+    </message>
+    <message>
+        <source>At most so many strokes (default 512).</source>
+        <translation>Höchstens so viele Striche (sonst 512).</translation>
+    </message>
+    <message>
+        <source>At most so many numbers, 27 for each stroke.</source>
+        <translation>Höchstens so viele Zahlen, 27 je Strich.</translation>
+    </message>
+    <message>
+        <source>As many strokes as this root mean square error needs, in 255ths.</source>
+        <translation>So viele Striche, wie dieser mittlere quadratische Fehler braucht, in 255steln.</translation>
+    </message>
+    <message>
+        <source>So many paints, which become linked swatches.</source>
+        <translation>So viele Farben; sie werden verknüpfte Farbfelder.</translation>
+    </message>
+    <message>
+        <source>feathering (default), uniform or edge.</source>
+        <translation>feathering (sonst), uniform oder edge.</translation>
+    </message>
+    <message>
+        <source>No stroke is narrower, pixels of PICTURE.</source>
+        <translation>Kein Strich ist schmaler, in Pixeln von PICTURE.</translation>
+    </message>
+    <message>
+        <source>No stroke is wider, pixels of PICTURE.</source>
+        <translation>Kein Strich ist breiter, in Pixeln von PICTURE.</translation>
+    </message>
+    <message>
+        <source>Another picture, white where PICTURE counts and black where not.</source>
+        <translation>Ein weiteres Bild: weiß, wo PICTURE zählt, und schwarz, wo nicht.</translation>
+    </message>
+    <message>
+        <source>The share of the error as people see it, 0 (default) to 1.</source>
+        <translation>Der Anteil des Fehlers, wie Menschen ihn sehen, 0 (sonst) bis 1.</translation>
+    </message>
+    <message>
+        <source>Goes on with a painting that was fitted before.</source>
+        <translation>Macht mit einem Bild weiter, das schon angepasst wurde.</translation>
+    </message>
+    <message>
+        <source>How many steps (default 1200).</source>
+        <translation>Wie viele Schritte (sonst 1200).</translation>
+    </message>
+    <message>
+        <source>PICTURE is averaged down to so many pixels (default 600000).</source>
+        <translation>PICTURE wird auf so viele Pixel gemittelt (sonst 600000).</translation>
+    </message>
+    <message>
+        <source>Other numbers give other strokes (default 1).</source>
+        <translation>Andere Zahlen ergeben andere Striche (sonst 1).</translation>
+    </message>
+    <message>
+        <source>Prints how near the painting comes, as JSON (docs/cli.md).</source>
+        <translation>Gibt als JSON aus, wie nahe das Bild kommt (docs/cli.md).</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a whole number from %3 to %4</source>
+        <translation>--%1 %2: bitte eine ganze Zahl von %3 bis %4 angeben</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number from %3 to %4</source>
+        <translation>--%1 %2: bitte eine Zahl von %3 bis %4 angeben</translation>
+    </message>
+    <message>
+        <source>--style %1: give feathering, uniform or edge</source>
+        <translation>--style %1: bitte feathering, uniform oder edge angeben</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the painting to write</source>
+        <translation>-o OUT fehlt: bitte das Bild nennen, das geschrieben wird</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse or .json</source>
+        <translation>%1: unbekannte Endung; bitte .suffuse oder .json verwenden</translation>
+    </message>
+    <message>
+        <source>--strokes and --numbers say the same; give one of them</source>
+        <translation>--strokes und --numbers sagen dasselbe; bitte nur eines angeben</translation>
+    </message>
+    <message>
+        <source>--style goes without --from, whose strokes have a style already</source>
+        <translation>--style gilt nur ohne --from, dessen Striche schon einen Stil haben</translation>
+    </message>
+    <message>
+        <source>--greatest-width %1 is below --least-width %2</source>
+        <translation>--greatest-width %1 liegt unter --least-width %2</translation>
+    </message>
+    <message>
+        <source>%1: is a painting already; draw it with suffuse-cli render first</source>
+        <translation>%1: ist schon ein gemaltes Bild; bitte erst mit suffuse-cli render zeichnen</translation>
+    </message>
+    <message>
+        <source>%1: there is no folder %2</source>
+        <translation>%1: es gibt keinen Ordner %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1: kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>fitting</source>
+        <translation>passt an</translation>
+    </message>
+    <message>
+        <source>stopped; %1 has the strokes so far, and --from %1 goes on</source>
+        <translation>angehalten; %1 hat die bisherigen Striche, und --from %1 macht weiter</translation>
+    </message>
+    <message>
+        <source>Makes strokes that look like a picture, from the back to the front and large before small.</source>
+        <translation>Macht Striche, die wie ein Bild aussehen, von hinten nach vorn und große vor kleinen.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to fit %1. Choose fewer --pixels.</source>
+        <translation>der Speicher reicht nicht, um %1 anzupassen. Bitte weniger --pixels wählen.</translation>
+    </message>
+    <message>
+        <source>make a painting of a picture</source>
+        <translation>ein Bild aus einem Bild malen</translation>
+    </message>
+    <message>
+        <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
+        <translation>Die Bilddatei, die gelesen wird: PNG, JPEG, TIFF, EXR oder WebP; -: Standardeingabe.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11713,6 +11841,25 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln Strich</numerusform>
             <numerusform>%Ln Striche</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fitting</name>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>%1: is black all over, so nothing counts; paint white what is to be fitted</source>
+        <translation>%1: ist überall schwarz, also zählt nichts; bitte weiß malen, was angepasst werden soll</translation>
+    </message>
+    <message>
+        <source>its canvas has %1 × %2 units, and the picture %3 × %4 pixels; go on with a painting that was fitted to this picture</source>
+        <translation>seine Leinwand hat %1 × %2 Einheiten, das Bild %3 × %4 Pixel; bitte mit einem Bild weitermachen, das an dieses angepasst wurde</translation>
+    </message>
+    <message>
+        <source>stroke %1: %2; a fit goes on with what a fit made</source>
+        <translation>Strich %1: %2; nur was angepasst wurde, lässt sich weiter anpassen</translation>
     </message>
 </context>
 </TS>

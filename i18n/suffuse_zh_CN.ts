@@ -1099,6 +1099,134 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>%1 is a picture: suffuse-cli render IN -o OUT writes pictures</source>
         <translation>%1 是图片：请用 suffuse-cli render IN -o OUT 来写图片</translation>
     </message>
+    <message>
+        <source>The painting to write: .suffuse or .json.</source>
+        <translation>要写入的画作：.suffuse 或 .json。</translation>
+    </message>
+    <message>
+        <source>At most so many strokes (default 512).</source>
+        <translation>最多这么多笔画（默认 512）。</translation>
+    </message>
+    <message>
+        <source>At most so many numbers, 27 for each stroke.</source>
+        <translation>最多这么多数值，每个笔画 27 个。</translation>
+    </message>
+    <message>
+        <source>As many strokes as this root mean square error needs, in 255ths.</source>
+        <translation>达到此均方根误差（以 1/255 为单位）所需的笔画数。</translation>
+    </message>
+    <message>
+        <source>So many paints, which become linked swatches.</source>
+        <translation>这么多种颜料，它们会成为链接的色板。</translation>
+    </message>
+    <message>
+        <source>feathering (default), uniform or edge.</source>
+        <translation>feathering（默认）、uniform 或 edge。</translation>
+    </message>
+    <message>
+        <source>No stroke is narrower, pixels of PICTURE.</source>
+        <translation>笔画不会更窄，以 PICTURE 的像素计。</translation>
+    </message>
+    <message>
+        <source>No stroke is wider, pixels of PICTURE.</source>
+        <translation>笔画不会更宽，以 PICTURE 的像素计。</translation>
+    </message>
+    <message>
+        <source>Another picture, white where PICTURE counts and black where not.</source>
+        <translation>另一张图片：PICTURE 计入之处为白色，其余为黑色。</translation>
+    </message>
+    <message>
+        <source>The share of the error as people see it, 0 (default) to 1.</source>
+        <translation>按人眼所见计算的误差所占的比例，0（默认）到 1。</translation>
+    </message>
+    <message>
+        <source>Goes on with a painting that was fitted before.</source>
+        <translation>从以前拟合的画作继续。</translation>
+    </message>
+    <message>
+        <source>How many steps (default 1200).</source>
+        <translation>步数（默认 1200）。</translation>
+    </message>
+    <message>
+        <source>PICTURE is averaged down to so many pixels (default 600000).</source>
+        <translation>PICTURE 会被平均到这么多像素（默认 600000）。</translation>
+    </message>
+    <message>
+        <source>Other numbers give other strokes (default 1).</source>
+        <translation>不同的数字得到不同的笔画（默认 1）。</translation>
+    </message>
+    <message>
+        <source>Prints how near the painting comes, as JSON (docs/cli.md).</source>
+        <translation>以 JSON 输出画作的接近程度（docs/cli.md）。</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a whole number from %3 to %4</source>
+        <translation>--%1 %2：请给出 %3 到 %4 的整数</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number from %3 to %4</source>
+        <translation>--%1 %2：请给出 %3 到 %4 的数值</translation>
+    </message>
+    <message>
+        <source>--style %1: give feathering, uniform or edge</source>
+        <translation>--style %1：请给出 feathering、uniform 或 edge</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the painting to write</source>
+        <translation>缺少 -o OUT：请指定要写入的画作</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse or .json</source>
+        <translation>%1：未知的扩展名；请使用 .suffuse 或 .json</translation>
+    </message>
+    <message>
+        <source>--strokes and --numbers say the same; give one of them</source>
+        <translation>--strokes 与 --numbers 含义相同；请只给出其中一个</translation>
+    </message>
+    <message>
+        <source>--style goes without --from, whose strokes have a style already</source>
+        <translation>--style 不能与 --from 同用，其笔画已有样式</translation>
+    </message>
+    <message>
+        <source>--greatest-width %1 is below --least-width %2</source>
+        <translation>--greatest-width %1 小于 --least-width %2</translation>
+    </message>
+    <message>
+        <source>%1: is a painting already; draw it with suffuse-cli render first</source>
+        <translation>%1：已经是画作；请先用 suffuse-cli render 绘制</translation>
+    </message>
+    <message>
+        <source>%1: there is no folder %2</source>
+        <translation>%1：没有文件夹 %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1：无法写入</translation>
+    </message>
+    <message>
+        <source>fitting</source>
+        <translation>正在拟合</translation>
+    </message>
+    <message>
+        <source>stopped; %1 has the strokes so far, and --from %1 goes on</source>
+        <translation>已停止；%1 含有目前的笔画，可用 --from %1 继续</translation>
+    </message>
+    <message>
+        <source>Makes strokes that look like a picture, from the back to the front and large before small.</source>
+        <translation>生成看起来像图片的笔画，由后到前，先大后小。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to fit %1. Choose fewer --pixels.</source>
+        <translation>内存不足，无法拟合 %1。请选择较少的 --pixels。</translation>
+    </message>
+    <message>
+        <source>make a painting of a picture</source>
+        <translation>把图片变成画作</translation>
+    </message>
+    <message>
+        <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
+        <translation>要读取的图像文件：PNG、JPEG、TIFF、EXR 或 WebP；-：标准输入。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11579,7 +11707,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Shows the picture itself: while held, or click to switch back and forth.</source>
-        <translation>显示原图：按住时显示，或单击来回切换。</translation>
+        <translation>显示原图：按住时显示，或点击来回切换。</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -11638,6 +11766,25 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%Ln 笔</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fitting</name>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>%1: is black all over, so nothing counts; paint white what is to be fitted</source>
+        <translation>%1：全为黑色，没有可计入之处；请把要拟合的部分涂白</translation>
+    </message>
+    <message>
+        <source>its canvas has %1 × %2 units, and the picture %3 × %4 pixels; go on with a painting that was fitted to this picture</source>
+        <translation>其画布为 %1 × %2 单位，而图片为 %3 × %4 像素；请使用由此图片拟合的画作继续</translation>
+    </message>
+    <message>
+        <source>stroke %1: %2; a fit goes on with what a fit made</source>
+        <translation>笔画 %1：%2；只能从拟合得到的画作继续</translation>
     </message>
 </context>
 </TS>
