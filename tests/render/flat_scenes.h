@@ -108,12 +108,13 @@ inline FlatScene randomScene(std::uint64_t seed, int strokes, int width, int hei
             scene.segments.push_back(s);
             scene.marks.push_back({k == 0 || lifts, lifts});
         }
-        if (kind.filled)
-            surround(stroke, scene.segments, {width * u(random), height * u(random)},
-                     2 * kind.length * (0.5 + u(random)));
-        if (kind.filled)
+        if (kind.filled) { // one value after the other: compilers evaluate arguments in orders of their own
+            const double distance = 2 * kind.length * (0.5 + u(random));
+            const Point centre{width * u(random), height * u(random)};
+            surround(stroke, scene.segments, centre, distance);
             stroke.fill = {
                 0.8 + 0.4 * u(random), 1.3 * spread, {u(random), 0.5, u(random)}, 0.3 + 0.6 * u(random), u(random)};
+        }
         scene.strokes.push_back(stroke);
     }
     return scene;

@@ -41,9 +41,10 @@ inline double greatestDifference(std::span<const float> a, std::span<const float
 
 inline bool sameBits(const FlatGradient &a, const FlatGradient &b)
 {
-    return a.segments.size() == b.segments.size() && a.strokes.size() == b.strokes.size() &&
-           std::memcmp(a.segments.data(), b.segments.data(), a.segments.size() * sizeof a.segments[0]) == 0 &&
-           std::memcmp(a.strokes.data(), b.strokes.data(), a.strokes.size() * sizeof a.strokes[0]) == 0;
+    const auto areSame = [](const auto &x, const auto &y) {
+        return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0);
+    };
+    return areSame(a.segments, b.segments) && areSame(a.strokes, b.strokes);
 }
 
 /// Styles, mixings, colours, paper and lifts, each with each.
