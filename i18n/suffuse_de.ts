@@ -236,6 +236,10 @@
         <source>Pictures</source>
         <translation>Bilder</translation>
     </message>
+    <message>
+        <source>Pictures and diffusion curves</source>
+        <translation>Bilder und Diffusionskurven</translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -1231,8 +1235,36 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>ein Bild aus einem Bild malen</translation>
     </message>
     <message>
-        <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
-        <translation>Die Bilddatei, die gelesen wird: PNG, JPEG, TIFF, EXR oder WebP; -: Standardeingabe.</translation>
+        <source>--strokes goes with --fit, which makes strokes of a picture</source>
+        <translation>--strokes gehört zu --fit, das aus einem Bild Striche macht</translation>
+    </message>
+    <message>
+        <source>--%1 says nothing of a picture that is fitted; leave it out</source>
+        <translation>--%1 sagt nichts über ein Bild, das angepasst wird; lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>--fit takes one IN at a time</source>
+        <translation>--fit nimmt nur ein IN auf einmal</translation>
+    </message>
+    <message>
+        <source>Solves the diffusion curves of IN, or reads its picture, and makes strokes that look like it, as suffuse-cli fit does.</source>
+        <translation>Löst die Diffusionskurven von IN oder liest sein Bild und macht Striche, die so aussehen, wie suffuse-cli fit es tut.</translation>
+    </message>
+    <message>
+        <source>With --fit: at most so many strokes (default 512).</source>
+        <translation>Mit --fit: höchstens so viele Striche (Vorgabe 512).</translation>
+    </message>
+    <message>
+        <source>Also writes the picture that is fitted, as it was read, averaged or solved.</source>
+        <translation>Schreibt auch das Bild, das angepasst wird, so wie es gelesen, gemittelt oder gelöst wurde.</translation>
+    </message>
+    <message>
+        <source>--target %1: unknown ending; use one of %2</source>
+        <translation>--target %1: unbekannte Endung; nehmen Sie eine von %2</translation>
+    </message>
+    <message>
+        <source>The picture to read: PNG, JPEG, TIFF, EXR, WebP or diffusion curves (XML); -: standard input.</source>
+        <translation>Das Bild, das gelesen wird: PNG, JPEG, TIFF, EXR, WebP oder Diffusionskurven (XML); -: Standardeingabe.</translation>
     </message>
 </context>
 <context>
@@ -11860,6 +11892,17 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>stroke %1: %2; a fit goes on with what a fit made</source>
         <translation>Strich %1: %2; nur was angepasst wurde, lässt sich weiter anpassen</translation>
+    </message>
+</context>
+<context>
+    <name>curves</name>
+    <message>
+        <source>its picture has %1 × %2 pixels; image_width and image_height must be 1 at least</source>
+        <translation>das Bild hat %1 × %2 Pixel; image_width und image_height müssen mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>holds no curves; there is nothing to solve</source>
+        <translation>enthält keine Kurven; es gibt nichts zu lösen</translation>
     </message>
 </context>
 </TS>

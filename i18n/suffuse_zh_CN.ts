@@ -236,6 +236,10 @@
         <source>Pictures</source>
         <translation>图片</translation>
     </message>
+    <message>
+        <source>Pictures and diffusion curves</source>
+        <translation>图片与扩散曲线</translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -1224,8 +1228,36 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>把图片变成画作</translation>
     </message>
     <message>
-        <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
-        <translation>要读取的图像文件：PNG、JPEG、TIFF、EXR 或 WebP；-：标准输入。</translation>
+        <source>--strokes goes with --fit, which makes strokes of a picture</source>
+        <translation>--strokes 要与 --fit 一起使用，后者把图片变成笔画</translation>
+    </message>
+    <message>
+        <source>--%1 says nothing of a picture that is fitted; leave it out</source>
+        <translation>--%1 与被拟合的图片无关；请去掉它</translation>
+    </message>
+    <message>
+        <source>--fit takes one IN at a time</source>
+        <translation>--fit 一次只接受一个 IN</translation>
+    </message>
+    <message>
+        <source>Solves the diffusion curves of IN, or reads its picture, and makes strokes that look like it, as suffuse-cli fit does.</source>
+        <translation>求解 IN 的扩散曲线或读取其图片，并像 suffuse-cli fit 那样生成外观相同的笔画。</translation>
+    </message>
+    <message>
+        <source>With --fit: at most so many strokes (default 512).</source>
+        <translation>与 --fit 一起：最多这么多笔画（默认 512）。</translation>
+    </message>
+    <message>
+        <source>Also writes the picture that is fitted, as it was read, averaged or solved.</source>
+        <translation>同时写出被拟合的图片，即读取、平均或求解后的样子。</translation>
+    </message>
+    <message>
+        <source>--target %1: unknown ending; use one of %2</source>
+        <translation>--target %1：未知的扩展名；请使用以下之一：%2</translation>
+    </message>
+    <message>
+        <source>The picture to read: PNG, JPEG, TIFF, EXR, WebP or diffusion curves (XML); -: standard input.</source>
+        <translation>要读取的图片：PNG、JPEG、TIFF、EXR、WebP 或扩散曲线 (XML)；-：标准输入。</translation>
     </message>
 </context>
 <context>
@@ -11785,6 +11817,17 @@ Arrow keys work too.</source>
     <message>
         <source>stroke %1: %2; a fit goes on with what a fit made</source>
         <translation>笔画 %1：%2；只能从拟合得到的画作继续</translation>
+    </message>
+</context>
+<context>
+    <name>curves</name>
+    <message>
+        <source>its picture has %1 × %2 pixels; image_width and image_height must be 1 at least</source>
+        <translation>其图片为 %1 × %2 像素；image_width 和 image_height 至少要为 1</translation>
+    </message>
+    <message>
+        <source>holds no curves; there is nothing to solve</source>
+        <translation>不含曲线；没有可求解的内容</translation>
     </message>
 </context>
 </TS>

@@ -61,6 +61,22 @@ Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
                          .arg(out)};
 }
 
+/// What goes wrong with --fit and --strokes; empty if nothing does.
+QString fitProblem(const CommandLine &line)
+{
+    if (!line.isSet("fit"))
+        return line.isSet("strokes")
+                   ? QCoreApplication::translate("Cli", "--strokes goes with --fit, which makes strokes of a picture")
+                   : QString();
+    for (const char *option : {"brush", "format", "plain", "salvage", "as"})
+        if (line.isSet(QLatin1String(option)))
+            return QCoreApplication::translate("Cli", "--%1 says nothing of a picture that is fitted; leave it out")
+                .arg(QLatin1String(option));
+    if (line.several().size() > 1)
+        return QCoreApplication::translate("Cli", "--fit takes one IN at a time");
+    return {};
+}
+
 /// Whether what is written to `out` takes the place of `in`, by whatever names and links.
 bool isSameFile(const QString &in, const QString &out)
 {
@@ -123,11 +139,23 @@ int convertCommand(const QStringList &arguments)
                             "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
     line.add({"salvage"}, QCoreApplication::translate(
                               "Cli", "Of a damaged document takes what is whole, and says what is missing."));
+    line.add({"fit"}, QCoreApplication::translate(
+                          "Cli", "Solves the diffusion curves of IN, or reads its picture, and makes strokes that look "
+                                 "like it, as suffuse-cli fit does."));
+    line.add({"strokes"}, QCoreApplication::translate("Cli", "With --fit: at most so many strokes (default 512)."), "N");
     addDrawingOptions(line);
     line.allowSeveral();
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
+    if (const QString problem = fitProblem(line); !problem.isEmpty())
+        return failUsage("convert", problem);
+    if (line.isSet("fit")) {
+        QStringList fit{arguments.value(0), "fit", line.argument(0), "-o", out};
+        if (line.isSet("strokes"))
+            fit += {"--strokes", line.value("strokes")};
+        return fitCommand(fit);
+    }
     const Result<FileFormat> format = formatOf(line, out);
     if (!format)
         return failUsage("convert", format.error());

@@ -39,6 +39,8 @@ void addOptions(CommandLine &line)
     add({"greatest-width"}, QT_TRANSLATE_NOOP("Cli", "No stroke is wider, pixels of PICTURE."), "W");
     add({"mask"}, QT_TRANSLATE_NOOP("Cli", "Another picture, white where PICTURE counts and black where not."), "MASK");
     add({"perceptual"}, QT_TRANSLATE_NOOP("Cli", "The share of the error as people see it, 0 (default) to 1."), "P");
+    add({"target"},
+        QT_TRANSLATE_NOOP("Cli", "Also writes the picture that is fitted, as it was read, averaged or solved."), "FILE");
     add({"from"}, QT_TRANSLATE_NOOP("Cli", "Goes on with a painting that was fitted before."), "FIT");
     add({"iterations"}, QT_TRANSLATE_NOOP("Cli", "How many steps (default 1200)."), "N");
     add({"pixels"}, QT_TRANSLATE_NOOP("Cli", "PICTURE is averaged down to so many pixels (default 600000)."), "N");
@@ -94,6 +96,9 @@ QString contradictionIn(const CommandLine &line)
             .arg(line.value("output"));
     if (line.isSet("strokes") && line.isSet("numbers"))
         return QCoreApplication::translate("Cli", "--strokes and --numbers say the same; give one of them");
+    if (line.isSet("target") && imageFormatForPath(line.value("target")) == ImageFormat::Unknown)
+        return QCoreApplication::translate("Cli", "--target %1: unknown ending; use one of %2")
+            .arg(line.value("target"), imageEndings().join(QStringLiteral(", ")));
     if (line.isSet("style") && line.isSet("from"))
         return QCoreApplication::translate("Cli", "--style goes without --from, whose strokes have a style already");
     return {};
@@ -173,6 +178,19 @@ Result<FitTarget> targetOf(const CommandLine &line, int pixels)
     return target;
 }
 
+Result<void> writeTarget(const QString &path, const FitPicture &picture)
+{
+    std::vector<float> row(4 * std::size_t(picture.width), 1);
+    const PictureRows rows(picture.width, picture.height, [&](int y) {
+        for (int x = 0; x < picture.width; ++x)
+            std::copy_n(picture.at(x, y), 3, row.data() + 4 * std::ptrdiff_t(x));
+        return row.data();
+    });
+    ImageOptions options;
+    options.cancel = &interrupted();
+    return writeImage(path, rows, options);
+}
+
 /// Why OUT cannot be written, found before a minute is spent; or empty.
 QString problemOf(const QString &out)
 {
@@ -233,6 +251,9 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
     if (!target)
         return fail(interrupted() ? QCoreApplication::translate("Cli", "stopped; nothing was written")
                                   : target.error());
+    if (line.isSet("target"))
+        if (const Result<void> written = writeTarget(line.value("target"), target->picture); !written)
+            return fail(written.error());
     const Result<std::unique_ptr<Fitting>> made = fittingOf(line, std::move(*target), request.options);
     if (!made)
         return fail(made.error());

@@ -33,7 +33,8 @@ QString meaningOf(const QString &argument)
     if (argument == QLatin1String("IN"))
         return QCoreApplication::translate("Cli", "The painting, recording or drawing to read; -: standard input.");
     if (argument == QLatin1String("PICTURE"))
-        return QCoreApplication::translate("Cli", "The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.");
+        return QCoreApplication::translate("Cli", "The picture to read: PNG, JPEG, TIFF, EXR, WebP or diffusion curves (XML); -: "
+                                                  "standard input.");
     if (argument == QLatin1String("OUT"))
         return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json; -: standard output.");
     if (argument == QLatin1String("A"))

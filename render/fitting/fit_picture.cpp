@@ -1,5 +1,8 @@
 #include "render/fitting/fit_picture.h"
 
+#include "model/formats/files.h"
+#include "model/formats/ink/curve_set.h"
+#include "render/curves/solved_curves.h"
 #include "render/image_io/image_io.h"
 
 #include <QCoreApplication>
@@ -80,6 +83,34 @@ void averageLine(const float *in, float *out, int count, std::ptrdiff_t step, in
     }
 }
 
+/// Width and height of a picture that has no more pixels than that.
+std::array<int, 2> sizeWithin(int mostPixels, double width, double height)
+{
+    const double scale = std::min(1.0, std::sqrt(double(mostPixels) / (width * height)));
+    const int w = std::max(1, int(std::floor(width * scale)));
+    return {w, std::clamp(int(std::lround(height * (double(w) / width))), 1, std::max(1, mostPixels / w))};
+}
+
+/// The picture that diffusion curves make, for each pixel of their file a unit of the canvas.
+Result<FitTarget> readCurves(const QByteArray &bytes, const QString &name, int mostPixels, int threads,
+                             const std::atomic<bool> *cancel)
+{
+    const Result<CurveSet> set = readCurveSet(bytes, name);
+    if (!set)
+        return Error{set.error()};
+    if (const QString problem = curves::problemOf(*set); !problem.isEmpty())
+        return Error{QStringLiteral("%1: %2").arg(name, problem)};
+    FitTarget target;
+    target.canvasWidth = set->width, target.canvasHeight = set->height;
+    const std::array<int, 2> size = sizeWithin(mostPixels, set->width, set->height);
+    curves::SolvedCurves solved = curves::solvedCurves(*set, size[0], size[1], threads, cancel);
+    if (cancel && *cancel)
+        return Error{QCoreApplication::translate("fitting", "stopped")};
+    target.picture = FitPicture(size[0], size[1], 3);
+    target.picture.values = std::move(solved.rgb);
+    return target;
+}
+
 /// A picture read into `mostPixels`; `value` makes a pixel's numbers of straight RGBA.
 template <typename Value>
 Result<FitTarget> readAveraged(const QByteArray &bytes, const QString &name, int channels, Value value,
@@ -92,9 +123,8 @@ Result<FitTarget> readAveraged(const QByteArray &bytes, const QString &name, int
         target.canvasWidth = width, target.canvasHeight = height;
         int w = size[0], h = size[1];
         if (w == 0) {
-            const double scale = std::min(1.0, std::sqrt(double(mostPixels) / (double(width) * height)));
-            w = std::max(1, int(std::floor(width * scale)));
-            h = std::max(1, int(std::lround(height * (double(w) / width))));
+            const std::array<int, 2> fitting = sizeWithin(mostPixels, width, height);
+            w = fitting[0], h = fitting[1];
         }
         // A mask may be smaller than its picture: then its pixels are repeated.
         averager = Averager(width, height, std::min(w, width), std::min(h, height), channels);
@@ -123,6 +153,8 @@ Result<FitTarget> readAveraged(const QByteArray &bytes, const QString &name, int
 Result<FitTarget> readFitTarget(const QByteArray &bytes, const QString &name, int mostPixels,
                                 const std::atomic<bool> *cancel)
 {
+    if (detectFormat(bytes) == FileFormat::DiffusionCurves)
+        return readCurves(bytes, name, mostPixels, 0, cancel);
     return readAveraged(
         bytes, name, 3,
         [](const float *rgba, std::array<float, 3> &v) {

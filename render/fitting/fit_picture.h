@@ -40,7 +40,8 @@ struct FitTarget {
 inline constexpr int usualFitPixels = 600'000;
 
 /// Reads an image at no more than `mostPixels` pixels, each the mean of what it covers. Rows are averaged as they are
-/// decoded, so that a large file takes no more memory than its decoder does. Where it is transparent, white shows.
+/// decoded, so that a large file takes no more memory than its decoder does. Where it is transparent, white shows. A
+/// file of diffusion curves is solved at that size (render/curves).
 /// Errors name the file. It stops with an error soon after `cancel` is set.
 Result<FitTarget> readFitTarget(const QByteArray &bytes, const QString &name, int mostPixels = usualFitPixels,
                                 const std::atomic<bool> *cancel = nullptr);

@@ -28,6 +28,7 @@ private slots:
     void kindsOfPictures_data();
     void kindsOfPictures();
     void largePictures();
+    void diffusionCurves();
     void standardInput();
     void wrongUsage_data();
     void wrongUsage();
@@ -268,6 +269,31 @@ void TestCliFit::largePictures()
     const Result<Painting> painting = loadPainting(path("l.suffuse"));
     QVERIFY(painting && painting->canvas.width == 600 && painting->canvas.height == 400);
     QVERIFY(drawnRatio("l.suffuse", "large.png") > 18); // it looks like the large picture, too
+}
+
+void TestCliFit::diffusionCurves()
+{
+    const QByteArray curve =
+        "<curve><control_points_set><control_point x=\"-9\" y=\"20\"/><control_point x=\"12\" y=\"26\"/>"
+        "<control_point x=\"22\" y=\"14\"/><control_point x=\"41\" y=\"20\"/></control_points_set>"
+        "<left_colors_set><left_color R=\"40\" G=\"90\" B=\"220\" globalID=\"0\"/></left_colors_set>"
+        "<right_colors_set><right_color R=\"160\" G=\"90\" B=\"30\" globalID=\"0\"/></right_colors_set>"
+        "<blur_points_set><best_scale value=\"2\" globalID=\"0\"/></blur_points_set></curve>";
+    QVERIFY(writeFile(path("curves.xml"), "<!DOCTYPE CurveSetXML><curve_set image_width=\"48\" image_height=\"32\">" +
+                                              curve + "</curve_set>"));
+    const CliOutcome fitted = fit("curves.xml", "curves.suffuse", {"--strokes", "4", "--target", path("solved.png")});
+    QVERIFY2(fitted.code == 0, qPrintable(fitted.text()));
+    const double ratio = drawnRatio("curves.suffuse", "solved.png");
+    QVERIFY2(ratio > 30, qPrintable(QString::number(ratio)));
+    const CliOutcome converted =
+        runCli({"convert", path("curves.xml"), path("converted.suffuse"), "--fit", "--strokes", "2"});
+    QVERIFY2(converted.code == 0, qPrintable(converted.text()));
+    const Result<Painting> painting = loadPainting(path("converted.suffuse"));
+    QVERIFY(painting && painting->canvas.width == 48 && painting->strokes.size() <= 2);
+    QCOMPARE(runCli({"convert", path("curves.xml"), path("x.suffuse"), "--strokes", "2"}).code, 2);
+    QCOMPARE(runCli({"convert", path("curves.xml"), path("x.suffuse"), "--fit", "--plain"}).code, 2);
+    QCOMPARE(fit("curves.xml", "x.suffuse", {"--target", path("solved.bmp")}).code, 2);
+    QVERIFY(!QFile::exists(path("x.suffuse")));
 }
 
 void TestCliFit::standardInput()

@@ -83,8 +83,10 @@ const QList<Rule> &rules()
          {"QtCore"},
          {"hwy"}},
         // Strokes that look like a picture: by the gradient, whoever draws them afterwards.
+        // Pictures of diffusion curves, which need no strokes.
+        {"render/curves/", {"model/", "render/curves/", "render/threads/"}, {"QtCore"}, {}},
         {"render/fitting/",
-         {"model/", "render/fitting/", "render/gradient/", "render/threads/", "render/view.h",
+         {"model/", "render/curves/", "render/fitting/", "render/gradient/", "render/threads/", "render/view.h",
           "render/image_io/image_io.h"},
          {"QtCore"},
          {}},

@@ -185,7 +185,7 @@ void FitDialog::choose(int index)
     m_source->setCurrentIndex(m_job.hasPicture() ? before : -1);
     if (chosen == FileSource)
         return; // It is shown already.
-    if (const QString path = choosePicture(this, tr("Picture to Strokes")); !path.isEmpty())
+    if (const QString path = choosePictureToFit(this, tr("Picture to Strokes")); !path.isEmpty())
         takeFile(path);
 }
 

@@ -98,7 +98,7 @@ void Importing::pictureToStrokes()
     m_place.open.playback.pause();
     Editor &editor = m_place.open.editor;
     const bool hasUnderlay = editor.document().painting()->underlay != nullptr;
-    const QString path = hasUnderlay ? QString() : choosePicture(&m_place.window, tr("Picture to Strokes"));
+    const QString path = hasUnderlay ? QString() : choosePictureToFit(&m_place.window, tr("Picture to Strokes"));
     if (!hasUnderlay && path.isEmpty())
         return;
     FitDialog dialog(editor, &m_place.window);
