@@ -1266,6 +1266,77 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>The picture to read: PNG, JPEG, TIFF, EXR, WebP or diffusion curves (XML); -: standard input.</source>
         <translation>Das Bild, das gelesen wird: PNG, JPEG, TIFF, EXR, WebP oder Diffusionskurven (XML); -: Standardeingabe.</translation>
     </message>
+    <message>
+        <source>make fewer strokes that look like those of a painting</source>
+        <translation>weniger Striche machen, die wie die eines Gemäldes aussehen</translation>
+    </message>
+    <message>
+        <source>The strokes to make anew, by their ids, such as 3,7,20-180 (default: all).</source>
+        <translation>Die Striche, die neu gemacht werden, nach ihren Nummern, etwa 3,7,20-180 (Vorgabe: alle).</translation>
+    </message>
+    <message>
+        <source>All strokes of the group of that name, in place of --select.</source>
+        <translation>Alle Striche der Gruppe dieses Namens, anstelle von --select.</translation>
+    </message>
+    <message>
+        <source>A picture, or another painting, that the whole is to look like (default: as it does).</source>
+        <translation>Ein Bild oder ein anderes Gemälde, wie das Ganze aussehen soll (Vorgabe: so wie jetzt).</translation>
+    </message>
+    <message>
+        <source>At most so many strokes (default: a quarter of those before).</source>
+        <translation>Höchstens so viele Striche (Vorgabe: ein Viertel der bisherigen).</translation>
+    </message>
+    <message>
+        <source>What the strokes reach is fitted at so many pixels (default 600000).</source>
+        <translation>Was die Striche erreichen, wird mit so vielen Pixeln angepasst (Vorgabe 600000).</translation>
+    </message>
+    <message>
+        <source>Says how near the painting comes as JSON (docs/cli.md).</source>
+        <translation>Sagt als JSON, wie nahe das Gemälde kommt (docs/cli.md).</translation>
+    </message>
+    <message>
+        <source>--select and --layer both say which strokes; give one of them</source>
+        <translation>--select und --layer sagen beide, welche Striche; geben Sie eines davon an</translation>
+    </message>
+    <message>
+        <source>--select %1: give ids of strokes, such as 3,7,20-180</source>
+        <translation>--select %1: geben Sie Nummern von Strichen an, etwa 3,7,20-180</translation>
+    </message>
+    <message>
+        <source>--select %1: there is no stroke %2; suffuse-cli convert IN OUT.json shows the ids</source>
+        <translation>--select %1: es gibt keinen Strich %2; suffuse-cli convert IN OUT.json zeigt die Nummern</translation>
+    </message>
+    <message>
+        <source>--layer %1: several groups have that name; rename one of them</source>
+        <translation>--layer %1: mehrere Gruppen heißen so; benennen Sie eine davon um</translation>
+    </message>
+    <message>
+        <source>--layer %1: there is no group of that name</source>
+        <translation>--layer %1: es gibt keine Gruppe dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1: is empty</source>
+        <translation>%1: ist leer</translation>
+    </message>
+    <message>
+        <source>%1 strokes in place of %2. Where they are seen, the picture is %3 of 255 from what it should be (root mean square), %4 at most.</source>
+        <translation>%1 Striche anstelle von %2. Wo sie zu sehen sind, weicht das Bild um %3 von 255 von dem ab, was es sein soll (quadratisches Mittel), um höchstens %4.</translation>
+    </message>
+    <message>
+        <source>Before it was %1, %2 at most.</source>
+        <translation>Vorher waren es %1, höchstens %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>%n Strich, der dazwischen lag, liegt jetzt darunter.</numerusform>
+            <numerusform>%n Striche, die dazwischen lagen, liegen jetzt darunter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Makes fewer strokes that look like those of a painting, or makes them look like a picture, and says how near they come.</source>
+        <translation>Macht weniger Striche, die wie die eines Gemäldes aussehen, oder macht, dass sie wie ein Bild aussehen, und sagt, wie nahe sie kommen.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11903,6 +11974,41 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>holds no curves; there is nothing to solve</source>
         <translation>enthält keine Kurven; es gibt nichts zu lösen</translation>
+    </message>
+</context>
+<context>
+    <name>refit</name>
+    <message>
+        <source>none of the strokes is visible and unlocked; choose others</source>
+        <translation>keiner der Striche ist sichtbar und nicht gesperrt; wählen Sie andere</translation>
+    </message>
+    <message>
+        <source>the strokes lie beside the sheet, where nothing is seen of them</source>
+        <translation>die Striche liegen neben dem Blatt, wo nichts von ihnen zu sehen ist</translation>
+    </message>
+    <message>
+        <source>the strokes of group “%1” mix in their own way; choose all of them that are visible, or none of them</source>
+        <translation>die Striche der Gruppe „%1“ mischen sich auf eigene Weise; wählen Sie alle, die sichtbar sind, oder keinen davon</translation>
+    </message>
+    <message>
+        <source>group “%1” is a wash, whose strokes are one; make it a group like others first</source>
+        <translation>die Gruppe „%1“ ist eine Lavierung, deren Striche eins sind; machen Sie zuerst eine gewöhnliche Gruppe daraus</translation>
+    </message>
+    <message>
+        <source>%1: has the shape %2 × %3, and the sheet %4 × %5; crop it to the shape of the sheet</source>
+        <translation>%1: hat die Form %2 × %3 und das Blatt %4 × %5; schneiden Sie es auf die Form des Blattes zu</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>the strokes are in a group that is put on the others as one picture, so no picture of the whole says how they should look; make it a group like others first</source>
+        <translation>die Striche sind in einer Gruppe, die als ein Bild auf die anderen gelegt wird, daher sagt kein Bild des Ganzen, wie sie aussehen sollen; machen Sie zuerst eine gewöhnliche Gruppe daraus</translation>
+    </message>
+    <message>
+        <source>other strokes hide the chosen ones wholly; choose others, or hide what lies above</source>
+        <translation>andere Striche verdecken die gewählten ganz; wählen Sie andere oder blenden Sie aus, was darüber liegt</translation>
     </message>
 </context>
 </TS>

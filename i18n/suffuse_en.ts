@@ -72,6 +72,13 @@
             <numerusform>%n strokes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>%n stroke that lay between them lies below now.</numerusform>
+            <numerusform>%n strokes that lay between them lie below now.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

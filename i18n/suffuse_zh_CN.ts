@@ -1259,6 +1259,76 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>The picture to read: PNG, JPEG, TIFF, EXR, WebP or diffusion curves (XML); -: standard input.</source>
         <translation>要读取的图片：PNG、JPEG、TIFF、EXR、WebP 或扩散曲线 (XML)；-：标准输入。</translation>
     </message>
+    <message>
+        <source>make fewer strokes that look like those of a painting</source>
+        <translation>生成外观与画作相同但更少的笔画</translation>
+    </message>
+    <message>
+        <source>The strokes to make anew, by their ids, such as 3,7,20-180 (default: all).</source>
+        <translation>要重做的笔画的编号，例如 3,7,20-180（默认：全部）。</translation>
+    </message>
+    <message>
+        <source>All strokes of the group of that name, in place of --select.</source>
+        <translation>该名称的组的所有笔画，代替 --select。</translation>
+    </message>
+    <message>
+        <source>A picture, or another painting, that the whole is to look like (default: as it does).</source>
+        <translation>整体应当看起来像的图片或另一幅画（默认：保持现状）。</translation>
+    </message>
+    <message>
+        <source>At most so many strokes (default: a quarter of those before).</source>
+        <translation>最多这么多笔画（默认：原来的四分之一）。</translation>
+    </message>
+    <message>
+        <source>What the strokes reach is fitted at so many pixels (default 600000).</source>
+        <translation>笔画所及之处以这么多像素进行拟合（默认 600000）。</translation>
+    </message>
+    <message>
+        <source>Says how near the painting comes as JSON (docs/cli.md).</source>
+        <translation>以 JSON 说明画作接近的程度 (docs/cli.md)。</translation>
+    </message>
+    <message>
+        <source>--select and --layer both say which strokes; give one of them</source>
+        <translation>--select 和 --layer 都指定笔画；请只给出其中一个</translation>
+    </message>
+    <message>
+        <source>--select %1: give ids of strokes, such as 3,7,20-180</source>
+        <translation>--select %1：请给出笔画编号，例如 3,7,20-180</translation>
+    </message>
+    <message>
+        <source>--select %1: there is no stroke %2; suffuse-cli convert IN OUT.json shows the ids</source>
+        <translation>--select %1：没有笔画 %2；suffuse-cli convert IN OUT.json 会显示编号</translation>
+    </message>
+    <message>
+        <source>--layer %1: several groups have that name; rename one of them</source>
+        <translation>--layer %1：有多个组同名；请重命名其中一个</translation>
+    </message>
+    <message>
+        <source>--layer %1: there is no group of that name</source>
+        <translation>--layer %1：没有该名称的组</translation>
+    </message>
+    <message>
+        <source>%1: is empty</source>
+        <translation>%1：是空的</translation>
+    </message>
+    <message>
+        <source>%1 strokes in place of %2. Where they are seen, the picture is %3 of 255 from what it should be (root mean square), %4 at most.</source>
+        <translation>用 %1 条笔画代替 %2 条。在可见之处，画面与目标相差 %3/255（均方根），最多 %4。</translation>
+    </message>
+    <message>
+        <source>Before it was %1, %2 at most.</source>
+        <translation>之前是 %1，最多 %2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>原先夹在其间的 %n 条笔画现在位于下方。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Makes fewer strokes that look like those of a painting, or makes them look like a picture, and says how near they come.</source>
+        <translation>生成外观与画作相同但更少的笔画，或使它们看起来像一张图片，并说明接近的程度。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -11828,6 +11898,41 @@ Arrow keys work too.</source>
     <message>
         <source>holds no curves; there is nothing to solve</source>
         <translation>不含曲线；没有可求解的内容</translation>
+    </message>
+</context>
+<context>
+    <name>refit</name>
+    <message>
+        <source>none of the strokes is visible and unlocked; choose others</source>
+        <translation>没有一条笔画是可见且未锁定的；请选择其他笔画</translation>
+    </message>
+    <message>
+        <source>the strokes lie beside the sheet, where nothing is seen of them</source>
+        <translation>笔画位于画布之外，看不到它们</translation>
+    </message>
+    <message>
+        <source>the strokes of group “%1” mix in their own way; choose all of them that are visible, or none of them</source>
+        <translation>组“%1”的笔画以自己的方式混合；请选择其中所有可见的笔画，或一条也不选</translation>
+    </message>
+    <message>
+        <source>group “%1” is a wash, whose strokes are one; make it a group like others first</source>
+        <translation>组“%1”是淡彩，其笔画合为一体；请先把它变成普通的组</translation>
+    </message>
+    <message>
+        <source>%1: has the shape %2 × %3, and the sheet %4 × %5; crop it to the shape of the sheet</source>
+        <translation>%1：形状为 %2 × %3，而画布为 %4 × %5；请把它裁剪成画布的形状</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>the strokes are in a group that is put on the others as one picture, so no picture of the whole says how they should look; make it a group like others first</source>
+        <translation>这些笔画所在的组是作为一整张图叠在其他笔画上的，因此整体图片无法说明它们应有的样子；请先把它变成普通的组</translation>
+    </message>
+    <message>
+        <source>other strokes hide the chosen ones wholly; choose others, or hide what lies above</source>
+        <translation>其他笔画完全遮住了所选笔画；请选择其他笔画，或隐藏上方的内容</translation>
     </message>
 </context>
 </TS>

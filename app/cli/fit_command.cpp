@@ -1,3 +1,4 @@
+#include "app/cli/fit_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "model/formats/files.h"
@@ -6,12 +7,8 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QFile>
-#include <QFileInfo>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <new>
 
@@ -49,42 +46,11 @@ void addOptions(CommandLine &line)
     add({"json"}, QT_TRANSLATE_NOOP("Cli", "Prints how near the painting comes, as JSON (docs/cli.md)."));
 }
 
-struct NumberRange {
-    double least, greatest;
-    bool isWhole;
-};
-
-/// The number that an option gives, or `usual`.
-Result<double> numberOf(const CommandLine &line, const QString &option, double usual, const NumberRange &range)
-{
-    if (!line.isSet(option))
-        return usual;
-    const std::optional<double> value = toNumber(line.value(option));
-    if (!value || *value < range.least || *value > range.greatest || (range.isWhole && *value != std::floor(*value)))
-        return Error{(range.isWhole ? QCoreApplication::translate("Cli", "--%1 %2: give a whole number from %3 to %4")
-                                    : QCoreApplication::translate("Cli", "--%1 %2: give a number from %3 to %4"))
-                         .arg(option, line.value(option))
-                         .arg(range.least, 0, 'g', 12)
-                         .arg(range.greatest, 0, 'g', 12)};
-    return *value;
-}
-
 /// What the command line asks for. Widths are in pixels of IN until the picture is known.
 struct FitRequest {
     FitOptions options;
     int pixels = usualFitPixels;
 };
-
-Result<StyleKind> styleOf(const CommandLine &line)
-{
-    const QString name = line.isSet("style") ? line.value("style") : QStringLiteral("feathering");
-    constexpr std::array names = {std::pair("feathering", StyleKind::Feathering),
-                                  std::pair("uniform", StyleKind::Uniform), std::pair("edge", StyleKind::Edge)};
-    for (const auto &[known, kind] : names)
-        if (name == QLatin1String(known))
-            return kind;
-    return Error{QCoreApplication::translate("Cli", "--style %1: give feathering, uniform or edge").arg(name)};
-}
 
 /// What contradicts itself; empty if nothing does.
 QString contradictionIn(const CommandLine &line)
@@ -145,16 +111,6 @@ Result<FitRequest> requestOf(const CommandLine &line)
     return out;
 }
 
-Result<QByteArray> bytesOf(const QString &path)
-{
-    QFile file(path);
-    const bool isOpen =
-        path == QLatin1String("-") ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly);
-    if (!isOpen)
-        return Error{QStringLiteral("%1: %2").arg(path, file.errorString())};
-    return file.readAll();
-}
-
 Result<FitTarget> targetOf(const CommandLine &line, int pixels)
 {
     const QString path = line.argument(0);
@@ -189,17 +145,6 @@ Result<void> writeTarget(const QString &path, const FitPicture &picture)
     ImageOptions options;
     options.cancel = &interrupted();
     return writeImage(path, rows, options);
-}
-
-/// Why OUT cannot be written, found before a minute is spent; or empty.
-QString problemOf(const QString &out)
-{
-    const QFileInfo file(out), folder(file.absolutePath());
-    if (!folder.isDir())
-        return QCoreApplication::translate("Cli", "%1: there is no folder %2").arg(out, folder.filePath());
-    if (!folder.isWritable() || file.isDir())
-        return QCoreApplication::translate("Cli", "%1: cannot be written").arg(out);
-    return {};
 }
 
 Result<std::unique_ptr<Fitting>> fittingOf(const CommandLine &line, FitTarget target, FitOptions options)
@@ -245,7 +190,7 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
     QElapsedTimer clock;
     clock.start();
     const QString out = line.value("output");
-    if (const QString problem = problemOf(out); !problem.isEmpty())
+    if (const QString problem = problemOfOut(out); !problem.isEmpty())
         return fail(problem);
     Result<FitTarget> target = targetOf(line, request.pixels);
     if (!target)

@@ -28,6 +28,7 @@ constexpr std::array commands = {
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
     Command{"timelapse", timelapseCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting while it is painted, as frames")},
     Command{"fit", fitCommand, QT_TRANSLATE_NOOP("Cli", "make a painting of a picture")},
+    Command{"refit", refitCommand, QT_TRANSLATE_NOOP("Cli", "make fewer strokes that look like those of a painting")},
     Command{"recover", recoverCommand, QT_TRANSLATE_NOOP("Cli", "what was not saved when the editor ended")},
     Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},
 };

@@ -21,6 +21,7 @@ enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 
 /// `arguments` as QCoreApplication::arguments(): program, command, then the command's own. Each returns an ExitCode.
 int fitCommand(const QStringList &arguments);
+int refitCommand(const QStringList &arguments);
 int renderCommand(const QStringList &arguments);
 int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);

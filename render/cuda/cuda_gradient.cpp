@@ -254,13 +254,13 @@ Fault CudaGradient::attempt(Loss loss, bool &enough)
 
 bool CudaGradient::canDraw(const FlatScene &scene)
 {
-    return std::none_of(scene.strokes.begin(), scene.strokes.end(), [](const FlatStroke &s) { return s.filled; });
+    return !scene.ground && std::none_of(scene.strokes.begin(), scene.strokes.end(), [](const FlatStroke &s) { return s.filled; });
 }
 
 Fault CudaGradient::run(Loss loss, bool picture)
 {
     if (!canDraw(m_scene))
-        return {Fault::Refused, "fills have no gradient on the device"};
+        return {Fault::Refused, "fills, and grounds that are pictures, have no gradient on the device"};
     if (const Fault fault = inTurn([&] { return prepare(m_scene); }, [&] { return reserve(loss); }))
         return fault;
     m_work.picture = nullptr;

@@ -11,13 +11,13 @@
 namespace suffuse {
 
 /// Results are a pure function of the scene, the nodes chosen and the loss: the same bits each time on the same device.
-/// After a fault results are not valid; the next call may try again unless the device is lost. Scenes with fills are
-/// refused (`canDraw`).
+/// After a fault results are not valid; the next call may try again unless the device is lost. Scenes with fills, and
+/// those whose ground is a picture, are refused (`canDraw`).
 class CudaGradient {
 public:
     explicit CudaGradient(std::shared_ptr<cuda::Device> device, Threads threads = {});
 
-    /// False for scenes with fills, of which only the CPU finds the gradient.
+    /// False for scenes of which only the CPU finds the gradient.
     static bool canDraw(const gradient::FlatScene &scene);
 
     /// Chooses how many nodes each segment has, as SceneGradient::choose does.

@@ -32,6 +32,12 @@ struct FitPicture {
 struct FitTarget {
     FitPicture picture;
     FitPicture weight;                        ///< how much each pixel counts, [0, 1]; empty: all count alike
+    FitPicture ground;                        ///< what lies below the strokes; empty: a colour that the fit chooses
+    /// Where the coverage of the strokes counts beside their colours: picture and ground are those on white, and these
+    /// the same on black. Otherwise empty.
+    struct {
+        FitPicture picture, ground;
+    } onBlack;
     double canvasWidth = 0, canvasHeight = 0; ///< of the painting: a unit for each pixel of the file
 };
 

@@ -34,11 +34,44 @@ Colour meanColour(const FitTarget &target)
     return rybFromSrgb(sum[0], sum[1], sum[2]);
 }
 
+/// R, Y, B of a picture of R, G, B; null for an empty one.
+std::shared_ptr<const std::vector<float>> pigmentsOf(const FitPicture &picture)
+{
+    if (picture.isEmpty())
+        return {};
+    auto out = std::make_shared<std::vector<float>>(picture.values.size());
+    for (std::size_t i = 0; i < out->size(); i += 3) {
+        const float *const v = picture.values.data() + i;
+        const std::array<double, 3> ryb = rybFromSrgb({double(v[0]), double(v[1]), double(v[2])});
+        std::copy(ryb.begin(), ryb.end(), out->begin() + std::ptrdiff_t(i));
+    }
+    return out;
+}
+
+/// One picture on the white squares of a chessboard of pixels, and another one on the black ones.
+FitPicture chequered(const FitPicture &white, const FitPicture &black)
+{
+    FitPicture out = white;
+    for (int y = 0; y < out.height; ++y)
+        for (int x = (y + 1) % 2; x < out.width; x += 2)
+            std::copy_n(black.at(x, y), 3, out.at(x, y));
+    return out;
+}
+
 } // namespace
 
 /// The target at one size.
 struct Fitting::Level {
+    using Ground = std::shared_ptr<const std::vector<float>>;
+    /// The picture on one ground, or on white and on black.
+    struct Side {
+        FitPicture target;
+        Ground ground;
+    };
+
     FitLoss loss;
+    Ground ground; ///< R, Y, B of each pixel; null: the colour of the canvas
+    std::vector<Side> sides; ///< on white and on black, where both count; `loss` has them as a chessboard
     View view;
     double scale = 1; ///< its pixels for each of the target's
 };
@@ -72,13 +105,28 @@ const Fitting::Level &Fitting::levelAt(int halvings)
         const Rect area = Rect::of(0, 0, full.width, full.height);
         const int width = std::max(1, full.width >> halvings),
                   height = std::clamp(heightForWidth(area, width), 1, full.height);
-        level->loss = FitLoss(averaged(full, width, height),
-                              m_target.weight.isEmpty() ? FitPicture() : averaged(m_target.weight, width, height),
-                              m_options.perceptual);
+        const auto smaller = [&](const FitPicture &p) { return p.isEmpty() ? p : averaged(p, width, height); };
+        FitPicture target = smaller(full), ground = smaller(m_target.ground);
+        if (const auto &onBlack = m_target.onBlack; !onBlack.picture.isEmpty()) {
+            // A stroke is wider than a square, so it cannot look one way on white and another one on black.
+            const FitPicture other = smaller(onBlack.picture), otherGround = smaller(onBlack.ground);
+            level->sides = {{target, pigmentsOf(ground)}, {other, pigmentsOf(otherGround)}};
+            target = chequered(target, other), ground = chequered(ground, otherGround);
+        }
+        level->ground = pigmentsOf(ground);
+        level->loss = FitLoss(std::move(target), smaller(m_target.weight), m_options.perceptual);
         level->view = View::ofArea(area, width, height);
         level->scale = double(width) / full.width;
     }
     return *level;
+}
+
+/// The strokes as a level shows them.
+gradient::FlatScene Fitting::sceneAt(const Level &level) const
+{
+    gradient::FlatScene scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, level.view);
+    scene.ground = level.ground;
+    return scene;
 }
 
 void Fitting::choose()
@@ -101,7 +149,7 @@ void Fitting::keep(const std::vector<std::size_t> &kept)
 void Fitting::removeLeast(std::size_t count)
 {
     const std::vector<double> effects = roughErrorsWithout(
-        m_gradient, m_scene, {m_level->loss.target(), m_level->loss.weight(), m_level->view}, m_options.seed, m_cancel);
+        m_gradient, m_scene, {m_level->loss.target(), m_level->loss.weight(), m_level->view, nullptr}, m_options.seed, m_cancel);
     std::vector<std::size_t> order(effects.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return effects[a] < effects[b]; });
@@ -113,12 +161,12 @@ void Fitting::removeLeast(std::size_t count)
 /// Takes away the strokes that do nothing, or harm. Returns false if it was stopped before.
 bool Fitting::removeIdle()
 {
-    const RemovalView seen{m_level->loss.target(), m_level->loss.weight(), m_level->view};
+    const RemovalView seen{m_level->loss.target(), m_level->loss.weight(), m_level->view,
+                           m_level->ground.get()};
     setNumbers(m_fitted.strokes, m_fitted.style, m_scene);
     choose();
     const std::vector<double> rough = roughErrorsWithout(m_gradient, m_scene, seen, m_options.seed, m_cancel);
-    const double error =
-        meanSquare(picture(), m_target.picture, m_target.weight) * 3 * double(m_target.picture.pixels());
+    const double error = meanSquareError() * 3 * double(m_target.picture.pixels());
     std::vector<std::size_t> doubtful, kept;
     for (std::size_t i = 0; i < rough.size(); ++i)
         if (rough[i] < doubtfulEffect * error)
@@ -139,13 +187,29 @@ bool Fitting::removeIdle()
 
 void Fitting::addStrokes(std::size_t count)
 {
-    const FitPicture &target = m_level->loss.target();
-    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    m_scene = sceneAt(*m_level);
     choose();
-    FitPicture drawn(target.width, target.height, 3);
-    const std::span<const float> values = m_gradient.draw(m_scene);
-    std::copy(values.begin(), values.end(), drawn.values.begin());
-    const std::vector<FitStroke> added = strokesForError({target, drawn, m_level->loss.weight(), m_level->scale}, count,
+    const FitPicture *target = &m_level->loss.target();
+    FitPicture drawn;
+    const auto draw = [&](FitPicture &to) {
+        to = FitPicture(target->width, target->height, 3);
+        const std::span<const float> values = m_gradient.draw(m_scene);
+        std::copy(values.begin(), values.end(), to.values.begin());
+    };
+    if (m_level->sides.empty())
+        draw(drawn);
+    // On a chessboard errors of neighbours may cancel each other. New strokes are for the ground that shows more of them.
+    for (double worst = -1; const Level::Side &side : m_level->sides) {
+        m_scene.ground = side.ground;
+        FitPicture here;
+        draw(here);
+        if (const double square = meanSquare(here, side.target, m_level->loss.weight()); square > worst) {
+            worst = square, target = &side.target;
+            drawn = std::move(here);
+        }
+    }
+    m_scene.ground = m_level->ground;
+    const std::vector<FitStroke> added = strokesForError({*target, drawn, m_level->loss.weight(), m_level->scale}, count,
                                                          m_options.limits, m_options.seed + m_phase, m_cancel);
     m_fitted.strokes.insert(m_fitted.strokes.end(), added.begin(), added.end());
     m_adam.grow(m_fitted.strokes.size());
@@ -159,7 +223,7 @@ bool Fitting::begin(const FitPhase &phase)
     const FitPalette palette = m_palette;
     m_level = &levelAt(phase.halvings);
     m_options.limits.leastSpread = std::min(1 / m_level->scale, 2.0);
-    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    m_scene = sceneAt(*m_level);
     choose();
     if (const auto moved = std::size_t(std::lround(phase.moved * double(m_fitted.strokes.size()))); moved > 0)
         removeLeast(moved);
@@ -173,7 +237,7 @@ bool Fitting::begin(const FitPhase &phase)
     }
     if (m_options.paints > 0 && m_phase + 1 == m_plan.size())
         m_palette = FitPalette(m_fitted.strokes, m_fitted.style, m_options.paints, m_options.seed);
-    m_scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, m_level->view);
+    m_scene = sceneAt(*m_level);
     return true;
 }
 
@@ -254,18 +318,26 @@ Painting Fitting::painting() const
 FitPicture Fitting::picture()
 {
     const Level &full = levelAt(0);
+    return drawn(full, full.sides.empty() ? full.ground : full.sides[0].ground);
+}
+
+/// Draws the strokes so far on a ground of a level.
+FitPicture Fitting::drawn(const Level &full, const std::shared_ptr<const std::vector<float>> &ground) const
+{
     gradient::SceneGradient<float> gradient{Threads(m_options.threads)};
-    const gradient::FlatScene scene = sceneOf(m_fitted.strokes, m_fitted.style, m_fitted.background, full.view);
+    gradient::FlatScene scene = sceneAt(full);
+    scene.ground = ground;
     gradient.choose(scene);
     FitPicture out(full.view.width, full.view.height, 3);
-    const std::span<const float> drawn = gradient.draw(scene);
-    std::copy(drawn.begin(), drawn.end(), out.values.begin());
+    const std::span<const float> values = gradient.draw(scene);
+    std::copy(values.begin(), values.end(), out.values.begin());
     return out;
 }
 
 double Fitting::meanSquareError()
 {
-    return meanSquare(picture(), m_target.picture, m_target.weight);
+    const Level &full = levelAt(0);
+    return meanSquare(drawn(full, full.ground), full.loss.target(), full.loss.weight());
 }
 
 } // namespace suffuse::fitting

@@ -47,7 +47,7 @@ public:
     /// The painting so far.
     Painting painting() const;
     const FitTarget &target() const { return m_target; }
-    /// Draws the strokes so far at the size of the target.
+    /// Draws the strokes so far at the size of the target; on white, where their coverage counts.
     FitPicture picture();
     /// The mean square error of the strokes so far, of what counts, at the size of the target.
     double meanSquareError();
@@ -63,6 +63,8 @@ private:
     void keep(const std::vector<std::size_t> &kept);
     void choose();
     const Level &levelAt(int halvings);
+    gradient::FlatScene sceneAt(const Level &level) const;
+    FitPicture drawn(const Level &full, const std::shared_ptr<const std::vector<float>> &ground) const;
     bool isCancelled() const { return m_cancel && *m_cancel; }
 
     FitTarget m_target;

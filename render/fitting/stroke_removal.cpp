@@ -46,12 +46,27 @@ View partOf(const View &view, const PixelRect &box)
     return out;
 }
 
+/// The ground of a box, if there is one of its own for each pixel.
+std::shared_ptr<const std::vector<float>> groundIn(const RemovalView &seen, const PixelRect &box)
+{
+    if (!seen.ground)
+        return {};
+    auto out = std::make_shared<std::vector<float>>();
+    out->reserve(3 * std::size_t(box.width) * std::size_t(box.height));
+    for (int y = box.y; y < box.y + box.height; ++y) {
+        const auto from = seen.ground->begin() + 3 * (std::ptrdiff_t(y) * seen.view.width + box.x);
+        out->insert(out->end(), from, from + 3 * std::ptrdiff_t(box.width));
+    }
+    return out;
+}
+
 /// The sum of weighted square errors in a box.
 double errorIn(const std::vector<FitStroke> &strokes, StyleKind style, const Colour &background,
                const RemovalView &seen, const PixelRect &box)
 {
     gradient::SceneGradient<float> gradient{Threads(1)};
-    const gradient::FlatScene scene = sceneOf(strokes, style, background, partOf(seen.view, box));
+    gradient::FlatScene scene = sceneOf(strokes, style, background, partOf(seen.view, box));
+    scene.ground = groundIn(seen, box);
     gradient.choose(scene);
     const std::span<const float> drawn = gradient.draw(scene);
     double sum = 0;

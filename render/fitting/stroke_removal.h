@@ -13,6 +13,7 @@ struct RemovalView {
     const FitPicture &target; ///< R, G, B
     const FitPicture &weight; ///< of the same size, or empty
     const View &view;         ///< shows the strokes at that size
+    const std::vector<float> *ground = nullptr; ///< R, Y, B of each of its pixels, in place of the background; or null
 };
 
 /// For each of the strokes `which`, by how much the sum of weighted square errors of all channels grows if it is taken

@@ -56,6 +56,8 @@ struct FlatScene {
     std::vector<SegmentMark> marks; ///< of each segment; none: each stroke is one chain, and nothing takes paint away
     std::vector<FlatStroke> strokes;
     double background[3] = {0, 0, 0}; ///< R, Y, B of the opaque ground
+    /// R, Y, B of the ground of each pixel, row by row, in place of `background`; null: it is the same everywhere.
+    std::shared_ptr<const std::vector<float>> ground;
     View view;
     std::shared_ptr<const std::vector<float>> paper; ///< η of each pixel, row by row; null: 1
     bool byXi = true; ///< whether derivatives by ξ are wanted; else they are 0, and the others take less time

@@ -71,6 +71,13 @@ void TileWork<Number>::begin(const FlatScene &scene, const TilePlace &place)
     m_place = place;
     for (int c = 0; c < 3; ++c)
         std::fill_n(m_ryb.v[c], tileSize, Number(scene.background[c]));
+    for (int y = 0; scene.ground && y < place.height; ++y) {
+        const float *from = scene.ground->data() + 3 * (std::size_t(place.y + y) * std::size_t(scene.view.width) +
+                                                        std::size_t(place.x));
+        for (int x = 0; x < place.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                m_ryb.v[c][y * tileSide + x] = Number(*from++);
+    }
     m_paper = scene.paper != nullptr;
     if (!m_paper)
         return;

@@ -29,6 +29,9 @@ private slots:
     void kindsOfPictures();
     void largePictures();
     void diffusionCurves();
+    void refit();
+    void refitMistakes_data();
+    void refitMistakes();
     void standardInput();
     void wrongUsage_data();
     void wrongUsage();
@@ -293,6 +296,58 @@ void TestCliFit::diffusionCurves()
     QCOMPARE(runCli({"convert", path("curves.xml"), path("x.suffuse"), "--strokes", "2"}).code, 2);
     QCOMPARE(runCli({"convert", path("curves.xml"), path("x.suffuse"), "--fit", "--plain"}).code, 2);
     QCOMPARE(fit("curves.xml", "x.suffuse", {"--target", path("solved.bmp")}).code, 2);
+    QVERIFY(!QFile::exists(path("x.suffuse")));
+}
+
+void TestCliFit::refit()
+{
+    QCOMPARE(fit("scene.png", "many.suffuse", {"--strokes", "12"}).code, 0);
+    const Result<Painting> many = loadPainting(path("many.suffuse"));
+    QVERIFY(many && many->strokes.size() > 6);
+    const QString ids = QStringLiteral("%1-%2").arg(many->strokes[2]->id).arg(many->strokes.back()->id);
+    const CliOutcome done = runCli({"refit", path("many.suffuse"), "-o", path("few.suffuse"), "--select", ids, "--strokes",
+                                    "4", "--iterations", "120", "--json"});
+    QVERIFY2(done.code == 0, qPrintable(done.text()));
+    const QJsonObject said = done.json();
+    QCOMPARE(said["strokesBefore"].toInt(), int(many->strokes.size()) - 2);
+    QVERIFY(said["strokes"].toInt() >= 1 && said["strokes"].toInt() <= 4);
+    QCOMPARE(said["errorBefore"].toObject()["greatest"].toDouble(), 0.0);
+    const QJsonObject error = said["error"].toObject();
+    QVERIFY(error["rootMeanSquare"].toDouble() > 0 && error["rootMeanSquare"].toDouble() < 25);
+    QVERIFY(error["greatest"].toDouble() >= error["rootMeanSquare"].toDouble());
+    const Result<Painting> few = loadPainting(path("few.suffuse"));
+    QVERIFY(few);
+    QCOMPARE(int(few->strokes.size()), 2 + said["strokes"].toInt());
+    QCOMPARE(*few->strokes[0], *many->strokes[0]);
+    // To the picture itself, and as a sentence.
+    const CliOutcome to = runCli({"refit", path("few.suffuse"), "-o", path("to.suffuse"), "--to", path("scene.png"), "--strokes",
+                                  "8", "--iterations", "120"});
+    QVERIFY2(to.code == 0 && to.text().contains("Before it was"), qPrintable(to.text()));
+    QVERIFY(drawnRatio("to.suffuse", "scene.png") > 18);
+}
+
+void TestCliFit::refitMistakes_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<int>("code");
+    const auto row = [](const char *message, const QStringList &options, int code) { QTest::newRow(message) << options << code; };
+    row("-o OUT is missing", {}, 2);
+    row("both say which strokes", {"-o", path("x.suffuse"), "--select", "1", "--layer", "a"}, 2);
+    row("is IN itself", {"-o", path("a.json")}, 2);
+    row("give ids of strokes", {"-o", path("x.suffuse"), "--select", "9-3"}, 2);
+    row("there is no stroke 99", {"-o", path("x.suffuse"), "--select", "99"}, 2);
+    row("no group of that name", {"-o", path("x.suffuse"), "--layer", "none"}, 2);
+    row("give a whole number", {"-o", path("x.suffuse"), "--strokes", "0"}, 2);
+    row("crop it to the shape", {"-o", path("x.suffuse"), "--to", path("scene.png")}, 1);
+    row("unknown ending", {"-o", path("x.png")}, 2);
+}
+
+void TestCliFit::refitMistakes()
+{
+    QFETCH(const QStringList, options);
+    QFETCH(const int, code);
+    const CliOutcome outcome = runCli(QStringList{"refit", path("a.json")} + options);
+    QVERIFY2(outcome.code == code && outcome.text().contains(QTest::currentDataTag()), qPrintable(outcome.text()));
     QVERIFY(!QFile::exists(path("x.suffuse")));
 }
 

@@ -90,6 +90,11 @@ const QList<Rule> &rules()
           "render/image_io/image_io.h"},
          {"QtCore"},
          {}},
+        // Strokes that look like others: pictures of parts of a painting, by whatever draws them, and a fit.
+        {"render/refit/",
+         {"model/", "render/fitting/", "render/refit/", "render/renderer.h", "render/target.h", "render/view.h"},
+         {"QtCore"},
+         {}},
         {"render/scene/",
          {"model/", "render/composition/", "render/math/", "render/nodes/", "render/scene/", "render/threads/",
           "render/renderer.h", "render/target.h", "render/view.h", "render/picture_grid.h",
