@@ -5647,6 +5647,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
         <translation>Sie ist auf eine Ebene begrenzt, die jetzt verborgen ist; darum ist nichts von ihr zu sehen.</translation>
     </message>
+    <message>
+        <source>&amp;Fewer Strokes…</source>
+        <translation>&amp;Weniger Striche…</translation>
+    </message>
+    <message>
+        <source>Make fewer strokes that look like the selected ones</source>
+        <translation>Weniger Striche machen, die wie die ausgewählten aussehen</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11945,6 +11953,30 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln Striche</numerusform>
         </translation>
     </message>
+    <message>
+        <source>off by %1 of 255</source>
+        <translation>Abweichung %1 von 255</translation>
+    </message>
+    <message>
+        <source>Fewer Strokes</source>
+        <translation>Weniger Striche</translation>
+    </message>
+    <message>
+        <source>What the strokes are to look like: as those that are there do, or as a picture of the whole sheet</source>
+        <translation>Wie die Striche aussehen sollen: wie die vorhandenen oder wie ein Bild des ganzen Blattes</translation>
+    </message>
+    <message>
+        <source>As they look</source>
+        <translation>Wie sie aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>Puts the strokes so far in place of the selected ones</source>
+        <translation>Setzt die bisherigen Striche an die Stelle der ausgewählten</translation>
+    </message>
 </context>
 <context>
     <name>fitting</name>
@@ -12009,6 +12041,38 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>other strokes hide the chosen ones wholly; choose others, or hide what lies above</source>
         <translation>andere Striche verdecken die gewählten ganz; wählen Sie andere oder blenden Sie aus, was darüber liegt</translation>
+    </message>
+</context>
+<context>
+    <name>RefitTask</name>
+    <message>
+        <source>There the picture is off by %1 of 255 (root mean square), %2 at most.</source>
+        <translation>Dort weicht das Bild um %1 von 255 ab (quadratisches Mittel), um höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Fewer strokes</source>
+        <translation>Weniger Striche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in place of %Ln.</source>
+        <translation>
+            <numerusform>anstelle von %Ln.</numerusform>
+            <numerusform>anstelle von %Ln.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>%Ln Strich, der dazwischen lag, liegt jetzt darunter.</numerusform>
+            <numerusform>%Ln Striche, die dazwischen lagen, liegen jetzt darunter.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

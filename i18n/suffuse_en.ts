@@ -588,4 +588,28 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>RefitTask</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in place of %Ln.</source>
+        <translation>
+            <numerusform>in place of %Ln.</numerusform>
+            <numerusform>in place of %Ln.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>%Ln stroke that lay between them lies below now.</numerusform>
+            <numerusform>%Ln strokes that lay between them lie below now.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

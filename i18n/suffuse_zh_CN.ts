@@ -5624,6 +5624,14 @@ Arrow keys work too.</source>
         <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
         <translation>它被剪贴到现已隐藏的图层，因此看不到任何内容。</translation>
     </message>
+    <message>
+        <source>&amp;Fewer Strokes…</source>
+        <translation>减少笔画(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Make fewer strokes that look like the selected ones</source>
+        <translation>生成外观与所选笔画相同但更少的笔画</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11869,6 +11877,30 @@ Arrow keys work too.</source>
             <numerusform>%Ln 笔</numerusform>
         </translation>
     </message>
+    <message>
+        <source>off by %1 of 255</source>
+        <translation>相差 %1/255</translation>
+    </message>
+    <message>
+        <source>Fewer Strokes</source>
+        <translation>减少笔画</translation>
+    </message>
+    <message>
+        <source>What the strokes are to look like: as those that are there do, or as a picture of the whole sheet</source>
+        <translation>笔画应有的样子：与现有笔画相同，或像一张整个画布的图片</translation>
+    </message>
+    <message>
+        <source>As they look</source>
+        <translation>保持外观</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Puts the strokes so far in place of the selected ones</source>
+        <translation>用目前的笔画替换所选笔画</translation>
+    </message>
 </context>
 <context>
     <name>fitting</name>
@@ -11933,6 +11965,35 @@ Arrow keys work too.</source>
     <message>
         <source>other strokes hide the chosen ones wholly; choose others, or hide what lies above</source>
         <translation>其他笔画完全遮住了所选笔画；请选择其他笔画，或隐藏上方的内容</translation>
+    </message>
+</context>
+<context>
+    <name>RefitTask</name>
+    <message>
+        <source>There the picture is off by %1 of 255 (root mean square), %2 at most.</source>
+        <translation>该处画面相差 %1/255（均方根），最多 %2。</translation>
+    </message>
+    <message>
+        <source>Fewer strokes</source>
+        <translation>减少笔画</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 条笔画</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in place of %Ln.</source>
+        <translation>
+            <numerusform>代替 %Ln 条。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) that lay between them lie below now.</source>
+        <translation>
+            <numerusform>原先夹在其间的 %Ln 条笔画现在位于下方。</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -1,13 +1,16 @@
 #include "app/window/dialog_rows.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/dialogs/fit/fit_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
+#include "app/session/open_painting.h"
 #include "app/widgets/asking/ask_number.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "app/widgets/habits/place_beside.h"
 #include "model/area/outline.h"
 #include "undo/time_edits.h"
@@ -15,6 +18,7 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QStatusBar>
 
 #include <algorithm>
 
@@ -123,6 +127,22 @@ void reshapeSelectedBy(const Workplace &place, Reshaping what)
     dialog.exec();
 }
 
+void refitSelected(const Workplace &place)
+{
+    place.canvas.settleTool();
+    place.open.playback.pause();
+    Editor &editor = place.open.editor;
+    Result<RefitTask> task = RefitTask::ofSelection(editor);
+    if (!task) {
+        // After a file's name it goes on in lower case.
+        emit place.commands.said(task.error().left(1).toUpper() + task.error().mid(1) + QLatin1Char('.'), 8000);
+        return;
+    }
+    FitDialog dialog(editor, std::move(*task), &place.window);
+    if (dialog.exec() == QDialog::Accepted)
+        sayUntilChange(*place.window.statusBar(), editor.document(), dialog.said());
+}
+
 void recolourArtwork(const Workplace &place)
 {
     Editor &editor = place.open.editor;
@@ -160,6 +180,11 @@ void addDialogRows(const Workplace &place)
              {QKeySequence(Commands::tr("Ctrl+L"))}, Commands::tr("Make fewer segments of the selected strokes"))
         .when(anySelected(place.open.editor))
         .runs([place] { reshapeSelectedBy(place, Reshaping::Simplify); });
+    place.commands
+        .add(Command::RefitStrokes, "refit", Commands::tr("&Fewer Strokes…"), "", {},
+             Commands::tr("Make fewer strokes that look like the selected ones"))
+        .when(anySelected(place.open.editor))
+        .runs([place] { refitSelected(place); });
     place.commands
         .add(Command::VaryStrokes, "vary", Commands::tr("Vary at Rand&om…"), "",
              {QKeySequence(Commands::tr("Ctrl+Alt+Y"))},

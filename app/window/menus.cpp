@@ -106,7 +106,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
              {InsetAreas, OutsetAreas},
              {LinesToAreas}});
     addMenu(*object, Commands::tr("Resha&pe"), table,
-            {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
+            {{SimplifyStrokes, RefitStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addMenu(*object, Commands::tr("Appl&y Brush"), table,
             {{ApplyBrush}, {ApplyBrushForm, ApplyBrushColour, ApplyBrushTexture}});
     object->addAction(&table[AlongStrokes]);

@@ -32,7 +32,7 @@ namespace suffuse {
 namespace {
 
 /// What an entry in the list of sources stands for.
-enum Source { UnderlaySource, FileSource, OtherFile };
+enum Source { UnderlaySource, OwnLookSource, FileSource, OtherFile };
 
 constexpr int heldMs = 300; ///< a press that lasts longer counts as holding the button
 constexpr int progressSteps = 1000;
@@ -51,11 +51,24 @@ QString nearness(double ratio)
     return FitDialog::tr("very near: %1 dB").arg(number);
 }
 
+/// The root mean square error that a peak signal to noise ratio means.
+QString distance(double ratio)
+{
+    return FitDialog::tr("off by %1 of 255").arg(QLocale().toString(255 * std::pow(10, -ratio / 20), 'f', 1));
+}
+
 } // namespace
 
-FitDialog::FitDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor), m_job(*new FitJob(qApp))
+FitDialog::FitDialog(Editor &editor, QWidget *parent) : FitDialog(editor, std::optional<RefitTask>(), parent) {}
+
+FitDialog::FitDialog(Editor &editor, RefitTask task, QWidget *parent)
+    : FitDialog(editor, std::optional<RefitTask>(std::move(task)), parent)
+{}
+
+FitDialog::FitDialog(Editor &editor, std::optional<RefitTask> task, QWidget *parent)
+    : QDialog(parent), m_editor(editor), m_job(*new FitJob(qApp)), m_task(std::move(task))
 {
-    setWindowTitle(tr("Picture to Strokes"));
+    setWindowTitle(m_task ? tr("Fewer Strokes") : tr("Picture to Strokes"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);
@@ -72,8 +85,12 @@ FitDialog::FitDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_edito
     EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     m_rows->strokes()->number()->setFocus();
-    if (m_source->itemData(0).toInt() == UnderlaySource)
+    if (m_task) {
+        m_rows->aimBelow(int(std::min(m_task->count(), std::size_t(FitRows::mostStrokes))));
+        takeOwnLook();
+    } else if (m_source->itemData(0).toInt() == UnderlaySource) {
         takeUnderlay();
+    }
     showState();
 }
 
@@ -131,11 +148,15 @@ void FitDialog::addSettings(QBoxLayout &row)
     auto *label = new QLabel(tr("Picture"), this);
     m_source = new QComboBox(this);
     m_source->setAccessibleName(tr("Picture"));
-    m_source->setToolTip(tr("Which picture becomes strokes"));
+    m_source->setToolTip(m_task ? tr("What the strokes are to look like: as those that are there do, or as a picture of "
+                                     "the whole sheet")
+                                : tr("Which picture becomes strokes"));
     m_source->setPlaceholderText(tr("None yet"));
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(16);
-    if (const auto &underlay = m_editor.document().painting()->underlay; underlay && underlay->image)
+    if (m_task)
+        m_source->addItem(tr("As they look"), OwnLookSource);
+    else if (const auto &underlay = m_editor.document().painting()->underlay; underlay && underlay->image)
         m_source->addItem(tr("Underlay"), UnderlaySource);
     m_source->addItem(tr("File…"), OtherFile);
     m_source->setCurrentIndex(-1);
@@ -157,8 +178,9 @@ void FitDialog::addSettings(QBoxLayout &row)
 void FitDialog::addButtons(QBoxLayout &column)
 {
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_insert = buttons->addButton(tr("&Insert"), QDialogButtonBox::AcceptRole);
-    m_insert->setToolTip(tr("Puts the strokes so far into the painting, as a layer"));
+    m_insert = buttons->addButton(m_task ? tr("&Replace") : tr("&Insert"), QDialogButtonBox::AcceptRole);
+    m_insert->setToolTip(m_task ? tr("Puts the strokes so far in place of the selected ones")
+                                : tr("Puts the strokes so far into the painting, as a layer"));
     m_stop = buttons->addButton(tr("Go On"), QDialogButtonBox::ActionRole);
     m_stop->setToolTip(tr("Stops the work, or goes on with it"));
     // It is as wide whichever of its texts it has.
@@ -176,16 +198,17 @@ void FitDialog::addButtons(QBoxLayout &column)
 void FitDialog::choose(int index)
 {
     const int chosen = m_source->itemData(index).toInt();
-    if (chosen == UnderlaySource) {
-        takeUnderlay();
+    if (chosen == UnderlaySource || chosen == OwnLookSource) {
+        chosen == UnderlaySource ? takeUnderlay() : takeOwnLook();
         return;
     }
-    const int before = m_isUnderlay || !m_job.hasPicture() ? m_source->findData(UnderlaySource)
-                                                           : m_source->findData(FileSource);
+    const int before = m_task && !m_image                        ? m_source->findData(OwnLookSource)
+                       : m_isUnderlay || !m_job.hasPicture() ? m_source->findData(UnderlaySource)
+                                                             : m_source->findData(FileSource);
     m_source->setCurrentIndex(m_job.hasPicture() ? before : -1);
     if (chosen == FileSource)
         return; // It is shown already.
-    if (const QString path = choosePictureToFit(this, tr("Picture to Strokes")); !path.isEmpty())
+    if (const QString path = choosePictureToFit(this, windowTitle()); !path.isEmpty())
         takeFile(path);
 }
 
@@ -214,10 +237,21 @@ void FitDialog::takeUnderlay()
     take(underlay->image, tr("Underlay"), tr("Underlay"), true);
 }
 
+void FitDialog::takeOwnLook()
+{
+    m_source->setCurrentIndex(m_source->findData(OwnLookSource));
+    take({}, windowTitle(), {}, false);
+}
+
 void FitDialog::take(EncodedImage image, const QString &place, const QString &name, bool isUnderlay)
 {
     m_isUnderlay = isUnderlay;
-    m_job.setPicture(std::move(image), place, name);
+    m_image = image;
+    m_place = place;
+    if (m_task)
+        m_job.setTarget(m_task->target(std::move(image), place), windowTitle());
+    else
+        m_job.setPicture(std::move(image), place, name);
     showNews();
     restart();
 }
@@ -231,7 +265,8 @@ FitWish FitDialog::wish() const
 {
     FitWish wish = m_rows->wish();
     // While the picture's size is not known, a width is taken for one of its own.
-    const double unit = m_job.size().isEmpty() ? 1 : area().width() / m_job.size().width();
+    // Strokes that take the place of others are fitted in units of the canvas.
+    const double unit = m_task || m_job.size().isEmpty() ? 1 : area().width() / m_job.size().width();
     wish.leastWidth /= unit;
     wish.greatestWidth /= unit;
     return wish;
@@ -275,7 +310,8 @@ void FitDialog::showState()
         m_status->setText(m_job.isRunning() ? tr("Reading the picture…") : QString());
     else
         m_status->setText(tr("%1 · %2 · %3")
-                              .arg(tr("%Ln stroke(s)", nullptr, news.strokes), nearness(news.peakRatio),
+                              .arg(tr("%Ln stroke(s)", nullptr, news.strokes),
+                                   m_task ? distance(news.peakRatio) : nearness(news.peakRatio),
                                    Display{secondsUnit(), 1, 0, 0}.text(news.seconds)));
     // Another text gets a letter that nothing else has; the same one keeps its own.
     if (const QString text = m_job.isRunning() ? tr("Stop") : tr("Go On"); !m_stop->text().remove('&').startsWith(text)) {
@@ -301,8 +337,12 @@ void FitDialog::accept()
     const FitResult result = m_job.result();
     if (result.painting.strokes.empty())
         return;
-    m_rows->remember();
-    m_said = insertFit(m_editor, result, area());
+    if (m_task) {
+        m_said = m_task->apply(m_editor, result, m_image, m_place);
+    } else {
+        m_rows->remember();
+        m_said = insertFit(m_editor, result, area());
+    }
     QDialog::accept();
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "app/session/fitting/fit_job.h"
+#include "app/session/fitting/refit_task.h"
 
 #include <QDialog>
 #include <QElapsedTimer>
+
+#include <optional>
 
 class QBoxLayout;
 class QComboBox;
@@ -28,12 +30,17 @@ class FitDialog : public QDialog {
 public:
     /// Begins with the underlay's picture, if there is one, or else with none until `takeFile`.
     FitDialog(Editor &editor, QWidget *parent);
+    /// Begins with fewer strokes in place of those of the task, which are to look as they do, or like the picture of a
+    /// file; Replace puts them there.
+    FitDialog(Editor &editor, RefitTask task, QWidget *parent);
     ~FitDialog() override;
 
     /// Begins anew with the picture of a file. Returns false where it cannot be read; the hint says why.
     bool takeFile(const QString &path);
     /// Begins anew with the underlay.
     void takeUnderlay();
+    /// Begins anew with what the strokes of the task show.
+    void takeOwnLook();
     /// What is to be said after the strokes were inserted; may be empty.
     const QString &said() const { return m_said; }
 
@@ -55,6 +62,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    FitDialog(Editor &editor, std::optional<RefitTask> task, QWidget *parent);
     void addPicture(QBoxLayout &row);
     void addSettings(QBoxLayout &row);
     void addButtons(QBoxLayout &column);
@@ -70,7 +78,10 @@ private:
 
     Editor &m_editor;
     FitJob &m_job; ///< It may outlive the dialog for a moment, since Cancel waits for nothing.
-    bool m_isUnderlay = false; ///< whose picture it is
+    std::optional<RefitTask> m_task; ///< none: a picture becomes a layer
+    EncodedImage m_image;            ///< that is fitted; null: what the task shows
+    QString m_place;                 ///< of the image, for messages
+    bool m_isUnderlay = false;       ///< whose picture it is
     bool m_isFailed = false;
     QString m_said;
     QElapsedTimer m_held; ///< since the button for the original was pressed

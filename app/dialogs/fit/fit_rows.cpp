@@ -19,7 +19,7 @@ namespace suffuse {
 namespace {
 
 constexpr int usualStrokes = 256, usualPaints = 8;
-constexpr double mostStrokes = 20'000, mostWidth = 1e5, mostSeed = 4294967295.0;
+constexpr double mostWidth = 1e5, mostSeed = 4294967295.0;
 
 /// How long a fit takes and how fine the picture is that it sees.
 struct Detail {
@@ -36,7 +36,7 @@ FieldSpec strokesSpec()
     spec.name = FitRows::tr("Strokes");
     spec.toolTip = FitRows::tr("At most so many. More of them go on with those that are there; fewer begin anew.");
     spec.display.decimals = 0;
-    spec.minimum = 1, spec.maximum = mostStrokes;
+    spec.minimum = 1, spec.maximum = FitRows::mostStrokes;
     spec.sliderMinimum = 16, spec.sliderMaximum = 4096;
     spec.logarithmic = true;
     spec.defaultValue = usualStrokes;
@@ -187,6 +187,14 @@ NumberField *FitRows::addNumber(QGridLayout &grid, const QString &name, const QS
     connect(field, &NumberField::stepped, this, take);
     connect(field, &NumberField::refused, this, &FitRows::refused);
     return field;
+}
+
+void FitRows::aimBelow(int strokes)
+{
+    const int usual = std::max(1, strokes / 4);
+    m_strokes->setSliderRange(1, std::max(2, strokes));
+    m_strokes->setDefaultValue(usual);
+    m_strokes->setValue(usual);
 }
 
 FitWish FitRows::wish() const

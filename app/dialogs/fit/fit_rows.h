@@ -18,7 +18,12 @@ class FitRows : public QWidget {
     Q_OBJECT
 
 public:
+    static constexpr double mostStrokes = 20'000;
+
     explicit FitRows(QWidget *parent);
+
+    /// Asks for a quarter of so many strokes, and lets the slider choose among fewer.
+    void aimBelow(int strokes);
 
     /// What the rows say. Widths are in units of the canvas, of which the caller makes pixels.
     FitWish wish() const;

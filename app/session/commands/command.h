@@ -113,6 +113,7 @@ enum class Command {
     QuarterRight,
     ScaleSpread,
     SimplifyStrokes,
+    RefitStrokes,
     SmoothStrokes,
     StraightenStrokes,
     GrowPaint,

@@ -76,9 +76,23 @@ void FitJob::abandon()
 
 void FitJob::setPicture(EncodedImage image, const QString &place, const QString &name)
 {
+    if (!image)
+        return setTarget({}, name);
+    setTarget(
+        [image = std::move(image), place](int pixels, const std::atomic<bool> *cancel) {
+            try {
+                return fitting::readFitTarget(*image, place, pixels, cancel);
+            } catch (const std::bad_alloc &) {
+                return Result<fitting::FitTarget>(Error{tr("%1: there is not enough memory to fit it.").arg(place)});
+            }
+        },
+        name);
+}
+
+void FitJob::setTarget(ReadTarget read, const QString &name)
+{
     join();
-    m_image = std::move(image);
-    m_place = place;
+    m_read = std::move(read);
     m_name = name;
     m_target.reset();
     m_fit.reset();
@@ -91,7 +105,7 @@ void FitJob::setPicture(EncodedImage image, const QString &place, const QString 
 void FitJob::start(const FitWish &wish)
 {
     join();
-    if (!m_image)
+    if (!m_read)
         return;
     m_running = m_isBusy = true;
     m_thread = std::jthread([this, wish] { run(wish); });
@@ -116,7 +130,7 @@ void FitJob::run(const FitWish &wish)
         done = work(wish);
     } catch (const std::bad_alloc &) {
         m_fit.reset();
-        done = Error{tr("%1: there is not enough memory to fit it.").arg(m_place)};
+        done = Error{tr("%1: there is not enough memory to fit it.").arg(m_name)};
     }
     QMetaObject::invokeMethod(
         this,
@@ -140,7 +154,7 @@ Result<void> FitJob::prepare(const FitWish &wish)
     const bool isNew = !m_target || m_pixels != wish.pixels;
     std::shared_ptr<const fitting::FitTarget> target = m_target;
     if (isNew) {
-        Result<fitting::FitTarget> read = fitting::readFitTarget(*m_image, m_place, wish.pixels, &m_cancel);
+        Result<fitting::FitTarget> read = m_read(wish.pixels, &m_cancel);
         if (!read)
             return Error{read.error()};
         target = std::make_shared<const fitting::FitTarget>(std::move(*read));
@@ -212,7 +226,7 @@ void FitJob::tell()
     news.seconds = m_seconds;
     const fitting::FitPicture drawn = m_fit->picture();
     news.picture = imageOf(drawn);
-    news.peakRatio = fitting::peakRatio(fitting::meanSquare(drawn, m_target->picture));
+    news.peakRatio = fitting::peakRatio(fitting::meanSquare(drawn, m_target->picture, m_target->weight));
     m_untold = true;
     QMetaObject::invokeMethod(
         this,

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QObject>
 
+#include <functional>
 #include <thread>
 
 namespace suffuse {
@@ -29,6 +30,10 @@ struct FitWish {
         return strokes >= before.strokes && style == before.style && seed == before.seed;
     }
 };
+
+/// Finds what is fitted, at no more than so many pixels, on the thread of the job. It stops with an error soon after
+/// the flag is set.
+using ReadTarget = std::function<Result<fitting::FitTarget>(int pixels, const std::atomic<bool> *cancel)>;
 
 /// How far a fit has come.
 struct FitNews {
@@ -57,7 +62,9 @@ public:
     /// Takes another picture and forgets the strokes of the one before. It is decoded when the fit is started; `place`
     /// stands in messages, and `name` is what the strokes will be called after.
     void setPicture(EncodedImage image, const QString &place, const QString &name);
-    bool hasPicture() const { return bool(m_image); }
+    /// The same for what is no file of a picture.
+    void setTarget(ReadTarget read, const QString &name);
+    bool hasPicture() const { return bool(m_read); }
     /// Goes on with what was stopped, begins with the strokes so far, or begins anew, whatever the wish allows. What
     /// runs is stopped first.
     void start(const FitWish &wish);
@@ -87,8 +94,8 @@ private:
     void tell();
     void join();
 
-    EncodedImage m_image;
-    QString m_place, m_name;
+    ReadTarget m_read;
+    QString m_name;
     FitNews m_news;  ///< of the caller's thread
     QSizeF m_size;   ///< of the caller's thread
     bool m_running = false;

@@ -139,7 +139,7 @@ void addForSelection(QMenu &menu, const Commands &table)
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Trans&form"), table,
               {{FlipAcross, FlipDown, QuarterLeft, QuarterRight}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "R&eshape"), table,
-              {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
+              {{SimplifyStrokes, RefitStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Com&bine and Break"), table,
               {{CombineStrokes, BreakApart, RemoveErasures},
                {UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},

@@ -9,6 +9,7 @@
 #include "app/widgets/numbers/slider_field.h"
 #include "model/shaping/transform.h"
 #include "render/backends.h"
+#include "undo/edits.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -292,6 +293,62 @@ private slots:
         QCOMPARE(dialog.view()->shown(), dialog.job().news().picture);
     }
 
+    /// Twelve strokes become fewer, between those below and above, in one step that is undone.
+    void selectedStrokesBecomeFewer()
+    {
+        Editor editor;
+        addStripes(editor);
+        const Painting before = *editor.document().painting();
+        const int steps = editor.undoStack().count();
+        const QImage shown = drawn(editor, before.canvas.area(), {90, 60});
+        Result<RefitTask> task = RefitTask::ofSelection(editor);
+        QVERIFY2(task, task ? "" : qPrintable(task.error()));
+        QCOMPARE(task->count(), std::size_t(12));
+        FitDialog dialog(editor, std::move(*task), nullptr);
+        QCOMPARE(dialog.source()->currentText(), QStringLiteral("As they look"));
+        QCOMPARE(dialog.rows()->wish().strokes, 3); // a quarter
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QVERIFY2(dialog.status()->text().contains("of 255"), qPrintable(dialog.status()->text()));
+        QCOMPARE(*editor.document().painting(), before); // until Replace
+        dialog.insertButton()->click();
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const Painting &painting = *editor.document().painting();
+        QVERIFY(painting.strokes.size() >= 3 && painting.strokes.size() <= 5);
+        QCOMPARE(painting.strokes.front(), before.strokes.front());
+        QCOMPARE(painting.strokes.back(), before.strokes.back());
+        QCOMPARE(editor.selection().strokes.size(), painting.strokes.size() - 2);
+        QVERIFY2(dialog.said().contains("in place of 12") && dialog.said().contains("of 255"), qPrintable(dialog.said()));
+        QCOMPARE(editor.undoStack().count(), steps + 1);
+        const double apart = difference(drawn(editor, before.canvas.area(), {90, 60}), shown);
+        QVERIFY2(apart < 3, qPrintable(QString::number(apart)));
+        QCOMPARE(settings::store().value("fit/strokes").toInt(), 12); // that of pictures
+        editor.undo();
+        QCOMPARE(*editor.document().painting(), before);
+    }
+
+    /// Or they are made to look like a picture, which must have the shape of the sheet; cancelled, nothing changes.
+    void selectedStrokesBecomeAPicture()
+    {
+        Editor editor;
+        addStripes(editor);
+        const PaintingPtr before = editor.document().snapshot();
+        FitDialog dialog(editor, *RefitTask::ofSelection(editor), nullptr);
+        QVERIFY(dialog.takeFile(pathOf("sunset.png"))); // 48 × 32, as the sheet
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QVERIFY2(dialog.hint()->text().isEmpty() && dialog.job().news().strokes > 0, qPrintable(dialog.hint()->text()));
+        QVERIFY(QImage(50, 50, QImage::Format_RGB32).save(pathOf("square.png")));
+        QVERIFY(dialog.takeFile(pathOf("square.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.hint()->text().contains("square.png"), longMs);
+        dialog.source()->setCurrentIndex(0);
+        emit dialog.source()->activated(0);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.job().news().strokes > 0, longMs);
+        dialog.reject();
+        QCOMPARE(editor.document().snapshot(), before);
+        editor.document().setSelection({});
+        const Result<RefitTask> nothing = RefitTask::ofSelection(editor);
+        QVERIFY(!nothing && nothing.error().contains("choose others"));
+    }
+
     void whatIsNoPictureIsTold_data()
     {
         QTest::addColumn<QString>("name");
@@ -327,6 +384,35 @@ private slots:
     }
 
 private:
+    /// A wide stroke, twelve that lie side by side and are selected, and one across them.
+    static void addStripes(Editor &editor)
+    {
+        setCanvas(editor, 90, 60);
+        std::vector<StrokePtr> strokes;
+        for (int k = 0; k < 14; ++k) {
+            const bool isOdd = k == 0 || k == 13;
+            Stroke stroke;
+            stroke.id = editor.document().takeStrokeId();
+            stroke.origin = isOdd ? Point{45, 10} : Point{20, 20 + 1.5 * k};
+            Segment segment;
+            segment.bezier = isOdd ? std::array<Offset, 4>{Offset{0, 0}, {0, 13}, {0, 27}, {0, 40}}
+                                   : std::array<Offset, 4>{Offset{0, 0}, {15, 2}, {30, 2}, {50, 0}};
+            segment.maxAge = 1;
+            segment.diffusion = k == 0 ? 30 : 2;
+            segment.density = k == 0 ? 10 : 3;
+            segment.colour = k == 0 ? Colour{0.1f, 0.2f, 0.8f, 0.6f} : k == 13 ? Colour{0.8f, 0.8f, 0.8f, 0.9f}
+                                                                               : Colour{0.9f, 0.2f, 0.1f, 0.8f};
+            stroke.segments.push_back(segment);
+            strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        editor.push(addStrokes(editor.document(), strokes, false), "Stripes");
+        Selection middle;
+        for (int k = 1; k < 13; ++k)
+            middle.strokes.insert(strokes[std::size_t(k)]->id);
+        editor.document().setSelection(middle);
+        editor.clock().setTime(editor.document().painting()->end());
+    }
+
     QString pathOf(const QString &name) const { return m_folder->filePath(name); }
 
     std::unique_ptr<QTemporaryDir> m_folder;

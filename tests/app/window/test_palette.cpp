@@ -145,7 +145,7 @@ private slots:
                 "outset "
                 "strokeToOutline combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross "
                 "flipDown quarterLeft quarterRight "
-                "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
+                "scaleSpread simplify refit smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
                 "applyBrushColour applyBrushTexture vary along "
                 "alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
