@@ -127,7 +127,7 @@ QString RefitScope::findHome()
         if (group->id == m_group)
             break;
         if (group->isIsolated() || group->wash)
-            m_home = group->parent;
+            m_home = m_plain = group->id;
     }
     return {};
 }
@@ -200,7 +200,10 @@ Painting RefitScope::with(const StrokeList &strokes) const
     const double pace = last > 0 ? double(m_lastBirth - m_firstBirth) / double(last) : 0;
     out.strokes.clear();
     StrokeId id = m_painting->nextStrokeId();
-    std::unordered_set<GroupId> left, lost; // that have strokes, and that had chosen ones
+    std::unordered_set<GroupId> left, lost; // that stay, and that had chosen strokes
+    // The home stays, also where no stroke comes into it: whoever is shown alone must not show the others by going.
+    for (const Group *g = m_painting->findGroup(m_home); g; g = m_painting->findGroup(g->parent))
+        left.insert(g->id);
     const auto put = [&](StrokePtr stroke) {
         for (const Group *group : groupsAround(*m_painting, *stroke))
             left.insert(group->id);
@@ -230,6 +233,11 @@ Painting RefitScope::with(const StrokeList &strokes) const
     for (Group &group : out.groups)
         if (changed.contains(group.id))
             group.text = {}; // Its strokes are no letters any more.
+    for (Group &group : out.groups)
+        if (group.id == m_plain) {
+            group.opacity = 1, group.blend = BlendMode::Normal, group.wash = {};
+            group.isolated = group.clips = group.mask = false;
+        }
     return out;
 }
 

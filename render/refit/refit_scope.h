@@ -42,7 +42,9 @@ public:
     double finestSpread() const { return m_finest; } ///< the least s of chosen strokes, units; 0 if they have none
 
     /// The painting with other strokes in place of the chosen ones: above the highest of them, in its group, born in
-    /// their order from the first to the last moment in which the chosen ones were. Groups in which nothing is left go.
+    /// their order from the first to the last moment in which the chosen ones were. A group within the scope that mixed
+    /// in its own way is one like others then, since its strokes look as its picture did. Groups in which nothing is left
+    /// go.
     Painting with(const StrokeList &strokes) const;
 
 private:
@@ -55,6 +57,7 @@ private:
     std::size_t m_count = 0, m_between = 0;
     GroupId m_group = 0;      ///< of the scope; 0: the whole painting
     GroupId m_home = 0;       ///< the group that new strokes come into
+    GroupId m_plain = 0;      ///< the group that is one like others then, since what is in it is new; 0: none
     StrokeId m_top = 0;       ///< the highest chosen stroke
     std::vector<StrokePtr> m_strokes; ///< visible ones of the scope; those right in its group are in none
     std::vector<Group> m_groups;      ///< within the scope

@@ -208,9 +208,33 @@ private slots:
             const Refitted now = refitted(painting, redOnes(), 3);
             QVERIFY2(now.error.isEmpty(), qPrintable(now.error));
             QVERIFY2(now.after.rootMeanSquare < 4, qPrintable(QString::number(now.after.rootMeanSquare)));
-            QCOMPARE(now.painting.groups.size(), std::size_t(1)); // Nothing is left in the inner one.
-            QCOMPARE(now.painting.strokes[1]->group, GroupId(4));
+            QCOMPARE(now.painting.groups.size(), std::size_t(2));
+            QVERIFY(!now.painting.groups[1].isIsolated() && !now.painting.groups[1].wash);
+            QCOMPARE(now.painting.strokes[1]->group, GroupId(7));
         }
+    }
+
+    /// Whoever is shown alone stays so; a group that is left empty goes.
+    void groupsAfterwards()
+    {
+        Painting painting = eightBetween();
+        Group alone, other;
+        alone.id = 3, alone.solo = true, alone.opacity = 0.5f;
+        other.id = 5, other.parent = 3;
+        painting.groups = {alone, other};
+        for (std::size_t i = 1; i < 9; ++i) {
+            Stroke stroke = *painting.strokes[i];
+            stroke.group = i < 5 ? 5 : 3;
+            painting.strokes[i] = std::make_shared<const Stroke>(stroke);
+        }
+        const Result<RefitScope> scope = RefitScope::of(std::make_shared<const Painting>(painting), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+        QVERIFY(scope);
+        QCOMPARE(scope->count(), std::size_t(8)); // The others are hidden.
+        QVERIFY(!scope->isWholePainting());
+        const Painting now = scope->with({std::make_shared<const Stroke>(strokeFrom(1, {1, 1}, {9, 9}, red, 2))});
+        QCOMPARE(now.groups, std::vector<Group>{alone});
+        QCOMPARE(now.strokes.size(), std::size_t(3));
+        QCOMPARE(now.strokes[1]->group, GroupId(3));
     }
 
     void whatLiesBetweenLiesBelow()
