@@ -33,17 +33,19 @@ void addRefitOptions(CommandLine &line)
         line.add(names, QCoreApplication::translate("Cli", text), value);
     };
     add({"o", "output"}, QT_TRANSLATE_NOOP("Cli", "The painting to write: .suffuse or .json."), "OUT");
-    add({"select"}, QT_TRANSLATE_NOOP("Cli", "The strokes to make anew, by their ids, such as 3,7,20-180 (default: all)."),
-        "IDS");
+    add({"select"},
+        QT_TRANSLATE_NOOP("Cli", "The strokes to make anew, by their ids, such as 3,7,20-180 (default: all)."), "IDS");
     add({"layer"}, QT_TRANSLATE_NOOP("Cli", "All strokes of the group of that name, in place of --select."), "NAME");
     add({"to"},
-        QT_TRANSLATE_NOOP("Cli", "A picture, or another painting, that the whole is to look like (default: as it does)."),
+        QT_TRANSLATE_NOOP("Cli",
+                          "A picture, or another painting, that the whole is to look like (default: as it does)."),
         "FILE");
     add({"strokes"}, QT_TRANSLATE_NOOP("Cli", "At most so many strokes (default: a quarter of those before)."), "N");
     add({"error"}, QT_TRANSLATE_NOOP("Cli", "As many strokes as this root mean square error needs, in 255ths."), "E");
     add({"style"}, QT_TRANSLATE_NOOP("Cli", "feathering (default), uniform or edge."), "STYLE");
     add({"iterations"}, QT_TRANSLATE_NOOP("Cli", "How many steps (default 1200)."), "N");
-    add({"pixels"}, QT_TRANSLATE_NOOP("Cli", "What the strokes reach is fitted at so many pixels (default 600000)."), "N");
+    add({"pixels"}, QT_TRANSLATE_NOOP("Cli", "What the strokes reach is fitted at so many pixels (default 600000)."),
+        "N");
     add({"seed"}, QT_TRANSLATE_NOOP("Cli", "Other numbers give other strokes (default 1)."), "N");
     add({"threads"}, QT_TRANSLATE_NOOP("Cli", "Number of threads (default: one a core)."), "N");
     add({"json"}, QT_TRANSLATE_NOOP("Cli", "Says how near the painting comes as JSON (docs/cli.md)."));
@@ -58,7 +60,8 @@ QString refitContradiction(const CommandLine &line)
         return QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out);
     if (in != QLatin1String("-") && QFileInfo(out).exists() &&
         QFileInfo(in).canonicalFilePath() == QFileInfo(out).canonicalFilePath())
-        return QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name").arg(out);
+        return QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name")
+            .arg(out);
     if (line.isSet("select") && line.isSet("layer"))
         return QCoreApplication::translate("Cli", "--select and --layer both say which strokes; give one of them");
     return {};
@@ -98,14 +101,16 @@ Result<std::unordered_set<StrokeId>> idsOf(const QString &text, const Painting &
         bool isFirst = false, isLast = false;
         const qulonglong first = ends.first().toULongLong(&isFirst), last = ends.last().toULongLong(&isLast);
         if (!isFirst || !isLast || ends.size() > 2 || last < first)
-            return Error{QCoreApplication::translate("Cli", "--select %1: give ids of strokes, such as 3,7,20-180").arg(text)};
+            return Error{
+                QCoreApplication::translate("Cli", "--select %1: give ids of strokes, such as 3,7,20-180").arg(text)};
         const std::size_t before = out.size();
         for (const StrokePtr &stroke : painting.strokes)
             if (stroke->id >= first && stroke->id <= last)
                 out.insert(stroke->id);
         if (out.size() == before)
-            return Error{QCoreApplication::translate("Cli", "--select %1: there is no stroke %2; suffuse-cli convert IN "
-                                                            "OUT.json shows the ids")
+            return Error{QCoreApplication::translate("Cli",
+                                                     "--select %1: there is no stroke %2; suffuse-cli convert IN "
+                                                     "OUT.json shows the ids")
                              .arg(text, part)};
     }
     return out;
@@ -119,8 +124,9 @@ Result<std::unordered_set<StrokeId>> strokesOfLayer(const QString &name, const P
         if (group.name != name)
             continue;
         if (layer)
-            return Error{QCoreApplication::translate("Cli", "--layer %1: several groups have that name; rename one of them")
-                             .arg(name)};
+            return Error{
+                QCoreApplication::translate("Cli", "--layer %1: several groups have that name; rename one of them")
+                    .arg(name)};
         layer = group.id;
     }
     if (!layer)
@@ -183,29 +189,32 @@ int sayReport(const RefitReport &report, bool asJson)
         return QJsonObject{{"rootMeanSquare", d.rootMeanSquare}, {"greatest", d.greatest}};
     };
     if (asJson)
-        return printJson({{"strokesBefore", qint64(report.before)},
-                          {"strokes", qint64(report.now)},
-                          {"numbers", qint64(report.now * std::size_t(fitting::strokeNumbers))},
-                          {"between", qint64(report.between)},
-                          {"area", QJsonArray{report.area.left, report.area.top, report.area.width(), report.area.height()}},
-                          {"errorBefore", numbers(report.was)},
-                          {"error", numbers(report.is)},
-                          {"iterations", report.steps},
-                          {"seed", qint64(report.seed)},
-                          {"seconds", report.seconds}});
-    QString text = QCoreApplication::translate("Cli", "%1 strokes in place of %2. Where they are seen, the picture is %3 of "
-                                                      "255 from what it should be (root mean square), %4 at most.")
-                       .arg(report.now)
-                       .arg(report.before)
-                       .arg(report.is.rootMeanSquare, 0, 'f', 2)
-                       .arg(report.is.greatest, 0, 'f', 1);
+        return printJson(
+            {{"strokesBefore", qint64(report.before)},
+             {"strokes", qint64(report.now)},
+             {"numbers", qint64(report.now * std::size_t(fitting::strokeNumbers))},
+             {"between", qint64(report.between)},
+             {"area", QJsonArray{report.area.left, report.area.top, report.area.width(), report.area.height()}},
+             {"errorBefore", numbers(report.was)},
+             {"error", numbers(report.is)},
+             {"iterations", report.steps},
+             {"seed", qint64(report.seed)},
+             {"seconds", report.seconds}});
+    QString text =
+        QCoreApplication::translate("Cli", "%1 strokes in place of %2. Where they are seen, the picture is %3 of "
+                                           "255 from what it should be (root mean square), %4 at most.")
+            .arg(report.now)
+            .arg(report.before)
+            .arg(report.is.rootMeanSquare, 0, 'f', 2)
+            .arg(report.is.greatest, 0, 'f', 1);
     if (report.was.greatest > 0)
         text += QLatin1Char(' ') + QCoreApplication::translate("Cli", "Before it was %1, %2 at most.")
                                        .arg(report.was.rootMeanSquare, 0, 'f', 2)
                                        .arg(report.was.greatest, 0, 'f', 1);
     if (report.between > 0)
-        text += QLatin1Char(' ') + QCoreApplication::translate("Cli", "%n stroke(s) that lay between them lie below now.",
-                                                               nullptr, int(report.between));
+        text +=
+            QLatin1Char(' ') + QCoreApplication::translate("Cli", "%n stroke(s) that lay between them lie below now.",
+                                                           nullptr, int(report.between));
     return print(text + QLatin1Char('\n'));
 }
 
@@ -253,8 +262,15 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
         return fail(stopped);
     const StrokeList strokes = placed(*scope, fit.painting());
     const Painting result = scope->with(strokes);
-    RefitReport report{scope->count(), strokes.size(), scope->between(), areaWith(*scope, strokes), {}, {},
-                       fit.steps(),    options.seed,   0};
+    RefitReport report{scope->count(),
+                       strokes.size(),
+                       scope->between(),
+                       areaWith(*scope, strokes),
+                       {},
+                       {},
+                       fit.steps(),
+                       options.seed,
+                       0};
     const Result<RefitPictures::Difference> was = pictures.differenceOf(*painting, report.area),
                                             is = pictures.differenceOf(result, report.area);
     if (!was || !is)
@@ -271,8 +287,9 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
 int refitCommand(const QStringList &arguments)
 {
     CommandLine line("refit",
-                     QCoreApplication::translate("Cli", "Makes fewer strokes that look like those of a painting, or makes "
-                                                        "them look like a picture, and says how near they come."),
+                     QCoreApplication::translate("Cli",
+                                                 "Makes fewer strokes that look like those of a painting, or makes "
+                                                 "them look like a picture, and says how near they come."),
                      {"IN"});
     addRefitOptions(line);
     if (const std::optional<int> code = line.parse(arguments))

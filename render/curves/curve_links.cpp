@@ -7,16 +7,16 @@ namespace suffuse::curves {
 
 namespace {
 
-constexpr double flatness = 0.02;       ///< pixels: so near to their curves lines stay
-constexpr int mostLines = 512;          ///< for one cubic
-constexpr double leastDistance = 0.01;  ///< pixels: a nearer curve would weigh too much for floating point
+constexpr double flatness = 0.02;      ///< pixels: so near to their curves lines stay
+constexpr int mostLines = 512;         ///< for one cubic
+constexpr double leastDistance = 0.01; ///< pixels: a nearer curve would weigh too much for floating point
 
 using Values = std::array<float, curveValues>;
 
 /// A curve across the link of a pixel to its right or lower neighbour.
 struct Cut {
     std::size_t pixel = 0;
-    float place = 0;     ///< on the link, [0, 1)
+    float place = 0;      ///< on the link, [0, 1)
     Values before, after; ///< on the side of the pixel, and of its neighbour
 };
 
@@ -64,7 +64,8 @@ private:
                all([this](Point q) { return q.x > m_width; }) || all([this](Point q) { return q.y > m_height; });
     }
 
-    /// A chord over 1/n of a cubic is at most |B″|/(8n²) away from it, and |B″| at most six times the second difference.
+    /// A chord over 1/n of a cubic is at most |B″|/(8n²) away from it, and |B″| at most six times the second
+    /// difference.
     static int linesFor(const std::array<Point, 4> &p)
     {
         const double bend = std::max(length(p[0] - 2 * p[1] + p[2]), length(p[1] - 2 * p[2] + p[3]));

@@ -22,9 +22,10 @@ public:
                   std::span<const float> anchors);
     ~LaplaceSolver();
 
-    /// Solves for values in [0, 1] about, to some 1e-4. `solution` holds the first guess and gets the result. Any number
-    /// of threads may solve at the same time. Returns the number of steps, and stops early when `cancel` is set.
-    int solve(std::span<const float> sources, std::span<float> solution, const std::atomic<bool> *cancel = nullptr) const;
+    /// Solves for values in [0, 1] about, to some 1e-4. `solution` holds the first guess and gets the result. Any
+    /// number of threads may solve at the same time. Returns the number of steps, and stops early when `cancel` is set.
+    int solve(std::span<const float> sources, std::span<float> solution,
+              const std::atomic<bool> *cancel = nullptr) const;
 
 private:
     struct Grid;

@@ -10,9 +10,9 @@ namespace suffuse::curves {
 
 namespace {
 
-constexpr float leastBlur = 0.25f;    ///< pixels: below, a Gaussian reaches no neighbour
-constexpr float greatestOfLevel = 4;  ///< pixels of a level: wider ones are taken of a smaller picture
-constexpr float reach = 3;            ///< in deviations
+constexpr float leastBlur = 0.25f;   ///< pixels: below, a Gaussian reaches no neighbour
+constexpr float greatestOfLevel = 4; ///< pixels of a level: wider ones are taken of a smaller picture
+constexpr float reach = 3;           ///< in deviations
 
 struct BlurLevel {
     int width = 0, height = 0;

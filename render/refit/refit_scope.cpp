@@ -12,8 +12,8 @@ namespace suffuse::refit {
 
 namespace {
 
-constexpr double roomShare = 0.1;  ///< of the greater side, around what is seen of the chosen strokes
-constexpr double roomSpreads = 2;  ///< or so many of the greatest spread
+constexpr double roomShare = 0.1; ///< of the greater side, around what is seen of the chosen strokes
+constexpr double roomSpreads = 2; ///< or so many of the greatest spread
 
 /// The groups around a stroke, from the innermost one outwards.
 std::vector<const Group *> groupsAround(const Painting &painting, const Stroke &stroke)
@@ -56,7 +56,8 @@ Result<RefitScope> RefitScope::of(PaintingPtr painting, const std::unordered_set
             scope.m_taken.insert(stroke->id);
         }
     if (taken.empty())
-        return Error{QCoreApplication::translate("refit", "none of the strokes is visible and unlocked; choose others")};
+        return Error{
+            QCoreApplication::translate("refit", "none of the strokes is visible and unlocked; choose others")};
     scope.m_count = taken.size();
     scope.m_top = taken.back()->id;
     scope.m_group = scopeOf(all, taken);
@@ -65,9 +66,8 @@ Result<RefitScope> RefitScope::of(PaintingPtr painting, const std::unordered_set
     bool begun = false;
     for (const StrokePtr &stroke : all.strokes) {
         const std::vector<const Group *> around = groupsAround(all, *stroke);
-        const bool isWithin = scope.m_group == 0 || std::any_of(around.begin(), around.end(), [&](const Group *g) {
-                                  return g->id == scope.m_group;
-                              });
+        const bool isWithin = scope.m_group == 0 || std::any_of(around.begin(), around.end(),
+                                                                [&](const Group *g) { return g->id == scope.m_group; });
         if (!isWithin || !isVisible(*stroke))
             continue;
         begun = begun || scope.isTaken(stroke->id);
@@ -91,7 +91,8 @@ Result<RefitScope> RefitScope::of(PaintingPtr painting, const std::unordered_set
     }
     scope.measure();
     if (scope.m_area.isEmpty())
-        return Error{QCoreApplication::translate("refit", "the strokes lie beside the sheet, where nothing is seen of them")};
+        return Error{
+            QCoreApplication::translate("refit", "the strokes lie beside the sheet, where nothing is seen of them")};
     return scope;
 }
 
@@ -113,9 +114,11 @@ QString RefitScope::findHome()
     const Visibility isVisible(all.groups);
     for (const StrokePtr &stroke : all.strokes)
         for (const Group *group : groupsAround(all, *stroke))
-            if (!isTaken(stroke->id) && isVisible(*stroke) && std::find(parts.begin(), parts.end(), group) != parts.end())
-                return QCoreApplication::translate("refit", "the strokes of group “%1” mix in their own way; choose all "
-                                                            "of them that are visible, or none of them")
+            if (!isTaken(stroke->id) && isVisible(*stroke) &&
+                std::find(parts.begin(), parts.end(), group) != parts.end())
+                return QCoreApplication::translate("refit",
+                                                   "the strokes of group “%1” mix in their own way; choose all "
+                                                   "of them that are visible, or none of them")
                     .arg(nameOf(*group));
     const Group *scope = all.findGroup(m_group);
     if (scope && scope->wash)
@@ -215,7 +218,8 @@ Painting RefitScope::with(const StrokeList &strokes) const
             put(stroke);
         else
             changed.insert(stroke->group);
-        for (const Group *group : isTaken(stroke->id) ? groupsAround(*m_painting, *stroke) : std::vector<const Group *>())
+        for (const Group *group :
+             isTaken(stroke->id) ? groupsAround(*m_painting, *stroke) : std::vector<const Group *>())
             lost.insert(group->id);
         if (stroke->id != m_top)
             continue;

@@ -27,9 +27,9 @@ public:
     bool showsCoverage() const;
 
     enum Part {
-        Ground,   ///< what is not chosen and lies below the highest chosen stroke
-        Chosen,   ///< that, and the chosen ones, in their order
-        Above     ///< what lies above
+        Ground, ///< what is not chosen and lies below the highest chosen stroke
+        Chosen, ///< that, and the chosen ones, in their order
+        Above   ///< what lies above
     };
     /// A part of the scope by itself, on an opaque sheet of that colour.
     Painting part(Part part, const Colour &sheet) const;
@@ -43,8 +43,8 @@ public:
 
     /// The painting with other strokes in place of the chosen ones: above the highest of them, in its group, born in
     /// their order from the first to the last moment in which the chosen ones were. A group within the scope that mixed
-    /// in its own way is one like others then, since its strokes look as its picture did. Groups in which nothing is left
-    /// go.
+    /// in its own way is one like others then, since its strokes look as its picture did. Groups in which nothing is
+    /// left go.
     Painting with(const StrokeList &strokes) const;
 
 private:
@@ -55,10 +55,10 @@ private:
     PaintingPtr m_painting;
     std::unordered_set<StrokeId> m_taken;
     std::size_t m_count = 0, m_between = 0;
-    GroupId m_group = 0;      ///< of the scope; 0: the whole painting
-    GroupId m_home = 0;       ///< the group that new strokes come into
-    GroupId m_plain = 0;      ///< the group that is one like others then, since what is in it is new; 0: none
-    StrokeId m_top = 0;       ///< the highest chosen stroke
+    GroupId m_group = 0;              ///< of the scope; 0: the whole painting
+    GroupId m_home = 0;               ///< the group that new strokes come into
+    GroupId m_plain = 0;              ///< the group that is one like others then, since what is in it is new; 0: none
+    StrokeId m_top = 0;               ///< the highest chosen stroke
     std::vector<StrokePtr> m_strokes; ///< visible ones of the scope; those right in its group are in none
     std::vector<Group> m_groups;      ///< within the scope
     std::size_t m_highest = 0;        ///< place of the highest chosen stroke in m_strokes

@@ -18,10 +18,10 @@ namespace {
 using fitting::FitPicture;
 using fitting::FitTarget;
 
-constexpr double pixelsForSpread = 2; ///< The finest stroke has so many at least,
+constexpr double pixelsForSpread = 2;   ///< The finest stroke has so many at least,
 constexpr double mostPixelsForUnit = 4; ///< and a unit no more than that.
-constexpr float leastGain = 1.0f / 64; ///< Below, what lies above hides what is fitted.
-constexpr double sameShape = 0.01;     ///< Sides may differ by that share.
+constexpr float leastGain = 1.0f / 64;  ///< Below, what lies above hides what is fitted.
+constexpr double sameShape = 0.01;      ///< Sides may differ by that share.
 
 Rect sheetOf(const Painting &painting)
 {
@@ -42,8 +42,9 @@ bool isShapedLike(double width, double height, const Rect &sheet)
 
 QString otherShape(const QString &name, double width, double height, const Rect &sheet)
 {
-    return QCoreApplication::translate("refit", "%1: has the shape %2 × %3, and the sheet %4 × %5; crop it to the shape "
-                                                "of the sheet")
+    return QCoreApplication::translate("refit",
+                                       "%1: has the shape %2 × %3, and the sheet %4 × %5; crop it to the shape "
+                                       "of the sheet")
         .arg(name)
         .arg(width)
         .arg(height)
@@ -107,8 +108,10 @@ Result<FitPicture> RefitPictures::pictureOfFile(const Rect &area, int width, int
     FitPicture out(width, height, 3);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const Point at = map({area.left + (x + 0.5) * area.width() / width, area.top + (y + 0.5) * area.height() / height});
-            const double px = std::clamp(at.x - 0.5, 0.0, all.width - 1.0), py = std::clamp(at.y - 0.5, 0.0, all.height - 1.0);
+            const Point at =
+                map({area.left + (x + 0.5) * area.width() / width, area.top + (y + 0.5) * area.height() / height});
+            const double px = std::clamp(at.x - 0.5, 0.0, all.width - 1.0),
+                         py = std::clamp(at.y - 0.5, 0.0, all.height - 1.0);
             const int left = int(px), top = int(py), right = std::min(left + 1, all.width - 1),
                       bottom = std::min(top + 1, all.height - 1);
             const auto u = float(px - left), v = float(py - top);
@@ -181,8 +184,9 @@ Result<FitTarget> RefitPictures::target() const
         Result<FitPicture> ground = drawn(m_scope.part(RefitScope::Ground, sheet), area, m_width, m_height);
         if (!ground)
             return Error{ground.error()};
-        Result<FitPicture> goal = m_goal.isOwnLook() ? drawn(m_scope.part(RefitScope::Chosen, sheet), area, m_width, m_height)
-                                                     : goalOn(sheet, area, m_width, m_height);
+        Result<FitPicture> goal = m_goal.isOwnLook()
+                                      ? drawn(m_scope.part(RefitScope::Chosen, sheet), area, m_width, m_height)
+                                      : goalOn(sheet, area, m_width, m_height);
         if (!goal)
             return Error{goal.error()};
         if (m_scope.hasAbove()) {
@@ -195,8 +199,9 @@ Result<FitTarget> RefitPictures::target() const
     }
     if (!out.weight.isEmpty() &&
         std::all_of(out.weight.values.begin(), out.weight.values.end(), [](float v) { return v <= 0; }))
-        return Error{QCoreApplication::translate("refit", "other strokes hide the chosen ones wholly; choose others, or "
-                                                          "hide what lies above")};
+        return Error{QCoreApplication::translate("refit",
+                                                 "other strokes hide the chosen ones wholly; choose others, or "
+                                                 "hide what lies above")};
     return out;
 }
 

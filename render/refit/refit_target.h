@@ -7,8 +7,8 @@
 
 namespace suffuse::refit {
 
-/// What the new strokes are to look like: a picture of the sheet, from a file or as another painting has it, or what the
-/// chosen strokes show.
+/// What the new strokes are to look like: a picture of the sheet, from a file or as another painting has it, or what
+/// the chosen strokes show.
 struct RefitGoal {
     QByteArray picture;   ///< of a file, if that is the goal
     QString name;         ///< of the file, for messages
@@ -26,14 +26,14 @@ public:
                   const std::atomic<bool> *cancel = nullptr);
 
     /// The target of a fit of new strokes, which has a unit for each of the painting's, from the corner of the area on.
-    /// Below lies the ground, as it is drawn. What lies above mixes over the new strokes by B ← gain·B + offset in R, Y, B
-    /// at each pixel: so a goal of the whole picture becomes (goal − offset)/gain, and a pixel counts by gain². Where
-    /// the sheet is not opaque, or the scope is an isolated group, pictures on white and on black are the target, so
-    /// that coverage is kept. A goal that is no own look needs a scope that is the whole painting.
+    /// Below lies the ground, as it is drawn. What lies above mixes over the new strokes by B ← gain·B + offset in R,
+    /// Y, B at each pixel: so a goal of the whole picture becomes (goal − offset)/gain, and a pixel counts by gain².
+    /// Where the sheet is not opaque, or the scope is an isolated group, pictures on white and on black are the target,
+    /// so that coverage is kept. A goal that is no own look needs a scope that is the whole painting.
     Result<fitting::FitTarget> target() const;
 
-    /// How far a painting is from the goal over an area: the root mean square and the greatest difference of R, G and B,
-    /// in 255ths. A sheet that is not opaque counts on white and on black.
+    /// How far a painting is from the goal over an area: the root mean square and the greatest difference of R, G and
+    /// B, in 255ths. A sheet that is not opaque counts on white and on black.
     struct Difference {
         double rootMeanSquare = 0, greatest = 0;
     };

@@ -29,7 +29,8 @@ refit::RefitGoal goalOf(const EncodedImage &picture, const QString &place)
 }
 
 /// How far a painting is from what was wanted; empty where that cannot be drawn.
-QString errorOf(const refit::RefitScope &scope, const refit::RefitGoal &goal, const Painting &painting, const Rect &area)
+QString errorOf(const refit::RefitScope &scope, const refit::RefitGoal &goal, const Painting &painting,
+                const Rect &area)
 {
     const Result<std::unique_ptr<Renderer>> renderer = makeRenderer({.backend = Backend::Cpu});
     if (!renderer)

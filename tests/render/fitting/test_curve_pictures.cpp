@@ -160,7 +160,8 @@ private slots:
     void blur()
     {
         QFETCH(const double, deviation);
-        const SolvedCurves picture = solvedCurves({100, 20, {line({50, -9}, {50, 29}, black, white, deviation)}}, 100, 20);
+        const SolvedCurves picture =
+            solvedCurves({100, 20, {line({50, -9}, {50, 29}, black, white, deviation)}}, 100, 20);
         double worst = 0;
         for (int x = int(50 - 3 * deviation); x < int(50 + 3 * deviation); ++x) {
             const double value = 0.5 * std::erfc((x + 0.5 - 50) / (deviation * std::numbers::sqrt2));
@@ -172,8 +173,8 @@ private slots:
     /// Where one curve is sharp and another one soft, the blur goes over from one to the other.
     void blurDiffuses()
     {
-        const CurveSet set{90, 20,
-                           {line({20, -9}, {20, 29}, white, black, 0), line({70, -9}, {70, 29}, white, black, 6)}};
+        const CurveSet set{
+            90, 20, {line({20, -9}, {20, 29}, white, black, 0), line({70, -9}, {70, 29}, white, black, 6)}};
         const SolvedCurves picture = solvedCurves(set, 90, 20);
         QVERIFY(farthest(picture, 18, 10, black) < 0.01 && farthest(picture, 21, 10, white) < 0.1);
         QVERIFY(at(picture, 68, 10)[0] > 0.3f && at(picture, 72, 10)[0] < 0.7f);

@@ -115,7 +115,8 @@ private slots:
                  qPrintable(QStringLiteral("%1 %2").arg(now.after.rootMeanSquare).arg(now.after.greatest)));
     }
 
-    /// What the fit draws on its ground is what the renderer draws of the painting below the highest of the new strokes.
+    /// What the fit draws on its ground is what the renderer draws of the painting below the highest of the new
+    /// strokes.
     void theGroundIsThatOfThePainting()
     {
         Painting painting = eightBetween();
@@ -227,7 +228,8 @@ private slots:
             stroke.group = i < 5 ? 5 : 3;
             painting.strokes[i] = std::make_shared<const Stroke>(stroke);
         }
-        const Result<RefitScope> scope = RefitScope::of(std::make_shared<const Painting>(painting), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+        const Result<RefitScope> scope =
+            RefitScope::of(std::make_shared<const Painting>(painting), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
         QVERIFY(scope);
         QCOMPARE(scope->count(), std::size_t(8)); // The others are hidden.
         QVERIFY(!scope->isWholePainting());
@@ -256,9 +258,10 @@ private slots:
     {
         const Painting painting = eightBetween();
         Painting wanted = painting; // with one green stroke in place of the red ones
-        wanted.strokes = {painting.strokes[0],
-                          std::make_shared<const Stroke>(strokeFrom(2, {18, 22}, {60, 30}, {0.1f, 0.7f, 0.8f, 0.8f}, 7)),
-                          painting.strokes[9]};
+        wanted.strokes = {
+            painting.strokes[0],
+            std::make_shared<const Stroke>(strokeFrom(2, {18, 22}, {60, 30}, {0.1f, 0.7f, 0.8f, 0.8f}, 7)),
+            painting.strokes[9]};
         RefitGoal goal;
         goal.painting = std::make_shared<const Painting>(wanted);
         const Refitted now = refitted(painting, redOnes(), 3, goal, 600);
@@ -314,15 +317,17 @@ private slots:
                 sum += v * v;
             return sum;
         };
-        const FlatGradient by = g.drawAndDifferentiate(scene, [](std::size_t, std::size_t count, const double *rgb, double *out) {
-            for (std::size_t i = 0; i < 3 * count; ++i)
-                out[i] = 2 * rgb[i];
-        });
+        const FlatGradient by =
+            g.drawAndDifferentiate(scene, [](std::size_t, std::size_t count, const double *rgb, double *out) {
+                for (std::size_t i = 0; i < 3 * count; ++i)
+                    out[i] = 2 * rgb[i];
+            });
         for (double SegmentNumbers::*const number : {&SegmentNumbers::opacity, &SegmentNumbers::density}) {
             FlatScene more = scene, less = scene;
             more.segments[0].*number += 1e-5, less.segments[0].*number -= 1e-5;
             const double slope = (loss(more) - loss(less)) / 2e-5;
-            QVERIFY2(std::abs(by.segments[0].*number - slope) < 1e-5 * (1 + std::abs(slope)), qPrintable(QString::number(slope)));
+            QVERIFY2(std::abs(by.segments[0].*number - slope) < 1e-5 * (1 + std::abs(slope)),
+                     qPrintable(QString::number(slope)));
         }
         // A ground of one colour is a background of that colour.
         scene.background[0] = 0.25, scene.background[1] = 0.5, scene.background[2] = 0.75;
