@@ -20,7 +20,8 @@ namespace {
 using namespace refit;
 
 constexpr int mostRefitStrokes = 20'000;
-constexpr int fewerBy = 4; ///< Unless it is said how many, that many strokes become one.
+constexpr int fewestTried = 4; ///< strokes, where an error is asked for
+constexpr int fewerBy = 4;     ///< Unless it is said how many, that many strokes become one.
 
 struct RefitRequest {
     fitting::FitOptions options; ///< strokes: 0 unless they are given
@@ -218,6 +219,29 @@ int sayReport(const RefitReport &report, bool asJson)
     return print(text + QLatin1Char('\n'));
 }
 
+/// The fit at its end, or where it was interrupted. Where an error is asked for, the number of strokes grows by half at
+/// a time, each time to the end of a fit, since errors are far greater on the way there.
+std::unique_ptr<fitting::Fitting> fitOf(const fitting::FitTarget &target, const fitting::FitOptions &options)
+{
+    fitting::FitOptions some = options;
+    some.error = 0;
+    some.strokes = options.error > 0 ? std::min(fewestTried, options.strokes) : options.strokes;
+    std::unique_ptr<fitting::Fitting> fit;
+    while (true) {
+        fit = fit ? std::make_unique<fitting::Fitting>(target, some, fit->strokes())
+                  : std::make_unique<fitting::Fitting>(target, some);
+        fit->stopWith(&interrupted());
+        {
+            ProgressLine progress(QCoreApplication::translate("Cli", "fitting"), true);
+            while (!interrupted() && fit->step())
+                progress.show(qint64(1000 * fit->progress()), 1000);
+        }
+        if (interrupted() || some.strokes >= options.strokes || std::sqrt(fit->meanSquareError()) <= options.error)
+            return fit;
+        some.strokes = std::min(some.strokes + (some.strokes + 1) / 2, options.strokes);
+    }
+}
+
 int refitPainting(const CommandLine &line, const RefitRequest &request)
 {
     QElapsedTimer clock;
@@ -251,16 +275,10 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
     const int count = int(std::min(scope->count(), std::size_t(mostRefitStrokes)));
     if (options.strokes == 0)
         options.strokes = options.error > 0 ? count : std::max(1, count / fewerBy);
-    fitting::Fitting fit(std::move(*target), options);
-    fit.stopWith(&interrupted());
-    {
-        ProgressLine progress(QCoreApplication::translate("Cli", "fitting"), true);
-        while (!interrupted() && fit.step())
-            progress.show(qint64(1000 * fit.progress()), 1000);
-    }
+    const std::unique_ptr<fitting::Fitting> fit = fitOf(*target, options);
     if (interrupted())
         return fail(stopped);
-    const StrokeList strokes = placed(*scope, fit.painting());
+    const StrokeList strokes = placed(*scope, fit->painting());
     const Painting result = scope->with(strokes);
     RefitReport report{scope->count(),
                        strokes.size(),
@@ -268,7 +286,7 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
                        areaWith(*scope, strokes),
                        {},
                        {},
-                       fit.steps(),
+                       fit->steps(),
                        options.seed,
                        0};
     const Result<RefitPictures::Difference> was = pictures.differenceOf(*painting, report.area),
