@@ -153,6 +153,13 @@ const QList<Rule> &rules()
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
         // suffuse-cli links model and render only, and loads what sets texts when it needs it.
         {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {}},
+        // The Python module asks as the command line does.
+        {"app/python/",
+         {"model/", "undo/", "render/", "app/cli/options.h", "app/python/"},
+         {"QtCore"},
+         {"pybind11"},
+         {"undo/history/edit_command.h", "undo/history/kept_history.h", "undo/history/stroke_history.h",
+          "undo/lettering/"}},
     };
     return table;
 }
@@ -414,6 +421,9 @@ void TestLayering::breachesAreFound_data()
     row("the command line without undo", "app/cli/a.cpp",
         "#include \"undo/edits.h\"\n#include \"app/session/editor.h\"", 2);
     row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);
+    row("the Python module without Gui", "app/python/a.cpp",
+        "#include <pybind11/numpy.h>\n#include \"undo/edits.h\"\n#include \"undo/history/edit_command.h\"\n#include <QFont>", 2);
+    row("and nobody else with Python", "app/cli/a.cpp", "#include <pybind11/numpy.h>", 1);
     row("the session without windows", "app/session/a.h", "#include <QWidget>\n#include \"app/canvas/a.h\"", 2);
     row("the session with all below", "app/session/frames/a.cpp",
         "#include \"app/session/a.h\"\n#include \"undo/edits.h\"\n#include \"render/view.h\"\n#include <QImage>", 0);
