@@ -19,6 +19,15 @@ inline bool push(EditedPainting &self, const char *name, const std::function<Edi
     return self.push(QString::fromUtf8(name), make);
 }
 
+/// Ids in whatever Python has them: a list, a set, an array.
+inline std::set<std::uint64_t> idsOf(const py::iterable &ids)
+{
+    std::set<std::uint64_t> out;
+    for (const py::handle id : ids)
+        out.insert(py::int_(py::reinterpret_borrow<py::object>(id)).cast<std::uint64_t>());
+    return out;
+}
+
 /// The place of a word among those that there are; raises DataError for others.
 template <std::size_t N>
 int choice(const char *name, const QString &word, const std::array<const char *, N> &words)

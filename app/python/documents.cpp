@@ -64,12 +64,12 @@ bool pushChange(EditedPainting &self, const char *name, CheckedChange<T> &change
     return isDone;
 }
 
-std::vector<GroupId> groupsOf(const std::vector<GroupId> &ids, const Document &document)
+std::vector<GroupId> groupsOf(const std::set<GroupId> &ids, const Document &document)
 {
     for (const GroupId id : ids)
         if (!document.painting()->findGroup(id))
             return {};
-    return ids;
+    return {ids.begin(), ids.end()};
 }
 
 void addSteps(DocumentClass &document)
@@ -106,14 +106,15 @@ void addSelecting(DocumentClass &document)
     document
         .def(
             "select",
-            [](EditedPainting &self, const std::set<StrokeId> &strokes,
-               const std::vector<std::pair<StrokeId, int>> &segments) {
-                Selection selection{strokes, {}};
-                for (const auto &[stroke, segment] : segments)
+            [](EditedPainting &self, const py::iterable &strokes, const py::iterable &segments) {
+                Selection selection{idsOf(strokes), {}};
+                for (const py::handle pair : segments) {
+                    const auto [stroke, segment] = pair.cast<std::pair<StrokeId, int>>();
                     selection.segments.insert({stroke, segment});
+                }
                 self.select(selection);
             },
-            "strokes"_a = std::set<StrokeId>(), "segments"_a = std::vector<std::pair<StrokeId, int>>())
+            "strokes"_a = py::tuple(), "segments"_a = py::tuple())
         .def("select_all",
              [](EditedPainting &self) {
                  Selection selection;
@@ -166,7 +167,8 @@ void addValueEdits(DocumentClass &document)
              })
         .def(
             "change_groups",
-            [](EditedPainting &self, const std::vector<GroupId> &groups, const py::kwargs &values) {
+            [](EditedPainting &self, const py::iterable &ids, const py::kwargs &values) {
+                const std::set<GroupId> groups = idsOf(ids);
                 for (const char *name : {"id", "parent", "name", "visible", "locked"})
                     if (values.contains(name))
                         raise(Raised::Value, QStringLiteral("%1: cannot be changed so; use set_group or apply")

@@ -22,8 +22,9 @@ FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
         raise(Raised::Value,
               QStringLiteral("%1: give it the shape (height, width%2)")
                   .arg(QLatin1String(name), channels == 1 ? QString() : QStringLiteral(", 3 or 4")));
-    const float most = pixels.dtype().equal(py::dtype("uint8"))    ? 255.0f
-                       : pixels.dtype().equal(py::dtype("uint16")) ? 65535.0f
+    // As images are read: what is multiplied, to the last bit.
+    const float unit = pixels.dtype().equal(py::dtype("uint8"))    ? 1.0f / 255
+                       : pixels.dtype().equal(py::dtype("uint16")) ? 1.0f / 65535
                                                                    : 1.0f;
     const Floats numbers = Floats::ensure(pixels);
     if (!numbers)
@@ -32,10 +33,10 @@ FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
     const auto given = isGrey ? 1 : int(pixels.shape(2));
     const float *from = numbers.data();
     for (std::size_t i = 0; i < out.pixels(); ++i, from += given) {
-        const float alpha = given == 4 ? from[3] / most : 1.0f; // White shows through.
+        const float alpha = given == 4 ? from[3] * unit : 1.0f; // White shows through.
         for (int c = 0; c < channels; ++c)
             out.values[i * std::size_t(channels) + std::size_t(c)] =
-                std::clamp(channels == 1 ? from[c] / most : 1 - alpha * (1 - from[c] / most), 0.0f, 1.0f);
+                std::clamp(channels == 1 ? from[c] * unit : 1 + alpha * (from[c] * unit - 1), 0.0f, 1.0f);
     }
     return out;
 }
@@ -47,9 +48,11 @@ FitTarget targetOf(const py::object &picture, const py::object &weight, int pixe
         target.picture = fitPictureOf(picture.cast<py::array>(), 3, "picture");
         target.canvasWidth = target.picture.width;
         target.canvasHeight = target.picture.height;
-        if (const double shrink = std::sqrt(double(pixels) / double(target.picture.pixels())); shrink < 1)
-            target.picture = averaged(target.picture, std::max(1, int(target.picture.width * shrink)),
-                                      std::max(1, int(target.picture.height * shrink)));
+        if (const double shrink = std::sqrt(double(pixels) / double(target.picture.pixels())); shrink < 1) {
+            const int width = std::max(1, int(target.picture.width * shrink));
+            const double height = target.picture.height * (double(width) / target.picture.width);
+            target.picture = averaged(target.picture, width, std::max(1, int(std::lround(height))));
+        }
     } else {
         const QString name = pathOf(picture);
         QFile file(name);

@@ -9,7 +9,7 @@ namespace suffuse::python {
 
 namespace {
 
-using Ids = std::optional<std::set<StrokeId>>;
+using Ids = std::optional<std::set<StrokeId>>; ///< none: the selected ones
 
 /// The strokes that are meant: those that are named, else the selected ones.
 std::set<StrokeId> meant(const Ids &ids, const Document &document)
@@ -97,7 +97,8 @@ void addStrokeEdits(DocumentClass &document)
             "how"_a)
         .def(
             "reorder",
-            [](EditedPainting &self, StrokeId before, const Ids &strokes) {
+            [](EditedPainting &self, StrokeId before, const std::optional<py::iterable> &ids) {
+                const Ids strokes = ids ? Ids(idsOf(*ids)) : std::nullopt;
                 return push(self, "Reorder", [&](Document &d) { return reorder(d, meant(strokes, d), before); });
             },
             "before"_a = 0, "strokes"_a = py::none())

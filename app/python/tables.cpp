@@ -234,6 +234,32 @@ QString placeText(const char *table, const std::string &column)
     return QStringLiteral("%1.%2").arg(QLatin1String(table), QString::fromStdString(column));
 }
 
+/// The numbers that words stand for: "feathering" is 1.
+py::array numbersOfWords(const char *table, const TableColumn &column, const py::array &words)
+{
+    const QStringList known = QString::fromStdString(column.words).split(QStringLiteral(", "));
+    py::list numbers;
+    for (const py::handle word : words.attr("ravel")()) {
+        const qsizetype place = known.indexOf(py::str(word).cast<QString>());
+        if (place < 0)
+            raise(Raised::Value, QStringLiteral("%1: give one of %2")
+                                     .arg(placeText(table, column.name), known.join(QStringLiteral(", "))));
+        numbers.append(place);
+    }
+    return py::module_::import("numpy").attr("array")(numbers, "u1").attr("reshape")(words.attr("shape"));
+}
+
+/// Numbers without a sign of whole ones that fit, which numpy would not convert by itself.
+py::array unsignedOf(const char *table, const TableColumn &column, const py::array &array)
+{
+    const double most = column.itemSize == 1 ? 255 : 4'294'967'295.0;
+    if (array.size() > 0 && (array.attr("min")().cast<double>() < 0 || array.attr("max")().cast<double>() > most))
+        raise(Raised::Value, QStringLiteral("%1: give whole numbers from 0 to %2")
+                                 .arg(placeText(table, column.name))
+                                 .arg(most, 0, 'f', 0));
+    return array.attr("astype")(column.format);
+}
+
 /// The column as the reader wants it. Numbers of other types are converted as numpy does for "same_kind".
 py::array converted(const char *table, const TableColumn &column, const py::object &given, std::size_t &itemSize)
 {
@@ -241,6 +267,10 @@ py::array converted(const char *table, const TableColumn &column, const py::obje
     if (!array)
         raise(Raised::Value, placeText(table, column.name) + QStringLiteral(": is no array"));
     const bool isText = column.format[1] == 'U';
+    if (array.dtype().kind() == 'U' && !column.words.empty())
+        array = numbersOfWords(table, column, array);
+    if (array.dtype().kind() == 'i' && column.format[1] == 'u')
+        array = unsignedOf(table, column, array);
     const auto wanted = py::dtype(isText ? "<U" : column.format);
     if (isText ? array.dtype().kind() != 'U' : !array.dtype().equal(wanted))
         array = array.attr("astype")(wanted, py::arg("casting") = isText ? "unsafe" : "same_kind").cast<py::array>();

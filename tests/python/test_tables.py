@@ -91,6 +91,12 @@ class Tables(unittest.TestCase):
         columns["stroke"] = columns["stroke"].astype(np.int16)
         columns["colour"] = np.repeat(columns["colour"], 2, axis=0)[::2]
         self.assertEqual(painting.replaced(segments=columns), painting)
+        columns["node"] = ["smooth"] * 6
+        columns["style_kind"] = np.zeros(6, int)
+        self.assertEqual(painting.replaced(segments=columns), painting)
+        for name, wrong in (("node", ["round"] * 6), ("style_kind", [-1] * 6), ("style_kind", [256] * 6)):
+            with self.assertRaisesRegex(suffuse.DataError, f"segments.{name}: give"):
+                painting.replaced(segments={**columns, name: wrong})
         del columns["granulation"]  # which is the default, 1
         self.assertEqual(painting.replaced(segments=columns), painting)
 

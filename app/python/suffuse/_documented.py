@@ -176,5 +176,6 @@ def document(module):
             setattr(owner, last, property(value.fget, value.fset, value.fdel, text))
         elif isinstance(value, type):
             value.__doc__ = text
+            value.__module__ = "suffuse"
         else:
             module.set_doc(getattr(owner, last), text)
