@@ -28,6 +28,11 @@ struct PaintingValue {
 /// A painting that was made of another one keeps what does not depend on the strokes: not the preview, nor the history.
 PaintingValue derivedFrom(const PaintingValue &from, PaintingPtr painting);
 
+/// A text of the program as Python says it: there are no options with dashes, and English has its plurals ("2 strokes").
+/// Programs take these from a translation, which needs an application object; of these a process can have one only, and
+/// it may be another library's.
+QString inPython(QString message);
+
 /// Python's classes of errors. All of them are `suffuse.Error`.
 enum class Raised {
     Plain, ///< Error: the work failed
@@ -35,7 +40,7 @@ enum class Raised {
     File   ///< FileError, an OSError as well: a file cannot be read or written
 };
 void addErrors(py::module_ &module);
-/// Raises an error. Its text is that of the command line, with Python's names: "size" for "--size".
+/// Raises an error, with the text as `inPython` has it.
 [[noreturn]] void raise(Raised kind, const QString &message);
 /// The value of a result, or the error.
 template <typename T>

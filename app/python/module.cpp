@@ -30,18 +30,6 @@ py::object newClass(const char *name, const char *doc, const py::object &bases)
     return py::reinterpret_steal<py::object>(PyErr_NewExceptionWithDoc(name, doc, bases.ptr(), nullptr));
 }
 
-/// As Python says it: there are no options with dashes, and English has its plurals ("2 strokes"). Programs take these from
-/// a translation, which needs an application object; of these a process can have one only, and it may be another library's.
-QString inPython(QString message)
-{
-    static const QRegularExpression option(QStringLiteral("--([a-z])")), one(QStringLiteral("\\b1 (\\w+)\\(s\\)")),
-        many(QStringLiteral("(\\w)\\(s\\)")), were(QStringLiteral("(^|: |\\. )(1 [^,.]+) were left out"));
-    message.replace(option, QStringLiteral("\\1"));
-    message.replace(one, QStringLiteral("1 \\1"));
-    message.replace(were, QStringLiteral("\\1\\2 was left out"));
-    return message.replace(many, QStringLiteral("\\1s"));
-}
-
 /// Gives a function of this module a docstring. Python has no way to do that, so this is what pybind11 does itself.
 void setDoc(const py::object &function, const std::string &text)
 {
@@ -98,6 +86,16 @@ private:
 };
 
 } // namespace
+
+QString inPython(QString message)
+{
+    static const QRegularExpression option(QStringLiteral("--([a-z])")), one(QStringLiteral("\\b1 ([\\w ]+?)\\(s\\)")),
+        many(QStringLiteral("(\\w)\\(s\\)")), were(QStringLiteral("(^|: |\\. )(1 [^,.]+) were left out"));
+    message.replace(option, QStringLiteral("\\1"));
+    message.replace(one, QStringLiteral("1 \\1"));
+    message.replace(were, QStringLiteral("\\1\\2 was left out"));
+    return message.replace(many, QStringLiteral("\\1s"));
+}
 
 PaintingValue derivedFrom(const PaintingValue &from, PaintingPtr painting)
 {

@@ -281,11 +281,11 @@ void addPaintings(py::module_ &module)
         .def("__repr__",
              [](const PaintingValue &self) {
                  const Painting &p = *self.painting;
-                 return QStringLiteral("<suffuse.Painting of %1 × %2 units: %3 stroke(s), %4 segment(s)>")
-                     .arg(p.canvas.width)
-                     .arg(p.canvas.height)
-                     .arg(p.strokes.size())
-                     .arg(p.segmentCount());
+                 return inPython(QStringLiteral("<suffuse.Painting of %1 × %2 units: %3 stroke(s), %4 segment(s)>")
+                                     .arg(p.canvas.width)
+                                     .arg(p.canvas.height)
+                                     .arg(p.strokes.size())
+                                     .arg(p.segmentCount()));
              })
         .def("__len__", [](const PaintingValue &self) { return self.painting->strokes.size(); })
         .def_property_readonly("hash", &hashText)

@@ -165,8 +165,8 @@ class Threads(unittest.TestCase):
     def test_ctrl_c_stops_the_work(self):
         painting = suffuse.open(SAMPLES / "ink-landscape.suffuse")
         timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
-        timer.start()
         with self.assertRaises(KeyboardInterrupt):
+            timer.start()
             # Far longer than the timer, whatever the machine: it ends only since it is stopped.
             suffuse.render(painting, size=3000, backend="reference", threads=1)
         timer.join()
