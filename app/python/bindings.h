@@ -1,11 +1,7 @@
-// What the parts of the Python module share. It is included before all else: Python's headers and Qt's macros do not go
-// together the other way round.
+// What the parts of the Python module share.
 #pragma once
 
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
+#include "app/python/pybind.h"
 #include "app/python/text_caster.h"
 #include "model/formats/files.h"
 #include "model/painting/painting.h"
@@ -28,9 +24,9 @@ struct PaintingValue {
 /// A painting that was made of another one keeps what does not depend on the strokes: not the preview, nor the history.
 PaintingValue derivedFrom(const PaintingValue &from, PaintingPtr painting);
 
-/// A text of the program as Python says it: there are no options with dashes, and English has its plurals ("2 strokes").
-/// Programs take these from a translation, which needs an application object; of these a process can have one only, and
-/// it may be another library's.
+/// A text of the program as Python says it: there are no options with dashes, and English has its plurals ("2
+/// strokes"). Programs take these from a translation, which needs an application object; of these a process can have
+/// one only, and it may be another library's.
 QString inPython(QString message);
 
 /// Python's classes of errors. All of them are `suffuse.Error`.

@@ -13,7 +13,7 @@ namespace suffuse::python {
 /// A column of a table.
 struct TableColumn {
     std::string name;
-    std::string format;    ///< numpy's, of one number: "<f4"
+    std::string format;     ///< numpy's, of one number: "<f4"
     std::vector<int> shape; ///< of what a row has in it; empty: one number
     std::size_t offset = 0;
     std::size_t itemSize = 0; ///< of one number
@@ -24,18 +24,17 @@ struct TableColumn {
 
 /// Lists and shared parts, which have tables of their own.
 template <class V>
-inline constexpr bool isTable =
-    std::is_same_v<V, std::vector<Segment>> || std::is_same_v<V, std::vector<Rewet>> ||
-    std::is_same_v<V, std::vector<Cubic>> || std::is_same_v<V, SharedFill> || std::is_same_v<V, SharedText> ||
-    std::is_same_v<V, SharedPicture>;
+inline constexpr bool isTable = std::is_same_v<V, std::vector<Segment>> || std::is_same_v<V, std::vector<Rewet>> ||
+                                std::is_same_v<V, std::vector<Cubic>> || std::is_same_v<V, SharedFill> ||
+                                std::is_same_v<V, SharedText> || std::is_same_v<V, SharedPicture>;
 
 template <class V>
 inline constexpr bool isOptional = false;
 template <class V>
 inline constexpr bool isOptional<std::optional<V>> = true;
 
-/// Walks over the columns of a value. `sink` gets enter(name, traits) and leave() around each field, leaf(value) for what
-/// is a column, and maybe(optional, walk) for what may be missing.
+/// Walks over the columns of a value. `sink` gets enter(name, traits) and leave() around each field, leaf(value) for
+/// what is a column, and maybe(optional, walk) for what may be missing.
 template <class V, class Sink>
 void walkColumns(V &value, Sink &sink)
 {

@@ -4,6 +4,8 @@
 #include "app/python/bindings.h"
 #include "app/python/edited_painting.h"
 
+#include <QStringList>
+
 #include <array>
 #include <optional>
 #include <set>

@@ -76,9 +76,9 @@ void addSteps(DocumentClass &document)
 {
     using namespace py::literals;
     document
-        .def(py::init(
-                 [](const PaintingValue &painting) { return std::make_unique<EditedPainting>(painting.painting); }),
-             "painting"_a)
+        .def(
+            py::init([](const PaintingValue &painting) { return std::make_unique<EditedPainting>(painting.painting); }),
+            "painting"_a)
         .def_property_readonly("painting",
                                [](const EditedPainting &self) {
                                    return PaintingValue{self.painting(), std::make_shared<const DocumentExtras>(), {}};
@@ -142,9 +142,8 @@ void addValueEdits(DocumentClass &document)
         .def("change_segments",
              [](EditedPainting &self, const py::kwargs &values) {
                  CheckedChange<Segment> change(values);
-                 return pushChange(self, "Change Segments", change, [&](Document &d) {
-                     return changeSegments(d, targetSegments(d), std::ref(change));
-                 });
+                 return pushChange(self, "Change Segments", change,
+                                   [&](Document &d) { return changeSegments(d, targetSegments(d), std::ref(change)); });
              })
         .def("change_strokes",
              [](EditedPainting &self, const py::kwargs &values) {

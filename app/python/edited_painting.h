@@ -11,13 +11,14 @@
 namespace suffuse::python {
 
 /// Holds the painting and the steps that were done. Each step is a swap, so that undoing it leaves what redoes it
-/// (model/document/edit.h). It is the program's undo stack without Qt's, which links Qt Gui. Several threads may use it.
+/// (model/document/edit.h). It is the program's undo stack without Qt's, which links Qt Gui. Several threads may use
+/// it.
 class EditedPainting {
 public:
     explicit EditedPainting(PaintingPtr painting);
 
-    /// Does an edit, which becomes a step, or a part of the step that is open; what could be redone is forgotten. Returns
-    /// false where the edit is empty or changes nothing.
+    /// Does an edit, which becomes a step, or a part of the step that is open; what could be redone is forgotten.
+    /// Returns false where the edit is empty or changes nothing.
     bool push(const QString &name, const std::function<Edit(Document &)> &make);
     bool undo();
     bool redo();
@@ -48,7 +49,7 @@ private:
     Document m_document;
     std::vector<Step> m_steps;
     std::size_t m_done = 0;
-    int m_open = 0; ///< how many steps are open within each other
+    int m_open = 0;         ///< how many steps are open within each other
     bool m_isBegun = false; ///< whether the open step has an edit
     QString m_openName;
 };

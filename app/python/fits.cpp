@@ -19,9 +19,8 @@ FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
 {
     const bool isGrey = channels == 1 && pixels.ndim() == 2;
     if (!isGrey && (pixels.ndim() != 3 || pixels.shape(2) < channels || pixels.shape(2) > 4 || pixels.size() == 0))
-        raise(Raised::Value,
-              QStringLiteral("%1: give it the shape (height, width%2)")
-                  .arg(QLatin1String(name), channels == 1 ? QString() : QStringLiteral(", 3 or 4")));
+        raise(Raised::Value, QStringLiteral("%1: give it the shape (height, width%2)")
+                                 .arg(QLatin1String(name), channels == 1 ? QString() : QStringLiteral(", 3 or 4")));
     // As images are read: what is multiplied, to the last bit.
     const float unit = pixels.dtype().equal(py::dtype("uint8"))    ? 1.0f / 255
                        : pixels.dtype().equal(py::dtype("uint16")) ? 1.0f / 65535
@@ -133,9 +132,8 @@ void addFits(py::module_ &module)
             options.limits.leastWidth = scale * leastWidth;
             options.limits.greatestWidth = scale * greatestWidth;
             if (greatestWidth > 0 && greatestWidth < leastWidth)
-                raise(Raised::Value, QStringLiteral("greatest_width %1 is below least_width %2")
-                                         .arg(greatestWidth)
-                                         .arg(leastWidth));
+                raise(Raised::Value,
+                      QStringLiteral("greatest_width %1 is below least_width %2").arg(greatestWidth).arg(leastWidth));
             std::unique_ptr<Fitting> fit;
             if (start.is_none()) {
                 fit = std::make_unique<Fitting>(std::move(target), options);
@@ -145,9 +143,8 @@ void addFits(py::module_ &module)
                 fit = std::make_unique<Fitting>(std::move(target), options, std::move(begun));
             }
             run(*fit, progress);
-            return PaintingValue{std::make_shared<const Painting>(fit->painting()),
-                                 std::make_shared<const DocumentExtras>(),
-                                 {}};
+            return PaintingValue{
+                std::make_shared<const Painting>(fit->painting()), std::make_shared<const DocumentExtras>(), {}};
         },
         "picture"_a, py::kw_only(), "strokes"_a = 512, "error"_a = 0.0, "steps"_a = usualFitSteps, "palette"_a = 0,
         "perceptual"_a = 0.0, "style"_a = "feathering", "least_width"_a = 0.0, "greatest_width"_a = 0.0,

@@ -86,8 +86,8 @@ public:
         Result<DifferentiablePicture> drawn = Error{};
         {
             const py::gil_scoped_release released;
-            drawn = DifferentiablePicture::draw(value.painting, options.time,
-                                                View::ofArea(options.area, m_width, m_height), Threads(checked.threads));
+            drawn = DifferentiablePicture::draw(
+                value.painting, options.time, View::ofArea(options.area, m_width, m_height), Threads(checked.threads));
         }
         m_picture.emplace(valueOf(std::move(drawn), Raised::Value));
     }

@@ -1,6 +1,6 @@
 // Edits of groups, and of when things are painted.
-#include "app/python/document_edits.h"
 #include "undo/layers/group_edits.h"
+#include "app/python/document_edits.h"
 #include "undo/layers/merge_layers.h"
 #include "undo/time_edits.h"
 
@@ -28,8 +28,9 @@ void addGroupEdits(DocumentClass &document)
                 return push(self, "Group", [&](Document &d) { return groupSelection(d, name); });
             },
             "name"_a = "")
-        .def("ungroup",
-             [](EditedPainting &self) { return push(self, "Ungroup", [](Document &d) { return ungroupSelection(d); }); })
+        .def(
+            "ungroup",
+            [](EditedPainting &self) { return push(self, "Ungroup", [](Document &d) { return ungroupSelection(d); }); })
         .def(
             "set_group",
             [](EditedPainting &self, GroupId group, std::optional<QString> name, std::optional<bool> visible,
@@ -66,8 +67,7 @@ void addTimeEdits(DocumentClass &document)
             "retime",
             [](EditedPainting &self, double by) {
                 const Microseconds time = timeOf("by", by);
-                return push(self, "Retime",
-                            [=](Document &d) { return retime(*d.painting(), d.selection(), time); });
+                return push(self, "Retime", [=](Document &d) { return retime(*d.painting(), d.selection(), time); });
             },
             "by"_a)
         .def(
@@ -76,15 +76,13 @@ void addTimeEdits(DocumentClass &document)
                 const TimeSpan span{timeOf("begin", begin), timeOf("end", end)};
                 if (span.end < span.begin)
                     raise(Raised::Value, QStringLiteral("end %1: is before the begin").arg(end));
-                return push(self, "Stretch",
-                            [=](Document &d) { return stretch(*d.painting(), d.selection(), span); });
+                return push(self, "Stretch", [=](Document &d) { return stretch(*d.painting(), d.selection(), span); });
             },
             "begin"_a, "end"_a)
         .def(
             "set_pace",
             [](EditedPainting &self, const QString &pace) {
-                const auto kind =
-                    Pace(choice("pace", pace, std::array{"even", "ease_in", "ease_out", "ease_in_out"}));
+                const auto kind = Pace(choice("pace", pace, std::array{"even", "ease_in", "ease_out", "ease_in_out"}));
                 return push(self, "Pace", [=](Document &d) { return setPace(d, kind); });
             },
             "pace"_a)

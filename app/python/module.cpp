@@ -33,8 +33,8 @@ py::object newClass(const char *name, const char *doc, const py::object &bases)
 /// Gives a function of this module a docstring. Python has no way to do that, so this is what pybind11 does itself.
 void setDoc(const py::object &function, const std::string &text)
 {
-    PyObject *const inner = PyInstanceMethod_Check(function.ptr()) ? PyInstanceMethod_GET_FUNCTION(function.ptr())
-                                                                   : function.ptr();
+    PyObject *const inner =
+        PyInstanceMethod_Check(function.ptr()) ? PyInstanceMethod_GET_FUNCTION(function.ptr()) : function.ptr();
     if (!PyCFunction_Check(inner))
         throw py::type_error("no function of this module");
     PyMethodDef *const definition = reinterpret_cast<PyCFunctionObject *>(inner)->m_ml;
@@ -118,9 +118,9 @@ void addErrors(py::module_ &module)
                          both(all.plain, PyExc_ValueError));
     all.file = newClass("suffuse.FileError", "A file that cannot be read or written. The text says what to do.",
                         both(all.plain, PyExc_OSError));
-    all.leftOut = newClass("suffuse.LeftOutWarning",
-                           "What a file has and a painting cannot have, or what is missing of it.",
-                           py::reinterpret_borrow<py::object>(PyExc_UserWarning));
+    all.leftOut =
+        newClass("suffuse.LeftOutWarning", "What a file has and a painting cannot have, or what is missing of it.",
+                 py::reinterpret_borrow<py::object>(PyExc_UserWarning));
     module.attr("Error") = all.plain;
     module.attr("DataError") = all.value;
     module.attr("FileError") = all.file;

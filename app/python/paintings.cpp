@@ -10,6 +10,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QStringList>
 
 namespace suffuse::python {
 
@@ -28,9 +29,8 @@ std::optional<Brush> brushOf(const py::object &name)
     QStringList names;
     for (const Brush &b : builtinBrushes())
         names.append(b.name);
-    raise(Raised::Value,
-          QStringLiteral("brush %1: there is no such brush nor file; choose a file or one of %2")
-              .arg(value, names.join(QStringLiteral(", "))));
+    raise(Raised::Value, QStringLiteral("brush %1: there is no such brush nor file; choose a file or one of %2")
+                             .arg(value, names.join(QStringLiteral(", "))));
 }
 
 /// Makes a value of a document that was read: what is damaged is refused, or told.
@@ -103,7 +103,8 @@ DrawingOptions optionsOf(const DrawingWish &wish, DrawingFormat format, const Pa
     else if (wish.kind != QLatin1String("bands"))
         raise(Raised::Value, QStringLiteral("kind %1: give outlines, bands or hybrid").arg(wish.kind));
     if (wish.bands < 1 || wish.bands > mostBands)
-        raise(Raised::Value, QStringLiteral("bands %1: give a whole number from 1 to %2").arg(wish.bands).arg(mostBands));
+        raise(Raised::Value,
+              QStringLiteral("bands %1: give a whole number from 1 to %2").arg(wish.bands).arg(mostBands));
     options.bands = wish.bands;
     options.time = wish.time ? toMicroseconds(*wish.time) : painting.end();
     return options;
@@ -116,9 +117,10 @@ QByteArray drawingBytes(const PaintingValue &value, const DrawingWish &wish, Dra
     if (wish.page) {
         page = pageSizeFrom(*wish.page);
         if (!page || format != DrawingFormat::Pdf)
-            raise(Raised::Value, QStringLiteral("page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, "
-                                                "and the ending .pdf")
-                                     .arg(*wish.page));
+            raise(Raised::Value,
+                  QStringLiteral("page %1: give A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, "
+                                 "and the ending .pdf")
+                      .arg(*wish.page));
     }
     Result<QByteArray> bytes = Error{};
     withoutLock([&](std::atomic<bool> &cancel) {
@@ -146,8 +148,7 @@ void save(const PaintingValue &value, const py::object &path, const DrawingWish 
         const py::gil_scoped_release released;
         saved = writeFileAtomically(name, bytes);
     } else if (formatForSaving(name) == FileFormat::Unknown) {
-        raise(Raised::Value,
-              QStringLiteral("%1: unknown ending; use .suffuse, .json, .svg, .svgz or .pdf").arg(name));
+        raise(Raised::Value, QStringLiteral("%1: unknown ending; use .suffuse, .json, .svg, .svgz or .pdf").arg(name));
     } else {
         const py::gil_scoped_release released;
         saved = saveDocument(withRelativeLinks(*value.painting, QFileInfo(name).absolutePath()), *value.extras, name);
@@ -250,23 +251,21 @@ void addPaintings(py::module_ &module)
                  return PaintingValue{std::move(made), std::make_shared<const DocumentExtras>(), {}};
              }),
              "width"_a = 1024.0, "height"_a = 768.0)
-        .def("save",
-             [](const PaintingValue &self, const py::object &path, const QString &kind, int bands,
-                std::optional<double> time, std::optional<QString> page) {
-                 save(self, path, wishOf(kind, bands, time, std::move(page)));
-             },
-             "path"_a, py::kw_only(), "kind"_a = "bands", "bands"_a = 16, "time"_a = py::none(), "page"_a = py::none())
-        .def("dumps",
-             [](const PaintingValue &self, const QString &format, const QString &kind, int bands,
-                std::optional<double> time, std::optional<QString> page) {
-                 return dumps(self, format, wishOf(kind, bands, time, std::move(page)));
-             },
-             "format"_a = "suffuse", py::kw_only(), "kind"_a = "bands", "bands"_a = 16, "time"_a = py::none(),
-             "page"_a = py::none())
+        .def(
+            "save",
+            [](const PaintingValue &self, const py::object &path, const QString &kind, int bands,
+               std::optional<double> time,
+               std::optional<QString> page) { save(self, path, wishOf(kind, bands, time, std::move(page))); },
+            "path"_a, py::kw_only(), "kind"_a = "bands", "bands"_a = 16, "time"_a = py::none(), "page"_a = py::none())
+        .def(
+            "dumps",
+            [](const PaintingValue &self, const QString &format, const QString &kind, int bands,
+               std::optional<double> time,
+               std::optional<QString> page) { return dumps(self, format, wishOf(kind, bands, time, std::move(page))); },
+            "format"_a = "suffuse", py::kw_only(), "kind"_a = "bands", "bands"_a = 16, "time"_a = py::none(),
+            "page"_a = py::none())
         .def("replaced",
-             [](PaintingValue &self, const py::kwargs &tables) {
-                 return derivedFrom(self, paintingOf(tables, &self));
-             })
+             [](PaintingValue &self, const py::kwargs &tables) { return derivedFrom(self, paintingOf(tables, &self)); })
         .def_static("from_tables",
                     [](const py::kwargs &tables) {
                         return PaintingValue{paintingOf(tables, nullptr), std::make_shared<const DocumentExtras>(), {}};
@@ -301,8 +300,7 @@ void addPaintings(py::module_ &module)
                                    return toSeconds(begin);
                                })
         .def_property_readonly("end", [](const PaintingValue &self) { return toSeconds(self.painting->end()); })
-        .def_property_readonly("segment_count",
-                               [](const PaintingValue &self) { return self.painting->segmentCount(); })
+        .def_property_readonly("segment_count", [](const PaintingValue &self) { return self.painting->segmentCount(); })
         .def(py::pickle([](const PaintingValue &self) { return dumps(self, QStringLiteral("suffuse"), {}); },
                         [](const py::bytes &bytes) {
                             return loads(py::buffer(bytes), QStringLiteral("pickle"), py::none(), false);

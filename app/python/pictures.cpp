@@ -6,7 +6,7 @@
 
 #include <QFile>
 
-#include <cmath>
+#include <map>
 #include <mutex>
 
 namespace suffuse::python {
@@ -25,7 +25,8 @@ Depth depthOf(const py::object &type)
         return Depth::Bits16;
     if (is("float32"))
         return Depth::Float;
-    raise(Raised::Value, QStringLiteral("dtype %1: give uint8, uint16 or float32").arg(py::str(py::object(wanted)).cast<QString>()));
+    raise(Raised::Value,
+          QStringLiteral("dtype %1: give uint8, uint16 or float32").arg(py::str(py::object(wanted)).cast<QString>()));
 }
 
 /// As image files have it: rounded to nearest, and what is no colour becomes the nearest one.
@@ -163,10 +164,8 @@ struct WriteWish {
 
 ImageOptions imageOptionsOf(const WriteWish &wish, const py::array &pixels, ImageFormat format)
 {
-    static const std::map<QString, ImageDepth> depths = {{"8", ImageDepth::Bits8},
-                                                         {"16", ImageDepth::Bits16},
-                                                         {"half", ImageDepth::Half},
-                                                         {"float", ImageDepth::Float}};
+    static const std::map<QString, ImageDepth> depths = {
+        {"8", ImageDepth::Bits8}, {"16", ImageDepth::Bits16}, {"half", ImageDepth::Half}, {"float", ImageDepth::Float}};
     ImageOptions options;
     options.alpha = pixels.shape(2) == 4;
     options.quality = wish.quality;
@@ -176,7 +175,8 @@ ImageOptions imageOptionsOf(const WriteWish &wish, const py::array &pixels, Imag
         if (depth == depths.end())
             raise(Raised::Value, QStringLiteral("depth %1: give 8, 16, half or float").arg(*wish.depth));
         options.depth = depth->second;
-    } else if (pixels.dtype().equal(py::dtype("uint16")) && (format == ImageFormat::Png || format == ImageFormat::Tiff)) {
+    } else if (pixels.dtype().equal(py::dtype("uint16")) &&
+               (format == ImageFormat::Png || format == ImageFormat::Tiff)) {
         options.depth = ImageDepth::Bits16;
     }
     return options;
@@ -210,12 +210,13 @@ void writePicture(const py::object &path, const py::array &pixels, const WriteWi
     const QString name = pathOf(path);
     const ImageFormat format = imageFormatForPath(name);
     if (format == ImageFormat::Unknown)
-        raise(Raised::Value, QStringLiteral("%1: unknown ending; use one of %2")
-                                 .arg(name, imageEndings().join(QStringLiteral(", "))));
+        raise(Raised::Value,
+              QStringLiteral("%1: unknown ending; use one of %2").arg(name, imageEndings().join(QStringLiteral(", "))));
     if (pixels.ndim() != 3 || (pixels.shape(2) != 3 && pixels.shape(2) != 4) || pixels.size() == 0)
         raise(Raised::Value, QStringLiteral("pixels: give it the shape (height, width, 3 or 4)"));
     if (double(pixels.shape(0)) * double(pixels.shape(1)) > double(maxPicturePixels))
-        raise(Raised::Value, QStringLiteral("pixels: at most %1 million pixels can be written").arg(maxPicturePixels / 1'000'000));
+        raise(Raised::Value,
+              QStringLiteral("pixels: at most %1 million pixels can be written").arg(maxPicturePixels / 1'000'000));
     ImageOptions options = imageOptionsOf(wish, pixels, format);
     const FloatPicture picture = pictureOf(pixels);
     if (const QString problem = problemOf(format, options, picture.width, picture.height); !problem.isEmpty())

@@ -87,8 +87,8 @@ py::array density(const PaintingValue &value, std::uint64_t id, const Numbers &p
         raise(Raised::Value, QStringLiteral("stroke %1: there is no such stroke").arg(id));
     if (points.ndim() < 1 || points.shape(points.ndim() - 1) != 2)
         raise(Raised::Value, QStringLiteral("points: give it the shape (…, 2): x and y, units"));
-    const Numbers times = time.is_none() ? Numbers(py::array(py::float_(toSeconds(value.painting->end()))))
-                                         : Numbers::ensure(time);
+    const Numbers times =
+        time.is_none() ? Numbers(py::array(py::float_(toSeconds(value.painting->end())))) : Numbers::ensure(time);
     if (!times)
         raise(Raised::Value, QStringLiteral("time: give seconds, or an array of them"));
     std::vector<py::ssize_t> shape(times.shape(), times.shape() + times.ndim());

@@ -24,8 +24,9 @@ bool checked(bool isDone, AreaProblem problem)
     case AreaProblem::TooMuch:
         raise(Raised::Plain, QStringLiteral("the outlines meet so often that it would take minutes; select fewer"));
     case AreaProblem::Uncertain:
-        raise(Raised::Plain, QStringLiteral("the outlines lie on each other in such a way that no result can be trusted; "
-                                            "move one of them a little"));
+        raise(Raised::Plain,
+              QStringLiteral("the outlines lie on each other in such a way that no result can be trusted; "
+                             "move one of them a little"));
     }
     return isDone;
 }
@@ -48,11 +49,11 @@ void addCurveEdits(DocumentClass &document)
             "simplify",
             [](EditedPainting &self, double distance, double values) {
                 return push(self, "Simplify", [=](Document &d) {
-                    return reshapeSelection(d, *d.painting(), d.selection(),
-                                            [=](const Stroke &stroke, const std::vector<bool> &chosen,
-                                                std::vector<int> *sources) {
-                                                return simplified(stroke, {distance, values}, chosen, sources);
-                                            });
+                    return reshapeSelection(
+                        d, *d.painting(), d.selection(),
+                        [=](const Stroke &stroke, const std::vector<bool> &chosen, std::vector<int> *sources) {
+                            return simplified(stroke, {distance, values}, chosen, sources);
+                        });
                 });
             },
             "distance"_a = 0.5, "values"_a = 0.3)
@@ -60,24 +61,20 @@ void addCurveEdits(DocumentClass &document)
             "smooth",
             [](EditedPainting &self, double length) {
                 return push(self, "Smooth", [=](Document &d) {
-                    return reshapeSelection(
-                        d, *d.painting(), d.selection(),
-                        [=](const Stroke &stroke, const std::vector<bool> &chosen, std::vector<int> *) {
-                            return smoothed(stroke, length, chosen);
-                        });
+                    return reshapeSelection(d, *d.painting(), d.selection(),
+                                            [=](const Stroke &stroke, const std::vector<bool> &chosen,
+                                                std::vector<int> *) { return smoothed(stroke, length, chosen); });
                 });
             },
             "length"_a)
-        .def("reverse",
-             [](EditedPainting &self) {
-                 return push(self, "Reverse", [](Document &d) { return reverseSelection(d); });
-             })
+        .def(
+            "reverse",
+            [](EditedPainting &self) { return push(self, "Reverse", [](Document &d) { return reverseSelection(d); }); })
         .def("join",
              [](EditedPainting &self) { return push(self, "Join", [](Document &d) { return joinSelection(d); }); })
-        .def("combine",
-             [](EditedPainting &self) {
-                 return push(self, "Combine", [](Document &d) { return combineSelection(d); });
-             })
+        .def(
+            "combine",
+            [](EditedPainting &self) { return push(self, "Combine", [](Document &d) { return combineSelection(d); }); })
         .def("break_apart",
              [](EditedPainting &self) { return push(self, "Break Apart", [](Document &d) { return breakApart(d); }); })
         .def(
@@ -120,7 +117,8 @@ void addAreaEdits(DocumentClass &document)
             "offset_areas",
             [](EditedPainting &self, double by) {
                 AreaProblem problem = AreaProblem::None;
-                const bool isDone = push(self, "Offset Areas", [&](Document &d) { return offsetAreas(d, by, &problem); });
+                const bool isDone =
+                    push(self, "Offset Areas", [&](Document &d) { return offsetAreas(d, by, &problem); });
                 return checked(isDone, problem);
             },
             "by"_a);

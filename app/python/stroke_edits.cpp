@@ -5,6 +5,8 @@
 #include "undo/restyle_edits.h"
 #include "undo/transform_edits.h"
 
+#include <map>
+
 namespace suffuse::python {
 
 namespace {
@@ -75,8 +77,7 @@ void addStrokeEdits(DocumentClass &document)
         .def(
             "add",
             [](EditedPainting &self, const PaintingValue &painting, bool select) {
-                return push(self, "Add Strokes",
-                            [&](Document &d) { return added(d, *painting.painting, select); });
+                return push(self, "Add Strokes", [&](Document &d) { return added(d, *painting.painting, select); });
             },
             "painting"_a, "select"_a = true)
         .def("delete",
@@ -90,8 +91,7 @@ void addStrokeEdits(DocumentClass &document)
         .def(
             "arrange",
             [](EditedPainting &self, const QString &how) {
-                const auto arrange =
-                    Arrange(choice("how", how, std::array{"raise", "lower", "top", "bottom"}));
+                const auto arrange = Arrange(choice("how", how, std::array{"raise", "lower", "top", "bottom"}));
                 return push(self, "Arrange", [=](Document &d) { return arrangeSelection(d, arrange); });
             },
             "how"_a)
@@ -106,17 +106,18 @@ void addStrokeEdits(DocumentClass &document)
             "transform",
             [](EditedPainting &self, const std::array<double, 6> &matrix, bool scaleSpread) {
                 const SpreadRule rule = scaleSpread ? SpreadRule::Scales : SpreadRule::Stays;
-                return push(self, "Transform",
-                            [&](Document &d) { return transformSelection(d, Affine{matrix[0], matrix[1], matrix[2], matrix[3], {matrix[4], matrix[5]}}, rule); });
+                return push(self, "Transform", [&](Document &d) {
+                    return transformSelection(
+                        d, Affine{matrix[0], matrix[1], matrix[2], matrix[3], {matrix[4], matrix[5]}}, rule);
+                });
             },
             "matrix"_a, "scale_spread"_a = true)
         .def(
             "align",
             [](EditedPainting &self, const QString &how, const QString &to) {
-                const auto side = Align(
-                    choice("how", how, std::array{"left", "centre", "right", "top", "middle", "bottom"}));
-                const auto anchor =
-                    AlignTo(choice("to", to, std::array{"selection", "anchor", "biggest", "canvas"}));
+                const auto side =
+                    Align(choice("how", how, std::array{"left", "centre", "right", "top", "middle", "bottom"}));
+                const auto anchor = AlignTo(choice("to", to, std::array{"selection", "anchor", "biggest", "canvas"}));
                 return push(self, "Align", [=](Document &d) { return align(d, side, anchor); });
             },
             "how"_a, "to"_a = "selection")
@@ -140,7 +141,8 @@ void addStrokeEdits(DocumentClass &document)
                 const auto what = BrushPart(choice("part", part, std::array{"whole", "form", "colour", "texture"}));
                 const Brush *brush = findBrush(name);
                 if (!brush)
-                    raise(Raised::Value, QStringLiteral("brush %1: there is no such brush; brushes() names them").arg(name));
+                    raise(Raised::Value,
+                          QStringLiteral("brush %1: there is no such brush; brushes() names them").arg(name));
                 return push(self, "Apply Brush", [=](Document &d) {
                     return applyBrush(d, *brush, what, [](const QString &known) { return findBrush(known); });
                 });

@@ -3,6 +3,8 @@
 #include "app/python/columns.h"
 #include "model/painting/validate.h"
 
+#include <QStringList>
+
 #include <unordered_map>
 
 namespace suffuse::python {
@@ -308,8 +310,9 @@ ReadColumns readColumns(const py::object &given)
     const bool isArray = py::isinstance<py::array>(given);
     const py::object names = isArray ? py::object(given.attr("dtype").attr("names")) : py::object(given.attr("keys")());
     if (names.is_none())
-        raise(Raised::Value, QStringLiteral("%1: give a structured array, or a mapping from names to arrays")
-                                 .arg(QLatin1String(table)));
+        raise(
+            Raised::Value,
+            QStringLiteral("%1: give a structured array, or a mapping from names to arrays").arg(QLatin1String(table)));
     std::size_t found = 0;
     for (const py::handle name : names) {
         const auto text = py::cast<std::string>(py::str(name));
@@ -317,16 +320,17 @@ ReadColumns readColumns(const py::object &given)
         while (k < out.data.size() && list.columns()[k].name != text)
             ++k;
         if (k == out.data.size())
-            raise(Raised::Value, QStringLiteral("%1: there is no such column; suffuse.columns(\"%2\") lists those that there are")
-                                     .arg(placeText(table, text), QLatin1String(table)));
+            raise(Raised::Value,
+                  QStringLiteral("%1: there is no such column; suffuse.columns(\"%2\") lists those that there are")
+                      .arg(placeText(table, text), QLatin1String(table)));
         py::array &array = out.keep[k];
         std::size_t itemSize = 0;
         array = converted(table, list.columns()[k], given[name], itemSize);
         const auto rows = std::size_t(array.shape(0));
         if (found++ > 0 && rows != out.rows)
-            raise(Raised::Value, placeText(table, text) + QStringLiteral(": has %1 rows, and the columns before it have %2")
-                                                              .arg(rows)
-                                                              .arg(out.rows));
+            raise(Raised::Value,
+                  placeText(table, text) +
+                      QStringLiteral(": has %1 rows, and the columns before it have %2").arg(rows).arg(out.rows));
         out.rows = rows;
         out.data[k] = {static_cast<const char *>(array.data()), array.strides(0), itemSize};
         if (rows == 0) // The address of nothing may be null.
@@ -509,9 +513,9 @@ const char *textOf(Unit unit)
 
 const std::vector<std::string> &tableNames()
 {
-    static const std::vector<std::string> names = {"canvas",   "strokes", "segments", "rewets",      "fills",
-                                                   "pictures", "groups",  "texts",    "text_curves", "swatches",
-                                                   "underlay"};
+    static const std::vector<std::string> names = {"canvas",      "strokes",  "segments", "rewets",
+                                                   "fills",       "pictures", "groups",   "texts",
+                                                   "text_curves", "swatches", "underlay"};
     return names;
 }
 

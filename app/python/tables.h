@@ -13,8 +13,8 @@ namespace suffuse::python {
 const std::vector<std::string> &tableNames();
 /// One of the tables of a painting, which cannot be written to. Of a painting it is made once.
 py::object tableOf(PaintingValue &value, const std::string &name);
-/// A painting of tables: those that are not given are those of `base`, or empty. Raises DataError where a value is not in
-/// its domain, with the path of the text form.
+/// A painting of tables: those that are not given are those of `base`, or empty. Raises DataError where a value is not
+/// in its domain, with the path of the text form.
 PaintingPtr paintingOf(const py::dict &tables, PaintingValue *base);
 /// A table with so many rows of defaults.
 py::array newTable(const std::string &name, std::size_t rows);

@@ -1,8 +1,9 @@
 // Texts between Qt and Python, to the last code unit.
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include "app/python/pybind.h"
 
+#include <QList>
 #include <QString>
 
 namespace suffuse::python {
