@@ -76,12 +76,15 @@ void addSteps(DocumentClass &document)
 {
     using namespace py::literals;
     document
-        .def(
-            py::init([](const PaintingValue &painting) { return std::make_unique<EditedPainting>(painting.painting); }),
-            "painting"_a)
+        .def(py::init([](const PaintingValue &painting) {
+                 return std::make_unique<EditedPainting>(painting.painting, painting.extras);
+             }),
+             "painting"_a)
         .def_property_readonly("painting",
                                [](const EditedPainting &self) {
-                                   return PaintingValue{self.painting(), std::make_shared<const DocumentExtras>(), {}};
+                                   const PaintingPtr now = self.painting();
+                                   const PaintingValue begun{self.begun(), self.extras(), {}};
+                                   return now == begun.painting ? begun : derivedFrom(begun, now);
                                })
         .def_property_readonly("steps",
                                [](const EditedPainting &self) { return py::tuple(py::cast(self.steps().names)); })

@@ -4,9 +4,10 @@
 
 namespace suffuse::python {
 
-EditedPainting::EditedPainting(PaintingPtr painting)
+EditedPainting::EditedPainting(PaintingPtr painting, std::shared_ptr<const DocumentExtras> extras)
+    : m_begun(std::move(painting)), m_extras(std::move(extras))
 {
-    m_document.reset(std::move(painting));
+    m_document.reset(m_begun);
 }
 
 bool EditedPainting::push(const QString &name, const std::function<Edit(Document &)> &make)

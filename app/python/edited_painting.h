@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/document.h"
-#include "model/result.h"
+#include "model/formats/files.h"
 
 #include <functional>
 #include <mutex>
@@ -15,7 +15,8 @@ namespace suffuse::python {
 /// it.
 class EditedPainting {
 public:
-    explicit EditedPainting(PaintingPtr painting);
+    /// `extras`: what lay beside the painting in its file.
+    EditedPainting(PaintingPtr painting, std::shared_ptr<const DocumentExtras> extras);
 
     /// Does an edit, which becomes a step, or a part of the step that is open; what could be redone is forgotten.
     /// Returns false where the edit is empty or changes nothing.
@@ -29,6 +30,9 @@ public:
     void endStep(bool keep);
 
     PaintingPtr painting() const;
+    /// The painting with which it began, and what lay beside that.
+    const PaintingPtr &begun() const { return m_begun; }
+    const std::shared_ptr<const DocumentExtras> &extras() const { return m_extras; }
     Selection selection() const;
     void select(const Selection &selection);
     /// The names of the steps, the oldest first; the first `done` of them are done.
@@ -45,6 +49,8 @@ private:
     };
     void exchange(Step &step);
 
+    const PaintingPtr m_begun;
+    const std::shared_ptr<const DocumentExtras> m_extras;
     mutable std::mutex m_mutex;
     Document m_document;
     std::vector<Step> m_steps;

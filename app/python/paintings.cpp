@@ -80,6 +80,8 @@ PaintingValue loads(const py::buffer &bytes, const QString &name, const py::obje
     {
         const py::gil_scoped_release released;
         read = readDocument(content, name, brush ? &*brush : nullptr);
+        if (read)
+            read->painting = withAbsoluteLinks(std::move(read->painting), QFileInfo(name).absolutePath());
     }
     return valueOfDocument(valueOf(std::move(read), Raised::Value), name, salvage);
 }

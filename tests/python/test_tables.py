@@ -160,14 +160,15 @@ class Files(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def test_documents_are_what_the_command_line_writes(self):
-        source = SAMPLES / "still-life.suffuse"
-        painting = suffuse.open(source)
-        for ending in ("suffuse", "json"):
-            painting.save(self.path / f"a.{ending}")
-            run_cli("convert", source, self.path / f"b.{ending}")
-            self.assertEqual((self.path / f"a.{ending}").read_bytes(), (self.path / f"b.{ending}").read_bytes())
-            self.assertEqual(suffuse.open(self.path / f"a.{ending}"), painting)
-        self.assertEqual(suffuse.loads(painting.dumps("json")), painting)
+        linked = SOURCE / "tests" / "fixtures" / "v3" / "pictures.suffuse"  # Its link is another one from elsewhere.
+        for source in (SAMPLES / "still-life.suffuse", linked):
+            painting = quietly(suffuse.open, source)
+            for ending in ("suffuse", "json"):
+                painting.save(self.path / f"a.{ending}")
+                run_cli("convert", source, self.path / f"b.{ending}")
+                self.assertEqual((self.path / f"a.{ending}").read_bytes(), (self.path / f"b.{ending}").read_bytes())
+                self.assertEqual(quietly(suffuse.open, self.path / f"a.{ending}"), painting)
+            self.assertEqual(quietly(suffuse.loads, painting.dumps("json")), painting)
 
     def test_drawings_are_what_the_command_line_writes(self):
         painting = three_strokes()
@@ -224,6 +225,13 @@ class Files(unittest.TestCase):
         run_cli("convert", source, self.path / "b.suffuse")
         self.assertEqual((self.path / "a.suffuse").read_bytes(), (self.path / "b.suffuse").read_bytes())
         self.assertLess(len(painting.without_extras().dumps()), len(painting.dumps()))
+        document = suffuse.Document(painting)
+        self.assertEqual(document.painting.dumps(), painting.dumps())
+        document.select_all()
+        self.assertTrue(document.change_strokes(name="new"))
+        changed = document.painting.dumps()  # Preview and history are of another picture now.
+        self.assertNotEqual(changed, document.painting.without_extras().dumps())
+        self.assertLess(len(changed), len(painting.dumps()))
 
     def test_values(self):
         painting = three_strokes()
