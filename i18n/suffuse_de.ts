@@ -1234,6 +1234,30 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
         <translation>Die Bilddatei, die gelesen wird: PNG, JPEG, TIFF, EXR oder WebP; -: Standardeingabe.</translation>
     </message>
+    <message>
+        <source>a small picture of a painting, for file managers</source>
+        <translation>ein kleines Bild eines Gemäldes, für Dateiverwaltungen</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read.</source>
+        <translation>Das Gemälde, die Aufnahme oder die Zeichnung, die gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The PNG file to write; -: standard output.</source>
+        <translation>Die PNG-Datei, die geschrieben wird; -: Standardausgabe.</translation>
+    </message>
+    <message>
+        <source>So many pixels a side at most, 1 to 1024.</source>
+        <translation>Höchstens so viele Pixel je Seite, 1 bis 1024.</translation>
+    </message>
+    <message>
+        <source>Writes a small picture of a painting as a PNG file: the preview in the file, if it has one. File managers call this.</source>
+        <translation>Schreibt ein kleines Bild eines Gemäldes als PNG-Datei: die Vorschau in der Datei, wenn sie eine hat. Dateiverwaltungen rufen das auf.</translation>
+    </message>
+    <message>
+        <source>%1: give SIDE as a whole number of pixels from 1 to %2</source>
+        <translation>%1: SIDE muss eine ganze Zahl von Pixeln von 1 bis %2 sein</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

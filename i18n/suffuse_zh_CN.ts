@@ -1227,6 +1227,30 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.</source>
         <translation>要读取的图像文件：PNG、JPEG、TIFF、EXR 或 WebP；-：标准输入。</translation>
     </message>
+    <message>
+        <source>a small picture of a painting, for file managers</source>
+        <translation>画作的缩略图，供文件管理器使用</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read.</source>
+        <translation>要读取的画作、记录或图形。</translation>
+    </message>
+    <message>
+        <source>The PNG file to write; -: standard output.</source>
+        <translation>要写入的 PNG 文件；-：标准输出。</translation>
+    </message>
+    <message>
+        <source>So many pixels a side at most, 1 to 1024.</source>
+        <translation>每边最多的像素数，1 到 1024。</translation>
+    </message>
+    <message>
+        <source>Writes a small picture of a painting as a PNG file: the preview in the file, if it has one. File managers call this.</source>
+        <translation>把画作的小图写成 PNG 文件：若文件中有预览，就用预览。供文件管理器调用。</translation>
+    </message>
+    <message>
+        <source>%1: give SIDE as a whole number of pixels from 1 to %2</source>
+        <translation>%1：SIDE 应为 1 到 %2 的整数像素数</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

@@ -36,6 +36,12 @@ QString meaningOf(const QString &argument)
         return QCoreApplication::translate("Cli", "The image file to read: PNG, JPEG, TIFF, EXR or WebP; -: standard input.");
     if (argument == QLatin1String("OUT"))
         return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json; -: standard output.");
+    if (argument == QLatin1String("FILE"))
+        return QCoreApplication::translate("Cli", "The painting, recording or drawing to read.");
+    if (argument == QLatin1String("PNG"))
+        return QCoreApplication::translate("Cli", "The PNG file to write; -: standard output.");
+    if (argument == QLatin1String("SIDE"))
+        return QCoreApplication::translate("Cli", "So many pixels a side at most, 1 to 1024.");
     if (argument == QLatin1String("A"))
         return QCoreApplication::translate("Cli", "The painting before; -: standard input.");
     if (argument == QLatin1String("B"))

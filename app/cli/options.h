@@ -28,6 +28,7 @@ int probeCommand(const QStringList &arguments);
 int verifyCommand(const QStringList &arguments);
 int diffCommand(const QStringList &arguments);
 int timelapseCommand(const QStringList &arguments);
+int thumbnailCommand(const QStringList &arguments);
 int recoverCommand(const QStringList &arguments);
 
 /// The parser of one command.
