@@ -138,7 +138,7 @@ int main(int argc, char **argv)
     QCoreApplication::setApplicationName("suffuse");
     QCoreApplication::setApplicationVersion(SUFFUSE_VERSION);
     QGuiApplication::setApplicationDisplayName({}); // titles name the program themselves
-    QGuiApplication::setDesktopFileName("suffuse");
+    QGuiApplication::setDesktopFileName("org.suffuse.Suffuse");
     QGuiApplication::setWindowIcon(suffuse::applicationIcon());
     suffuse::installTranslators();
     suffuse::applyTheme();

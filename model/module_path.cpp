@@ -9,9 +9,13 @@ namespace suffuse {
 
 QString modulePath(const QString &name)
 {
-    const QString folder = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
-    const QDir dir(folder.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
-                                    : folder);
+    QDir dir(QString::fromStdString(environment::value(environment::Variable::ModuleFolder)));
+    if (!environment::isSet(environment::Variable::ModuleFolder)) {
+        const QDir programs(QCoreApplication::applicationDirPath());
+        dir.setPath(programs.absoluteFilePath(QStringLiteral("../lib/suffuse")));
+        if (!dir.exists())
+            dir.setPath(programs.absoluteFilePath(QStringLiteral(SUFFUSE_MODULES)));
+    }
     return QDir::cleanPath(dir.absoluteFilePath(name + QStringLiteral(".so")));
 }
 

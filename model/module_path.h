@@ -5,8 +5,9 @@
 
 namespace suffuse {
 
-/// The file of a module: in the folder SUFFUSE_MODULE_DIR if that is set, else in ../lib/suffuse beside the program's
-/// folder.
+/// The file of a module: in the folder SUFFUSE_MODULE_DIR if that is set; else in ../lib/suffuse beside the program's
+/// folder, as in a build and in a folder that runs in place, or, where there is none, where `cmake --install` puts the
+/// modules.
 QString modulePath(const QString &name);
 
 } // namespace suffuse
