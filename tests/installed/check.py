@@ -166,6 +166,18 @@ class Installed(unittest.TestCase):
         for path in (self.share / "zsh" / "site-functions").iterdir():
             self.assertEqual(run("zsh", "-n", path), "")
 
+    def test_links_of_the_documentation(self):
+        self.needs("cmark-gfm")
+        pages = {page: page.read_text() for page in (self.share / "doc/suffuse/html").glob("*.html")}
+        self.assertGreater(len(pages), 20)
+        for page, text in pages.items():
+            for link in re.findall(r'(?:href|src)="([^"]*)"', text):
+                file, _, place = link.partition("#")
+                if "://" not in link:
+                    target = page.parent / file if file else page
+                    self.assertTrue(target.is_file(), f"{page.name}: {link}")
+                    self.assertTrue(not place or f'id="{place}"' in pages[target], f"{page.name}: {link}")
+
     def test_desktop_file(self):
         self.needs("desktop-file-validate")
         self.assertEqual(run("desktop-file-validate", self.share / f"applications/{ID}.desktop"), "")
