@@ -68,6 +68,15 @@ class Installed(unittest.TestCase):
         self.assertEqual(samples, sorted(path.name for path in (SOURCE / "packaging/samples").glob("*.suffuse")))
         self.assertGreaterEqual(len(self.commands), 10)
 
+    def test_programs_that_desktops_start(self):
+        service = (self.share / f"dbus-1/services/{ID}.service").read_text()
+        self.assertIn(f"Name={ID}\nExec={self.root}/bin/suffuse --service\n", service)
+        desktop = (self.share / f"applications/{ID}.desktop").read_text()
+        for line in re.findall(r"^Exec=(.*)$", desktop, re.MULTILINE):
+            program, *words = line.split()
+            self.assertEqual(program, "suffuse")
+            self.assertLessEqual(set(words) - {"%F"}, set(options_in(self.editor_help)))
+
     def test_icons(self):
         self.needs("rsvg-convert")
         for size in (16, 22, 24, 32, 48, 64, 128, 256, 512):
