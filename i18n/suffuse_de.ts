@@ -964,8 +964,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>unbenannt</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
-        <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu</translation>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again, with what suffuse-cli recommends</source>
+        <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu, mit dem, was suffuse-cli empfiehlt</translation>
     </message>
     <message>
         <source>  groups    %1</source>
@@ -1720,8 +1720,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>gehört zu einer anderen Version von Suffuse</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
-        <translation>ein Teil von Suffuse, %1, %2; Suffuse bitte neu installieren. Bilder mit der Endung .pfm gehen auch ohne</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again, with what suffuse-cli recommends. Pictures ending in .pfm work without it</source>
+        <translation>ein Teil von Suffuse, %1, %2; Suffuse bitte neu installieren, mit dem, was suffuse-cli empfiehlt. Bilder mit der Endung .pfm gehen auch ohne</translation>
     </message>
 </context>
 <context>

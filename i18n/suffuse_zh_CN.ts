@@ -958,8 +958,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>未命名</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
-        <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse</translation>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again, with what suffuse-cli recommends</source>
+        <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse，连同 suffuse-cli 推荐的软件包</translation>
     </message>
     <message>
         <source>  groups    %1</source>
@@ -1705,8 +1705,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>属于另一版本的 Suffuse</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
-        <translation>Suffuse 的组件 %1 %2；请重新安装 Suffuse。以 .pfm 结尾的图片无需它</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again, with what suffuse-cli recommends. Pictures ending in .pfm work without it</source>
+        <translation>Suffuse 的组件 %1 %2；请重新安装 Suffuse，连同 suffuse-cli 推荐的软件包。以 .pfm 结尾的图片无需它</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,8 @@ Result<ImageModule> load(const QString &name)
     const QString path = modulePath(name);
     const auto problem = [&](const QString &what) {
         return Error{QCoreApplication::translate("ImageModule",
-                                                 "a part of Suffuse, %1, %2; install Suffuse again. Pictures "
+                                                 "a part of Suffuse, %1, %2; install Suffuse again, with what "
+                                                 "suffuse-cli recommends. Pictures "
                                                  "ending in .pfm work without it")
                          .arg(path, what)};
     };
