@@ -46,6 +46,8 @@ QString meaningOf(const QString &argument)
         return QCoreApplication::translate("Cli", "How far below the canvas' upper edge, in canvas units.");
     if (argument == QLatin1String("ID"))
         return QCoreApplication::translate("Cli", "Which one, as the list names it.");
+    if (argument == QLatin1String("FOLDER"))
+        return QCoreApplication::translate("Cli", "The folder of the farm, which all machines share.");
     return {};
 }
 

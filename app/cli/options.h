@@ -22,6 +22,7 @@ enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 /// `arguments` as QCoreApplication::arguments(): program, command, then the command's own. Each returns an ExitCode.
 int fitCommand(const QStringList &arguments);
 int renderCommand(const QStringList &arguments);
+int farmCommand(const QStringList &arguments);
 int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);
 int probeCommand(const QStringList &arguments);
@@ -96,8 +97,11 @@ struct PictureOptions {
     int height = 0;
     Microseconds time = 0;
 };
+/// What limits a picture: its pixels, which are all in memory, or in tiles its sides.
+enum class PictureLimit { Pixels, Side };
 /// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
-Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting);
+Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting,
+                                      PictureLimit limit = PictureLimit::Pixels);
 /// --time alone; default the end. Not before time 0, nor before the first stroke where that is earlier.
 Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
 /// --backend, --threads and --devices, as far as the command has them. Errors are usage errors.

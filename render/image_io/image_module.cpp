@@ -29,6 +29,7 @@ Result<ImageModule> load(const QString &name)
     ImageModule module;
     module.write = reinterpret_cast<ImageModuleWriteFunction>(library.resolve("suffuse_image_write"));
     module.read = reinterpret_cast<ImageModuleReadFunction>(library.resolve("suffuse_image_read"));
+    module.tile = reinterpret_cast<ImageModuleTileFunction>(library.resolve("suffuse_image_tile"));
     module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
     module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
     module.profile = reinterpret_cast<ImageModuleProfileFunction>(library.resolve("suffuse_image_profile"));

@@ -98,6 +98,8 @@ const QList<Rule> &rules()
         {"render/reference/", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
         // What other programs show of a painting is found without knowing who draws the picture.
         {"render/drawing/", {"model/", "render/"}, {"QtCore"}, {}, backends},
+        // Pictures in tiles, by whatever draws them.
+        {"render/tiles/", {"model/", "render/"}, {"QtCore"}, {}, backends},
         // Written once for host and device.
         {"render/math/", {"render/math/", "model/painting/style.h", "model/painting/blend.h"}, {}, {"hwy"}},
         {"render/cuda/",
@@ -151,8 +153,8 @@ const QList<Rule> &rules()
         {"app/panels/strokes/", below + QStringList{"app/widgets/", "app/panels/strokes/"}, widgets, {}},
         {"app/panels/timeline/", below + QStringList{"app/widgets/", "app/panels/timeline/"}, widgets, {}},
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
-        // suffuse-cli links model and render only, and loads what sets texts when it needs it.
-        {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {}},
+        // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
+        {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {"link.h"}},
     };
     return table;
 }
