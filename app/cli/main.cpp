@@ -27,6 +27,7 @@ constexpr std::array commands = {
     Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
     Command{"timelapse", timelapseCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting while it is painted, as frames")},
+    Command{"farm", farmCommand, QT_TRANSLATE_NOOP("Cli", "let many machines draw pictures in tiles, and films")},
     Command{"fit", fitCommand, QT_TRANSLATE_NOOP("Cli", "make a painting of a picture")},
     Command{"recover", recoverCommand, QT_TRANSLATE_NOOP("Cli", "what was not saved when the editor ended")},
     Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},

@@ -36,6 +36,7 @@ public:
     /// Adds a line, and flushes it. Any thread may call it.
     Result<void> add(const SheetRecord &record);
     bool isOpen() const { return m_file.isOpen(); }
+    QString path() const { return m_file.fileName(); }
     void close() { m_file.close(); }
 
 private:
