@@ -49,7 +49,13 @@ QString slurmScript(const FarmPlan &plan, qint64 tasks, const QString &cpus)
                           "#SBATCH --open-mode=append\n"
                           "#SBATCH --cpus-per-task=%2\n"
                           "#SBATCH --output=%3/logs/%a.log\n"
-                          "exec %4 farm run %5 --task \"$SLURM_ARRAY_TASK_ID/%1\" --threads \"$SLURM_CPUS_PER_TASK\"\n")
+                          "%4 farm run %5 --task \"$SLURM_ARRAY_TASK_ID/%1\" --threads \"$SLURM_CPUS_PER_TASK\"\n"
+                          "code=$?\n"
+                          "# A worker that was killed, as when memory runs out, is started again, three times at most.\n"
+                          "if [ $code -gt 128 ] && [ \"${SLURM_RESTART_COUNT:-0}\" -lt 3 ]; then\n"
+                          "    scontrol requeue \"$SLURM_JOB_ID\"\n"
+                          "fi\n"
+                          "exit $code\n")
         .arg(tasks)
         .arg(cpus, plan.folder, quoted(program()), quoted(plan.folder));
 }
