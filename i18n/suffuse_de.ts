@@ -1491,8 +1491,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Mit --tiles: Pixel, die Kacheln von ihren Nachbarn zeigen (Vorgabe 1; TIFF 0).</translation>
     </message>
     <message>
-        <source>With --tiles: pixels a side of what is drawn at once (default 2048).</source>
-        <translation>Mit --tiles: Pixel je Seite, die auf einmal gezeichnet werden (Vorgabe 2048).</translation>
+        <source>With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192).</source>
+        <translation>Mit --tiles: Pixel je Seite, die auf einmal gezeichnet werden (Vorgabe 2048; CUDA 8192).</translation>
     </message>
     <message>
         <source>--%1 is not for --tiles</source>

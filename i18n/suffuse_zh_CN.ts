@@ -1484,8 +1484,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>与 --tiles 一起：图块显示相邻图块的像素数（默认 1；TIFF 为 0）。</translation>
     </message>
     <message>
-        <source>With --tiles: pixels a side of what is drawn at once (default 2048).</source>
-        <translation>与 --tiles 一起：一次绘制的每边像素数（默认 2048）。</translation>
+        <source>With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192).</source>
+        <translation>与 --tiles 一起：一次绘制的每边像素数（默认 2048；CUDA 为 8192）。</translation>
     </message>
     <message>
         <source>--%1 is not for --tiles</source>

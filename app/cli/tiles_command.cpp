@@ -135,7 +135,7 @@ void addTilesOptions(CommandLine &line)
              QCoreApplication::translate("Cli", "With --tiles: pixels that tiles show of their neighbours (default 1; TIFF 0)."),
              "N");
     line.add({"sheet"},
-             QCoreApplication::translate("Cli", "With --tiles: pixels a side of what is drawn at once (default 2048)."), "N");
+             QCoreApplication::translate("Cli", "With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192)."), "N");
 }
 
 int renderTilesCommand(const CommandLine &line)
@@ -151,7 +151,7 @@ int renderTilesCommand(const CommandLine &line)
     Result<Painting> painting = paintingOf(line.argument(0));
     if (!painting)
         return fail(painting.error());
-    const Result<TilesRecipe> recipe = tilesRecipe(line, *painting);
+    Result<TilesRecipe> recipe = tilesRecipe(line, *painting);
     if (!recipe)
         return failUsage("render", recipe.error());
     const RenderRequest request = requestOf(std::make_shared<const Painting>(std::move(*painting)), *recipe);
@@ -160,6 +160,8 @@ int renderTilesCommand(const CommandLine &line)
     const auto renderers = makeRenderers(*options);
     if (!renderers)
         return fail(renderers.error());
+    if (recipe->tiles.sheet == 0)
+        recipe->tiles.sheet = usualSheet(renderers->front()->backend());
     const TiledPicture picture{{recipe->view(), recipe->tiles},
                                recipe->encoding,
                                recipe->path(),

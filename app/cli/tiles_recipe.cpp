@@ -196,6 +196,11 @@ Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &paintin
     return recipe;
 }
 
+int usualSheet(Backend backend)
+{
+    return backend == Backend::Cuda ? 8192 : 2048;
+}
+
 QJsonObject drawnBy(const Renderer &renderer, const TileEncoding *encoding)
 {
     // "2 threads · AVX2": the number of threads changes no bit.

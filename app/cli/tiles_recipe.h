@@ -29,6 +29,9 @@ struct TilesRecipe {
 /// Errors are usage errors.
 Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &painting);
 
+/// The sides of sheets where none was asked for. A GPU draws larger ones, since it prepares the strokes for each of them.
+int usualSheet(Backend backend);
+
 /// What the bits of a picture depend on beside the painting and the recipe: this build, the backend with its instructions
 /// or its chip, and the libraries that encode, by what they make of a small tile.
 QJsonObject drawnBy(const Renderer &renderer, const TileEncoding *encoding);

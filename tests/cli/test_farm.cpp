@@ -225,7 +225,7 @@ private slots:
         const qsizetype at = journal.indexOf("sheet ");
         QByteArray wrong = journal.mid(at, journal.indexOf(" =", at) - at);
         wrong[wrong.size() - 1] = wrong.endsWith('0') ? '1' : '0';
-        QVERIFY(writeFile(farm.path("farm/journals/9-faulty-1.journal"), journal.left(at) + line(wrong)));
+        QVERIFY(writeFile(farm.path("farm/journals/0-9-faulty-1.journal"), journal.left(at) + line(wrong)));
         const CliOutcome disputed = farm.does("join");
         QCOMPARE(disputed.code, 1);
         QVERIFY2(disputed.err.contains("two workers made different bits"), qPrintable(disputed.text()));

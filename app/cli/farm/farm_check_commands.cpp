@@ -1,6 +1,7 @@
 // What is there of a farm: status, verify, join.
 #include "app/cli/farm/farm_commands.h"
 #include "app/cli/progress.h"
+#include "render/threads/parallel.h"
 #include "render/tiles/big_tiff.h"
 
 #include <QCoreApplication>
@@ -76,14 +77,18 @@ Result<Missing> damagedPieces(const FarmPlan &plan, const FarmRecords &records)
                          .arg(piece - plan.paintingOf(piece).first + 1)
                          .arg(plan.journals())};
     ProgressLine progress(QCoreApplication::translate("Cli", "reading"), true);
+    std::vector<char> whole(std::size_t(plan.pieces()), 0);
+    std::atomic<qint64> done{0};
+    parallelFor(whole.size(), Threads(), [&](std::size_t piece) {
+        whole[piece] = !interrupted() && isPieceWhole(plan, records, qint64(piece));
+        progress.show(++done, plan.pieces());
+    });
+    if (interrupted())
+        return Error{QCoreApplication::translate("Cli", "stopped")};
     Missing missing;
-    for (qint64 piece = 0; piece < plan.pieces(); ++piece) {
-        if (interrupted())
-            return Error{QCoreApplication::translate("Cli", "stopped")};
-        if (!isPieceWhole(plan, records, piece))
-            missing.push_back(piece);
-        progress.show(piece + 1, plan.pieces());
-    }
+    for (std::size_t piece = 0; piece < whole.size(); ++piece)
+        if (!whole[piece])
+            missing.push_back(qint64(piece));
     return missing;
 }
 
@@ -153,7 +158,7 @@ int report(const char *command, const QString &description, const QStringList &a
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
-    const Result<FarmRecords> records = readRecords(*plan);
+    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces());
     if (!records)
         return fail(records.error());
     const Result<Missing> missing = look(*plan, *records);
@@ -186,7 +191,7 @@ int farmJoinCommand(const QStringList &arguments)
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
-    const Result<FarmRecords> records = readRecords(*plan);
+    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces());
     if (!records)
         return fail(records.error());
     const Result<Missing> missing = damagedPieces(*plan, *records);

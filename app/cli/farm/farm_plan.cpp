@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QRandomGenerator>
+#include <QSysInfo>
 
 #include <algorithm>
 
@@ -178,19 +180,30 @@ Result<FarmPlan> readPlan(const QString &folder)
     return plan;
 }
 
-Result<FarmRecords> readRecords(const FarmPlan &plan)
+QString FarmPlan::workerName(qint64 from, qint64 to)
+{
+    return QStringLiteral("%1-%2-%3-%4")
+        .arg(from)
+        .arg(to)
+        .arg(QSysInfo::machineHostName())
+        .arg(QRandomGenerator::system()->generate64(), 0, 16);
+}
+
+Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to)
 {
     FarmRecords all;
     const QDir folder(plan.journals());
     if (!folder.exists())
         return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?").arg(folder.path())};
     for (const QString &name : folder.entryList({QStringLiteral("*.journal")}, QDir::Files, QDir::Name)) {
+        if (name.section('-', 0, 0).toLongLong() >= to || name.section('-', 1, 1).toLongLong() <= from)
+            continue;
         const auto records = TileJournal::read(folder.filePath(name), plan.identity);
         if (!records)
             return Error{records.error()};
         const QString pack = plan.packs() + '/' + name.chopped(8) + QStringLiteral(".pack");
         for (const SheetRecord &record : *records)
-            if (record.sheet >= 0 && record.sheet < plan.pieces())
+            if (record.sheet >= from && record.sheet < to)
                 all.emplace(record.sheet, std::pair(record, pack));
     }
     return all;

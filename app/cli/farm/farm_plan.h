@@ -47,6 +47,8 @@ struct FarmPlan {
     bool isFrames() const { return !paintings.empty() && paintings.front().isFrames; }
     /// The painting of a piece.
     const FarmPainting &paintingOf(qint64 piece) const;
+    /// The name of the files of a worker that draws the pieces [from, to), without ending. No two workers have the same one.
+    static QString workerName(qint64 from, qint64 to);
     QString journals() const { return folder + QStringLiteral("/journals"); }
     QString packs() const { return folder + QStringLiteral("/packs"); }
 };
@@ -57,7 +59,8 @@ Result<FarmPlan> readPlan(const QString &folder);
 
 /// What workers say that they finished, with the file in which tiles of a pack lie.
 using FarmRecords = std::multimap<qint64, std::pair<SheetRecord, QString>>;
-Result<FarmRecords> readRecords(const FarmPlan &plan);
+/// Those of the pieces [from, to). Only journals of workers that drew some of them are read.
+Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to);
 
 /// Reads what a piece became, and compares the hashes.
 bool isPieceWhole(const FarmPlan &plan, const FarmRecords &records, qint64 piece);

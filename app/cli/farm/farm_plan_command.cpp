@@ -91,7 +91,7 @@ QString problemOfFrames(const FramesRecipe &recipe)
 }
 
 /// A painting with its place; the error is one of usage.
-Result<FarmPainting> paintingFor(const CommandLine &line, const QString &path)
+Result<FarmPainting> paintingFor(const CommandLine &line, const QString &path, Backend backend)
 {
     Result<Painting> painting = paintingOf(path);
     if (!painting)
@@ -116,6 +116,8 @@ Result<FarmPainting> paintingFor(const CommandLine &line, const QString &path)
         if (!recipe)
             return Error{recipe.error()};
         p.tiles = *recipe;
+        if (p.tiles.tiles.sheet == 0)
+            p.tiles.tiles.sheet = usualSheet(backend);
         p.tiles.out = place(p.tiles.out);
         p.pieces = TilePlan(p.tiles.view(), p.tiles.tiles).sheets();
     }
@@ -144,11 +146,14 @@ int farmPlanCommand(const QStringList &arguments)
     const Result<RendererOptions> options = rendererOptions(line);
     if (!options)
         return usage(options.error());
+    const auto renderer = makeRenderer(*options);
+    if (!renderer)
+        return fail(renderer.error());
     FarmPlan plan;
     plan.folder = QDir(line.value("output")).absolutePath();
     std::set<QString> names;
     for (const QString &path : line.several()) {
-        Result<FarmPainting> p = paintingFor(line, path);
+        Result<FarmPainting> p = paintingFor(line, path, (*renderer)->backend());
         if (!p)
             return fail(QStringLiteral("%1: %2").arg(path, p.error()));
         if (!names.insert(p->out()).second)
@@ -156,9 +161,6 @@ int farmPlanCommand(const QStringList &arguments)
         p->first = plan.pieces();
         plan.paintings.push_back(std::move(*p));
     }
-    const auto renderer = makeRenderer(*options);
-    if (!renderer)
-        return fail(renderer.error());
     plan.by = drawnBy(**renderer, plan.isFrames() ? nullptr : &plan.paintings.front().tiles.encoding);
     const Result<FarmPlan> written = writePlan(plan);
     if (!written)

@@ -9,8 +9,6 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFileInfo>
-#include <QRandomGenerator>
-#include <QSysInfo>
 
 namespace suffuse::cli {
 
@@ -64,19 +62,19 @@ QString differenceOf(const QJsonObject &plan, const QJsonObject &here)
 class FarmWork {
 public:
     FarmWork(const FarmPlan &plan, FarmRecords records, const std::vector<std::unique_ptr<Renderer>> &renderers, int threads,
-             qint64 task)
-        : m_plan(plan), m_records(std::move(records)), m_renderers(renderers), m_threads(threads), m_task(task)
+             const Share &share)
+        : m_plan(plan), m_records(std::move(records)), m_renderers(renderers), m_threads(threads), m_share(share)
     {}
 
-    Result<void> run(const Share &share)
+    Result<void> run()
     {
         ProgressLine progress(QCoreApplication::translate("Cli", "drawing"), true);
         for (const FarmPainting &p : m_plan.paintings) {
-            const qint64 from = std::max(share.from, p.first), to = std::min(share.to, p.first + p.pieces);
+            const qint64 from = std::max(m_share.from, p.first), to = std::min(m_share.to, p.first + p.pieces);
             std::vector<qint64> missing;
             for (qint64 piece = from; piece < to && !interrupted(); ++piece) {
                 if (isPieceWhole(m_plan, m_records, piece))
-                    progress.show(++m_kept + m_drawn, share.to - share.from);
+                    progress.show(++m_kept + m_drawn, m_share.to - m_share.from);
                 else
                     missing.push_back(piece - p.first);
             }
@@ -84,7 +82,7 @@ public:
                 continue;
             if (const Result<void> opened = open(); !opened)
                 return opened;
-            m_progress = [&, all = share.to - share.from] { progress.show(++m_drawn + m_kept, all); };
+            m_progress = [&, all = m_share.to - m_share.from] { progress.show(++m_drawn + m_kept, all); };
             Result<Painting> painting = paintingOf(p.path);
             if (!painting)
                 return Error{painting.error()};
@@ -113,10 +111,7 @@ private:
     {
         if (m_journal.isOpen())
             return {};
-        const QString name = QStringLiteral("%1-%2-%3")
-                                 .arg(m_task)
-                                 .arg(QSysInfo::machineHostName())
-                                 .arg(QRandomGenerator::system()->generate64(), 0, 16);
+        const QString name = FarmPlan::workerName(m_share.from, m_share.to);
         const bool packs = std::any_of(m_plan.paintings.begin(), m_plan.paintings.end(),
                                        [](const FarmPainting &p) { return !p.isFrames && p.tiles.isTiff(); });
         if (packs)
@@ -177,7 +172,7 @@ private:
     const FarmRecords m_records;
     const std::vector<std::unique_ptr<Renderer>> &m_renderers;
     const int m_threads;
-    const qint64 m_task;
+    const Share m_share;
     TileJournal m_journal;
     PackFile m_pack;
     std::function<void()> m_progress;
@@ -218,12 +213,12 @@ int farmRunCommand(const QStringList &arguments)
     for (const auto &renderer : *renderers)
         if (const QString difference = differenceOf(plan->by, drawnBy(*renderer, encoding)); !difference.isEmpty())
             return fail(difference);
-    Result<FarmRecords> records = readRecords(*plan);
+    Result<FarmRecords> records = readRecords(*plan, share->from, share->to);
     if (!records)
         return fail(records.error());
-    FarmWork work(*plan, std::move(*records), *renderers, options->threads, task.section('/', 0, 0).toLongLong());
+    FarmWork work(*plan, std::move(*records), *renderers, options->threads, *share);
     const double startMs = double(clock.nsecsElapsed()) * 1e-6;
-    const Result<void> done = work.run(*share);
+    const Result<void> done = work.run();
     if (interrupted())
         return fail(QCoreApplication::translate("Cli", "stopped; what is finished is kept, and the same command goes on"));
     if (!done)
