@@ -1529,6 +1529,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>%1: %2 Stücke von %n Gemälden</numerusform>
         </translation>
     </message>
+    <message>
+        <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
+        <translation>das sind mehr als %1 Stücke. Wählen Sie ein größeres --sheet, ein kleineres Bild oder mehrere Pläne.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

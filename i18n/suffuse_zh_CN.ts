@@ -1521,6 +1521,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>%1：%n 幅画的 %2 份</numerusform>
         </translation>
     </message>
+    <message>
+        <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
+        <translation>超过 %1 份。请选择更大的 --sheet、更小的图像，或多份计划。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

@@ -36,13 +36,6 @@ QJsonObject statsJson(const Renderer &renderer, std::size_t renderers, const Til
             {"ms", QJsonObject{{"draw", stats.drawMs}, {"total", milliseconds}}}};
 }
 
-std::vector<qint64> allSheets(const TilePlan &plan)
-{
-    std::vector<qint64> sheets(std::size_t(plan.sheets()));
-    std::iota(sheets.begin(), sheets.end(), qint64(0));
-    return sheets;
-}
-
 Result<TilesStats> draw(const std::vector<std::unique_ptr<Renderer>> &renderers, const RenderRequest &request,
                         const TiledPicture &picture, TileStore &store, int threads)
 {
@@ -50,7 +43,8 @@ Result<TilesStats> draw(const std::vector<std::unique_ptr<Renderer>> &renderers,
     TilesRequest tiles;
     tiles.picture = request;
     tiles.threads = threads;
-    tiles.sheets = allSheets(picture.plan);
+    tiles.count = picture.plan.sheets();
+    tiles.sheet = [](qint64 i) { return i; };
     tiles.cancel = &interrupted();
     tiles.progress = [&](qint64 done, qint64 all) { progress.show(done, all); };
     Result<TilesStats> stats = renderTiles(renderers, tiles, picture, store);

@@ -3,6 +3,8 @@
 
 #include "render/tiles/tile_store.h"
 
+#include <functional>
+
 namespace suffuse {
 
 /// The room for the head of the file, before which no tile lies.

@@ -41,8 +41,8 @@ public:
         guarded([&] {
             const Backend backend = renderer.backend();
             const QString device = renderer.deviceName();
-            for (std::size_t i = m_next++; i < m_request.sheets.size() && !isOver(); i = m_next++) {
-                const qint64 number = m_request.sheets[i];
+            for (qint64 i = m_next++; i < m_request.count && !isOver(); i = m_next++) {
+                const qint64 number = m_request.sheet(i);
                 if (m_store.has(number)) {
                     const std::lock_guard lock(m_mutex);
                     ++m_stats.kept;
@@ -149,6 +149,7 @@ private:
         request.near = job.sheet.near;
         QElapsedTimer clock;
         clock.start();
+        renderer.invalidate(); // Another renderer may have drawn into the picture since.
         const Result<RenderStats> stats = renderer.render(request, job.picture.target(), m_request.cancel);
         if (!stats)
             fail(stats.error());
@@ -186,7 +187,7 @@ private:
     void tell() const
     {
         if (m_request.progress)
-            m_request.progress(m_stats.sheets + m_stats.kept, qint64(m_request.sheets.size()));
+            m_request.progress(m_stats.sheets + m_stats.kept, m_request.count);
     }
 
     const TilesRequest &m_request;
@@ -195,7 +196,7 @@ private:
     std::deque<SheetJob> m_jobs;
     std::vector<SheetJob *> m_free;
     std::deque<SheetJob *> m_drawn; ///< tiles of the first one are taken first
-    std::atomic<std::size_t> m_next{0};
+    std::atomic<qint64> m_next{0};
     bool m_allDrawn = false;
     std::mutex m_mutex;
     std::condition_variable m_changed;

@@ -4,7 +4,10 @@
 #include "render/renderer.h"
 #include "render/tiles/tile_store.h"
 
+#include <atomic>
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace suffuse {
 
@@ -18,7 +21,8 @@ struct TilesStats {
 struct TilesRequest {
     RenderRequest picture; ///< its view is that of the plan, its part is set for each sheet
     int threads = 0;       ///< that encode; 0: one a core
-    std::vector<qint64> sheets;
+    qint64 count = 0;                        ///< sheets that are asked for,
+    std::function<qint64(qint64)> sheet; ///< and the number of the i-th of them
     const std::atomic<bool> *cancel = nullptr;
     std::function<void(qint64 done, qint64 all)> progress; ///< any thread; sheets
 };

@@ -1,6 +1,7 @@
 #include "render/tiles/tile_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse {
 

@@ -8,7 +8,8 @@
 #include <QJsonObject>
 
 #include <map>
-#include <memory>
+#include <mutex>
+#include <optional>
 
 namespace suffuse {
 

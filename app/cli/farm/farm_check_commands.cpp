@@ -8,6 +8,9 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
+#include <atomic>
+#include <functional>
+
 namespace suffuse::cli {
 
 namespace {

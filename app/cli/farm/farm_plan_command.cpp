@@ -7,12 +7,15 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 namespace suffuse::cli {
 
 namespace {
+
+constexpr qint64 mostPieces = 100'000'000;
 
 void addOptions(CommandLine &line)
 {
@@ -160,6 +163,10 @@ int farmPlanCommand(const QStringList &arguments)
             return fail(QCoreApplication::translate("Cli", "%1: two paintings would become the same file. Rename one.").arg(p->out()));
         p->first = plan.pieces();
         plan.paintings.push_back(std::move(*p));
+        if (plan.pieces() > mostPieces)
+            return fail(QCoreApplication::translate("Cli", "these are more than %1 pieces. Choose a greater --sheet, a smaller picture, "
+                                                            "or several plans.")
+                            .arg(mostPieces));
     }
     plan.by = drawnBy(**renderer, plan.isFrames() ? nullptr : &plan.paintings.front().tiles.encoding);
     const Result<FarmPlan> written = writePlan(plan);

@@ -8,7 +8,11 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QFileInfo>
+#include <QFile>
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
 
 namespace suffuse::cli {
 
@@ -126,7 +130,8 @@ private:
         TilesRequest request;
         request.picture = requestOf(painting, p.tiles);
         request.threads = m_threads;
-        request.sheets = sheets;
+        request.count = qint64(sheets.size());
+        request.sheet = [&](qint64 i) { return sheets[std::size_t(i)]; };
         request.cancel = &interrupted();
         request.progress = [this](qint64, qint64) { m_progress(); };
         // What is missing has no records that count.

@@ -51,13 +51,6 @@ TiledPicture tiledPicture(const QString &path, const View &view, TileOptions opt
     return {{view, options}, encoding, path, "picture"};
 }
 
-std::vector<qint64> allSheets(const TilePlan &plan)
-{
-    std::vector<qint64> sheets(std::size_t(plan.sheets()));
-    std::iota(sheets.begin(), sheets.end(), qint64(0));
-    return sheets;
-}
-
 Result<TilesStats> draw(const PaintingPtr &painting, const TiledPicture &picture, TileStore &store, int threads = 2)
 {
     TilesRequest request;
@@ -65,14 +58,15 @@ Result<TilesStats> draw(const PaintingPtr &painting, const TiledPicture &picture
     request.picture.time = painting->end();
     request.picture.transparent = picture.encoding.image.alpha;
     request.threads = threads;
-    request.sheets = allSheets(picture.plan);
+    request.count = picture.plan.sheets();
+    request.sheet = [](qint64 i) { return i; };
     std::vector<std::unique_ptr<Renderer>> renderers;
     renderers.push_back(cpu(threads));
     return renderTiles(renderers, request, picture, store);
 }
 
 /// Draws as `render --tiles` does; what it drew.
-Result<TilesStats> drawDeepZoom(const PaintingPtr &painting, const TiledPicture &picture)
+Result<TilesStats> drawDeepZoom(const PaintingPtr &painting, const TiledPicture &picture, int threads = 2)
 {
     const QString files = DeepZoomStore::filesOf(picture.path), path = files + "/tiles.journal";
     QDir().mkpath(files);
@@ -86,7 +80,7 @@ Result<TilesStats> drawDeepZoom(const PaintingPtr &painting, const TiledPicture 
     if (const Result<void> opened = journal.open(path, picture.identity); !opened)
         return Error{opened.error()};
     DeepZoomStore store(picture, records, journal);
-    Result<TilesStats> stats = draw(painting, picture, store);
+    Result<TilesStats> stats = draw(painting, picture, store, threads);
     if (const Result<void> finished = store.finish(); !finished)
         return Error{finished.error()};
     return stats;
@@ -143,9 +137,10 @@ private slots:
         QTest::addColumn<int>("sheet");
         QTest::addColumn<int>("bits");
         QTest::addColumn<bool>("alpha");
-        QTest::newRow("usual") << 254 << 1 << 0 << 8 << false;
-        QTest::newRow("small") << 48 << 0 << 96 << 8 << true;
-        QTest::newRow("odd and deep") << 61 << 5 << 130 << 16 << true;
+        QTest::addColumn<int>("threads");
+        QTest::newRow("usual") << 254 << 1 << 0 << 8 << false << 3;
+        QTest::newRow("small") << 48 << 0 << 96 << 8 << true << 1;
+        QTest::newRow("odd and deep") << 61 << 5 << 130 << 16 << true << 4;
     }
     void deepZoom()
     {
@@ -154,11 +149,12 @@ private slots:
         QFETCH(int, sheet);
         QFETCH(int, bits);
         QFETCH(bool, alpha);
+        QFETCH(int, threads);
         QTemporaryDir folder;
         const PaintingPtr painting = somePainting();
         const View view = View::ofArea(Rect::of(13.3, -7, 71, 53), 331, 247);
         const TiledPicture picture = tiledPicture(folder.filePath("a.dzi"), view, {tile, overlap, sheet}, TileFormat::Png, bits, alpha);
-        const Result<TilesStats> stats = drawDeepZoom(painting, picture);
+        const Result<TilesStats> stats = drawDeepZoom(painting, picture, threads);
         QVERIFY2(stats, qPrintable(stats ? QString() : stats.error()));
         QCOMPARE(stats->sheets, picture.plan.sheets());
         TileJournal none;
