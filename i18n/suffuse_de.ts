@@ -1479,8 +1479,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: ist ein Ordner. Geben Sie einen Dateinamen an.</translation>
     </message>
     <message>
-        <source>Instead of -o: a picture of any size in tiles, OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
-        <translation>Statt -o: ein Bild beliebiger Größe in Kacheln, OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) oder ein Ordner; --format jpg oder png.</translation>
+        <source>A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
+        <translation>Ein Bild beliebiger Größe in Kacheln: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) oder ein Ordner; --format jpg oder png.</translation>
     </message>
     <message>
         <source>With --tiles: pixels a side (default 254; TIFF 512).</source>
@@ -1532,6 +1532,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
         <translation>das sind mehr als %1 Stücke. Wählen Sie ein größeres --sheet, ein kleineres Bild oder mehrere Pläne.</translation>
+    </message>
+    <message>
+        <source>other machines cannot read this standard input: give files</source>
+        <translation>andere Rechner können diese Standardeingabe nicht lesen: Geben Sie Dateien an</translation>
     </message>
 </context>
 <context>
@@ -12186,6 +12190,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
         <translation>%1: lässt sich nicht schreiben (%2). Wählen Sie einen anderen Ordner oder ändern Sie seine Rechte.</translation>
+    </message>
+    <message>
+        <source>%1: another program is drawing the same picture. Wait until it has finished, or choose another name.</source>
+        <translation>%1: Ein anderes Programm zeichnet gerade dasselbe Bild. Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 </TS>

@@ -1472,8 +1472,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：是文件夹。请给出文件名。</translation>
     </message>
     <message>
-        <source>Instead of -o: a picture of any size in tiles, OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
-        <translation>代替 -o：任意大小的分块图像，OUT.dzi（Deep Zoom）、OUT.tif（BigTIFF）或文件夹；--format jpg 或 png。</translation>
+        <source>A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
+        <translation>任意大小的分块图像：OUT.dzi（Deep Zoom）、OUT.tif（BigTIFF）或文件夹；--format jpg 或 png。</translation>
     </message>
     <message>
         <source>With --tiles: pixels a side (default 254; TIFF 512).</source>
@@ -1524,6 +1524,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
         <translation>超过 %1 份。请选择更大的 --sheet、更小的图像，或多份计划。</translation>
+    </message>
+    <message>
+        <source>other machines cannot read this standard input: give files</source>
+        <translation>其他机器无法读取此标准输入：请给出文件</translation>
     </message>
 </context>
 <context>
@@ -12110,6 +12114,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
         <translation>%1：无法写入（%2）。请选择另一个文件夹，或更改其权限。</translation>
+    </message>
+    <message>
+        <source>%1: another program is drawing the same picture. Wait until it has finished, or choose another name.</source>
+        <translation>%1：另一个程序正在绘制同一图像。请等它完成，或选择另一个名称。</translation>
     </message>
 </context>
 </TS>

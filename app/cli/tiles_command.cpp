@@ -121,8 +121,8 @@ Result<TilesStats> drawBigTiff(const std::vector<std::unique_ptr<Renderer>> &ren
 void addTilesOptions(CommandLine &line)
 {
     line.add({"tiles"},
-             QCoreApplication::translate("Cli", "Instead of -o: a picture of any size in tiles, OUT.dzi (Deep Zoom), OUT.tif "
-                                                "(BigTIFF) or a folder; --format jpg or png."),
+             QCoreApplication::translate("Cli", "A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a "
+                                                "folder; --format jpg or png."),
              "OUT");
     line.add({"tile"}, QCoreApplication::translate("Cli", "With --tiles: pixels a side (default 254; TIFF 512)."), "N");
     line.add({"overlap"},

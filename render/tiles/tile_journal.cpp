@@ -8,6 +8,8 @@
 
 #include <cerrno>
 
+#include <sys/file.h>
+
 namespace suffuse {
 
 namespace {
@@ -85,6 +87,10 @@ Result<void> TileJournal::open(const QString &path, const QByteArray &picture)
         return Error{QCoreApplication::translate("Tiles", "%1: cannot be written (%2). Choose another folder, or change "
                                                           "its permissions.")
                          .arg(path, m_file.errorString())};
+    if (::flock(m_file.handle(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return Error{QCoreApplication::translate("Tiles", "%1: another program is drawing the same picture. Wait until it has "
+                                                          "finished, or choose another name.")
+                         .arg(path)};
     // A line that was cut off must not swallow the next one.
     return put("\n" + signedLine("of " + picture));
 }

@@ -31,7 +31,8 @@ public:
     /// The records of a file; none if there is no file. It fails if the file is of another picture than `picture`.
     static Result<std::vector<SheetRecord>> read(const QString &path, const QByteArray &picture);
 
-    /// Opens the file to go on with it, or makes it.
+    /// Opens the file to go on with it, or makes it. It fails while another process has it open so: two of them would
+    /// write over each other. The lock goes with the process.
     Result<void> open(const QString &path, const QByteArray &picture);
     /// Adds a line, and flushes it. Any thread may call it.
     Result<void> add(const SheetRecord &record);

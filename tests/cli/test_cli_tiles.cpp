@@ -10,6 +10,8 @@
 #include <csignal>
 #include <thread>
 
+#include <sys/file.h>
+
 using namespace suffuse;
 
 class TestCliTiles : public CliPictures {
@@ -71,6 +73,18 @@ private slots:
         const CliOutcome mine = runCli(tiles("mine.dzi"));
         QCOMPARE(mine.code, 1);
         QVERIFY2(mine.err.contains("something else"), qPrintable(mine.text()));
+    }
+
+    void oneAtATime()
+    {
+        QFile journal(path("two.tif.journal"));
+        QVERIFY(journal.open(QIODevice::WriteOnly));
+        QCOMPARE(::flock(journal.handle(), LOCK_EX), 0);
+        const CliOutcome second = runCli(tiles("two.tif"));
+        QCOMPARE(second.code, 1);
+        QVERIFY2(second.err.contains("another program is drawing"), qPrintable(second.text()));
+        journal.close();
+        QCOMPARE(runCli(tiles("two.tif")).code, 0);
     }
 
     void refused_data()

@@ -244,7 +244,7 @@ private slots:
             worker.start(QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
                          {"farm", "run", farm.path("farm"), "--task", QString("%1/8").arg(1 + i % 8), "--threads", "1"});
             QVERIFY(worker.waitForStarted());
-            std::this_thread::sleep_for(std::chrono::microseconds(random.bounded(60'000)));
+            std::this_thread::sleep_for(std::chrono::microseconds(random.bounded(150'000)));
             worker.kill();
             worker.waitForFinished();
         }

@@ -142,6 +142,8 @@ int farmPlanCommand(const QStringList &arguments)
         return usage(QCoreApplication::translate("Cli", "-o FOLDER is missing: name the folder that all machines share"));
     if (line.isSet("tiles") == line.isSet("frames"))
         return usage(QCoreApplication::translate("Cli", "give --tiles or --frames"));
+    if (line.several().contains(QLatin1String("-")))
+        return usage(QCoreApplication::translate("Cli", "other machines cannot read this standard input: give files"));
     const QString out = line.value(line.isSet("tiles") ? "tiles" : "frames");
     if (line.several().size() > 1 && !out.contains(QLatin1String("%s")))
         return usage(QCoreApplication::translate("Cli", "several paintings need several names: put %s where the painting's "
