@@ -49,7 +49,8 @@ Result<TilesStats> draw(const std::vector<std::unique_ptr<Renderer>> &renderers,
     tiles.progress = [&](qint64 done, qint64 all) { progress.show(done, all); };
     Result<TilesStats> stats = renderTiles(renderers, tiles, picture, store);
     if (!stats && interrupted())
-        return Error{QCoreApplication::translate("Cli", "stopped; what is finished is kept, and the same command goes on")};
+        return Error{
+            QCoreApplication::translate("Cli", "stopped; what is finished is kept, and the same command goes on")};
     return stats;
 }
 
@@ -59,11 +60,13 @@ Result<TilesStats> drawDeepZoom(const std::vector<std::unique_ptr<Renderer>> &re
 {
     const QString files = DeepZoomStore::filesOf(picture.path), journalPath = files + QStringLiteral("/tiles.journal");
     if (QFileInfo::exists(files) && !QFileInfo::exists(journalPath) && !QDir(files).isEmpty())
-        return Error{QCoreApplication::translate("Cli", "%1: there is something else already. Remove it, or choose another name.")
+        return Error{QCoreApplication::translate(
+                         "Cli", "%1: there is something else already. Remove it, or choose another name.")
                          .arg(files)};
     if (!QDir().mkpath(files))
-        return Error{QCoreApplication::translate("Cli", "%1: the folder cannot be made. Choose another one, or change its "
-                                                        "permissions.")
+        return Error{QCoreApplication::translate("Cli",
+                                                 "%1: the folder cannot be made. Choose another one, or change its "
+                                                 "permissions.")
                          .arg(files)};
     const auto records = TileJournal::read(journalPath, picture.identity);
     if (!records)
@@ -83,11 +86,13 @@ Result<TilesStats> drawDeepZoom(const std::vector<std::unique_ptr<Renderer>> &re
     return stats;
 }
 
-/// Draws into a file beside the picture's place, in which the tiles come one after the other, and frames them in the end.
+/// Draws into a file beside the picture's place, in which the tiles come one after the other, and frames them in the
+/// end.
 Result<TilesStats> drawBigTiff(const std::vector<std::unique_ptr<Renderer>> &renderers, const RenderRequest &request,
                                const TiledPicture &picture, int threads)
 {
-    const QString part = picture.path + QStringLiteral(".part"), journalPath = picture.path + QStringLiteral(".journal");
+    const QString part = picture.path + QStringLiteral(".part"),
+                  journalPath = picture.path + QStringLiteral(".journal");
     if (QFileInfo(picture.path).isDir())
         return Error{QCoreApplication::translate("Cli", "%1: is a folder. Give a file name.").arg(picture.path)};
     const auto records = TileJournal::read(journalPath, picture.identity);
@@ -121,15 +126,19 @@ Result<TilesStats> drawBigTiff(const std::vector<std::unique_ptr<Renderer>> &ren
 void addTilesOptions(CommandLine &line)
 {
     line.add({"tiles"},
-             QCoreApplication::translate("Cli", "A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a "
-                                                "folder; --format jpg or png."),
+             QCoreApplication::translate("Cli",
+                                         "A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a "
+                                         "folder; --format jpg or png."),
              "OUT");
     line.add({"tile"}, QCoreApplication::translate("Cli", "With --tiles: pixels a side (default 254; TIFF 512)."), "N");
     line.add({"overlap"},
-             QCoreApplication::translate("Cli", "With --tiles: pixels that tiles show of their neighbours (default 1; TIFF 0)."),
+             QCoreApplication::translate(
+                 "Cli", "With --tiles: pixels that tiles show of their neighbours (default 1; TIFF 0)."),
              "N");
     line.add({"sheet"},
-             QCoreApplication::translate("Cli", "With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192)."), "N");
+             QCoreApplication::translate(
+                 "Cli", "With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192)."),
+             "N");
 }
 
 int renderTilesCommand(const CommandLine &line)
@@ -138,7 +147,8 @@ int renderTilesCommand(const CommandLine &line)
     clock.start();
     for (const char *option : {"output", "dpi", "profile"})
         if (line.isSet(QLatin1String(option)))
-            return failUsage("render", QCoreApplication::translate("Cli", "--%1 is not for --tiles").arg(QLatin1String(option)));
+            return failUsage("render",
+                             QCoreApplication::translate("Cli", "--%1 is not for --tiles").arg(QLatin1String(option)));
     Result<RendererOptions> options = rendererOptions(line);
     if (!options)
         return failUsage("render", options.error());
@@ -156,11 +166,11 @@ int renderTilesCommand(const CommandLine &line)
         return fail(renderers.error());
     if (recipe->tiles.sheet == 0)
         recipe->tiles.sheet = usualSheet(renderers->front()->backend());
-    const TiledPicture picture{{recipe->view(), recipe->tiles},
-                               recipe->encoding,
-                               recipe->path(),
-                               identityOf(hashOf(*request.painting), recipe->json(),
-                                          drawnBy(*renderers->front(), &recipe->encoding))};
+    const TiledPicture picture{
+        {recipe->view(), recipe->tiles},
+        recipe->encoding,
+        recipe->path(),
+        identityOf(hashOf(*request.painting), recipe->json(), drawnBy(*renderers->front(), &recipe->encoding))};
     const Result<TilesStats> stats = recipe->isTiff() ? drawBigTiff(*renderers, request, picture, options->threads)
                                                       : drawDeepZoom(*renderers, request, picture, options->threads);
     if (!stats)

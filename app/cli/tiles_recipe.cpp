@@ -37,16 +37,19 @@ Result<TileFormat> formatOf(const CommandLine &line, const QString &out)
 {
     const ImageFormat ending = imageFormatForPath(out);
     if (ending != ImageFormat::Unknown && ending != ImageFormat::Tiff)
-        return Error{QCoreApplication::translate("Cli", "--tiles %1: give a name that ends in .dzi or .tif, or a folder").arg(out)};
+        return Error{
+            QCoreApplication::translate("Cli", "--tiles %1: give a name that ends in .dzi or .tif, or a folder")
+                .arg(out)};
     const QString format = line.value(QStringLiteral("format")).toLower();
     if (ending == ImageFormat::Tiff) {
         if (!format.isEmpty())
-            return Error{QCoreApplication::translate("Cli", "--format is for Deep Zoom: the tiles of a TIFF are packed in it")};
+            return Error{
+                QCoreApplication::translate("Cli", "--format is for Deep Zoom: the tiles of a TIFF are packed in it")};
         return TileFormat::Tiff;
     }
     if (format.isEmpty())
         return line.isSet(QStringLiteral("transparent")) || line.isSet(QStringLiteral("depth")) ? TileFormat::Png
-                                                                                               : TileFormat::Jpeg;
+                                                                                                : TileFormat::Jpeg;
     if (format == QLatin1String("jpg") || format == QLatin1String("jpeg"))
         return TileFormat::Jpeg;
     if (format == QLatin1String("png"))
@@ -62,12 +65,14 @@ Result<TileEncoding> encodingOf(const CommandLine &line, const QString &out)
     TileEncoding encoding;
     encoding.format = *format;
     encoding.image.alpha = line.isSet(QStringLiteral("transparent"));
-    const QString depth = line.isSet(QStringLiteral("depth")) ? line.value(QStringLiteral("depth")) : QStringLiteral("8");
+    const QString depth =
+        line.isSet(QStringLiteral("depth")) ? line.value(QStringLiteral("depth")) : QStringLiteral("8");
     if (depth != QLatin1String("8") && depth != QLatin1String("16"))
         return Error{QCoreApplication::translate("Cli", "--depth %1: tiles have 8 or 16 bits").arg(depth)};
     encoding.image.depth = depth == QLatin1String("16") ? ImageDepth::Bits16 : ImageDepth::Bits8;
     if (*format == TileFormat::Jpeg && (encoding.image.alpha || encoding.bits() > 8))
-        return Error{QCoreApplication::translate("Cli", "tiles of JPEG hold 8 bits and no transparency: use --format png, or .tif")};
+        return Error{QCoreApplication::translate(
+            "Cli", "tiles of JPEG hold 8 bits and no transparency: use --format png, or .tif")};
     const Result<int> quality = numberOf(line, QStringLiteral("quality"), usualQuality, 1, 100);
     if (!quality)
         return Error{quality.error()};
@@ -175,14 +180,16 @@ Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &paintin
     if (!encoding)
         return Error{encoding.error()};
     recipe.encoding = *encoding;
-    const Result<int> tile = numberOf(line, QStringLiteral("tile"), recipe.isTiff() ? usualTiffTile : usualTile, 16, 4096),
+    const Result<int> tile =
+                          numberOf(line, QStringLiteral("tile"), recipe.isTiff() ? usualTiffTile : usualTile, 16, 4096),
                       overlap = numberOf(line, QStringLiteral("overlap"), recipe.isTiff() ? 0 : usualOverlap, 0, 64),
                       sheet = numberOf(line, QStringLiteral("sheet"), 0, 16, 8192);
     for (const Result<int> *number : {&tile, &overlap, &sheet})
         if (!*number)
             return Error{number->error()};
     if (recipe.isTiff() && (*tile % 16 != 0 || *overlap != 0))
-        return Error{QCoreApplication::translate("Cli", "tiles of a TIFF do not overlap, and have sides of a multiple of 16")};
+        return Error{
+            QCoreApplication::translate("Cli", "tiles of a TIFF do not overlap, and have sides of a multiple of 16")};
     recipe.tiles = {*tile, *overlap, *sheet, !recipe.isTiff()};
     recipe.encoding.side = *tile;
     const Result<PictureOptions> picture = pictureOptions(line, painting, PictureLimit::Side);

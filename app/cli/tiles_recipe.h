@@ -25,15 +25,16 @@ struct TilesRecipe {
     static Result<TilesRecipe> ofJson(const QJsonObject &json, const QString &out);
 };
 
-/// --tiles, --tile, --overlap, --format, --quality, --depth, --transparent, --drafts, --size, --scale, --area and --time.
-/// Errors are usage errors.
+/// --tiles, --tile, --overlap, --format, --quality, --depth, --transparent, --drafts, --size, --scale, --area and
+/// --time. Errors are usage errors.
 Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &painting);
 
-/// The sides of sheets where none was asked for. A GPU draws larger ones, since it prepares the strokes for each of them.
+/// The sides of sheets where none was asked for. A GPU draws larger ones, since it prepares the strokes for each of
+/// them.
 int usualSheet(Backend backend);
 
-/// What the bits of a picture depend on beside the painting and the recipe: this build, the backend with its instructions
-/// or its chip, and the libraries that encode, by what they make of a small tile.
+/// What the bits of a picture depend on beside the painting and the recipe: this build, the backend with its
+/// instructions or its chip, and the libraries that encode, by what they make of a small tile.
 QJsonObject drawnBy(const Renderer &renderer, const TileEncoding *encoding);
 
 /// One line of all of that.

@@ -10,7 +10,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr int level = 1; ///< Level 3 takes half as long again for a twelfth less, level 6 four times as long for a sixth less.
+constexpr int level =
+    1; ///< Level 3 takes half as long again for a twelfth less, level 6 four times as long for a sixth less.
 
 /// The channels of a row, red first, as TIFF stores them.
 void putRow(const ImageModuleTile &tile, int y, std::uint8_t *to)
@@ -61,8 +62,7 @@ bool pack(const ImageModuleTile &tile, const void *values, std::size_t bytes, ch
     if (!compressor)
         return fail(error, size, "there is not enough memory");
     std::vector<unsigned char> packed(libdeflate_zlib_compress_bound(compressor.get(), bytes));
-    const std::size_t count =
-        libdeflate_zlib_compress(compressor.get(), values, bytes, packed.data(), packed.size());
+    const std::size_t count = libdeflate_zlib_compress(compressor.get(), values, bytes, packed.data(), packed.size());
     if (count == 0 || tile.file.write(tile.file.context, packed.data(), count, 0) != count)
         return fail(error, size, "the tile could not be packed");
     return true;
@@ -84,8 +84,8 @@ bool writeTile(const ImageModuleTile &tile, char *error, std::size_t size)
 
 } // namespace suffuse
 
-extern "C" __attribute__((visibility("default"))) bool suffuse_image_tile(const suffuse::ImageModuleTile *tile, char *error,
-                                                                          std::size_t size)
+extern "C" __attribute__((visibility("default"))) bool suffuse_image_tile(const suffuse::ImageModuleTile *tile,
+                                                                          char *error, std::size_t size)
 {
     return suffuse::guarded([&] { return suffuse::writeTile(*tile, error, size); }, error, size);
 }

@@ -10,8 +10,8 @@ namespace suffuse {
 /// The room for the head of the file, before which no tile lies.
 inline constexpr qint64 bigTiffHead = 16;
 
-/// A file in which the head, the directories and the tables of tiles come last, so that it is no TIFF before it is whole.
-/// libtiff keeps these in memory to the end, and cannot go on with a file that has no directory yet.
+/// A file in which the head, the directories and the tables of tiles come last, so that it is no TIFF before it is
+/// whole. libtiff keeps these in memory to the end, and cannot go on with a file that has no directory yet.
 class BigTiff {
 public:
     /// Puts bytes at an offset; false where that fails.
@@ -35,8 +35,8 @@ private:
     std::map<std::size_t, std::pair<qint64, qint64>> m_single; ///< levels of one tile, which stands in the directory
 };
 
-/// Frames a file in which the tiles of `records` lie up to `end`, brings it to disk, and puts it into the picture's place.
-/// A sheet may have several records.
+/// Frames a file in which the tiles of `records` lie up to `end`, brings it to disk, and puts it into the picture's
+/// place. A sheet may have several records.
 Result<void> frameBigTiff(const TiledPicture &picture, const QString &file, qint64 end,
                           const std::vector<SheetRecord> &records);
 

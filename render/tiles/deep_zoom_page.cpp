@@ -198,12 +198,8 @@ QByteArray deepZoomPage(const DeepZoomPage &page)
 {
     QString title = page.files;
     title.chop(int(qstrlen("_files")));
-    const QJsonObject values{{"title", title},
-                             {"files", page.files},
-                             {"ending", page.ending},
-                             {"width", page.width},
-                             {"height", page.height},
-                             {"tile", page.tile},
+    const QJsonObject values{{"title", title},         {"files", page.files},   {"ending", page.ending},
+                             {"width", page.width},    {"height", page.height}, {"tile", page.tile},
                              {"overlap", page.overlap}};
     QByteArray json = QJsonDocument(values).toJson(QJsonDocument::Compact);
     json.replace('<', "\\u003c"); // A name must not end the script.

@@ -12,8 +12,8 @@ struct DeepZoomPage {
     int tile = 0, overlap = 0;
 };
 
-/// One HTML file that needs nothing but the tiles beside it: no network and no library. It pans, zooms at the pointer, by
-/// wheel, pinch and keys, and shows coarser tiles until the finer ones have come.
+/// One HTML file that needs nothing but the tiles beside it: no network and no library. It pans, zooms at the pointer,
+/// by wheel, pinch and keys, and shows coarser tiles until the finer ones have come.
 QByteArray deepZoomPage(const DeepZoomPage &page);
 
 } // namespace suffuse

@@ -111,7 +111,8 @@ private:
         try {
             work();
         } catch (const std::bad_alloc &) {
-            fail(QCoreApplication::translate("Tiles", "there is not enough memory for the sheets that are drawn at once"));
+            fail(QCoreApplication::translate("Tiles",
+                                             "there is not enough memory for the sheets that are drawn at once"));
         }
         const std::lock_guard lock(m_mutex); // Others may wait for what does not come any more.
         m_changed.notify_all();

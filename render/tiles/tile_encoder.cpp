@@ -66,7 +66,8 @@ Result<QByteArray> encodeTile(const SheetPicture &sheet, const PixelRect &at, co
     std::array<char, 512> error{};
     if (module->tile && module->tile(&tile, error.data(), error.size()))
         return bytes;
-    return Error{QCoreApplication::translate("Tiles", "a tile cannot be encoded: %1").arg(QString::fromUtf8(error.data()))};
+    return Error{
+        QCoreApplication::translate("Tiles", "a tile cannot be encoded: %1").arg(QString::fromUtf8(error.data()))};
 }
 
 } // namespace suffuse

@@ -84,12 +84,14 @@ Result<void> TileJournal::open(const QString &path, const QByteArray &picture)
 {
     m_file.setFileName(path);
     if (!m_file.open(QIODevice::ReadWrite | QIODevice::Append | QIODevice::Unbuffered))
-        return Error{QCoreApplication::translate("Tiles", "%1: cannot be written (%2). Choose another folder, or change "
-                                                          "its permissions.")
+        return Error{QCoreApplication::translate("Tiles",
+                                                 "%1: cannot be written (%2). Choose another folder, or change "
+                                                 "its permissions.")
                          .arg(path, m_file.errorString())};
     if (::flock(m_file.handle(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return Error{QCoreApplication::translate("Tiles", "%1: another program is drawing the same picture. Wait until it has "
-                                                          "finished, or choose another name.")
+        return Error{QCoreApplication::translate("Tiles",
+                                                 "%1: another program is drawing the same picture. Wait until it has "
+                                                 "finished, or choose another name.")
                          .arg(path)};
     // A line that was cut off must not swallow the next one.
     return put("\n" + signedLine("of " + picture));

@@ -25,8 +25,7 @@ PixelRect clipped(qint64 left, qint64 top, qint64 right, qint64 bottom, const Vi
 } // namespace
 
 TilePlan::TilePlan(const View &view, const TileOptions &options)
-    : m_options(options),
-      m_side(std::max(1, (options.sheet > 0 ? options.sheet : usualSheet) / options.tile))
+    : m_options(options), m_side(std::max(1, (options.sheet > 0 ? options.sheet : usualSheet) / options.tile))
 {
     const Point corner = view.toCanvas({0, 0});
     const int smallest = options.toOne ? 1 : options.tile;

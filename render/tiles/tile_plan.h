@@ -15,7 +15,7 @@ inline constexpr int maxTiledSide = int((qint64(1) << 31) - 4096);
 /// One of the pictures: the whole one, or one of a half, a quarter … of its width.
 struct TileLevel {
     View view;
-    int columns = 0, rows = 0;     ///< of tiles
+    int columns = 0, rows = 0; ///< of tiles
     int sheetColumns = 0, sheetRows = 0;
     qint64 firstSheet = 0, firstTile = 0; ///< among those of all levels
 

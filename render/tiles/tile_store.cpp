@@ -125,7 +125,8 @@ Result<void> DeepZoomStore::finish()
     const QString format = endingOf(m_picture.encoding.format);
     const QByteArray page =
         deepZoomPage({QFileInfo(m_files).fileName(), format, view.width, view.height, options.tile, options.overlap});
-    if (Result<void> written = replaceFile(m_picture.path.left(m_picture.path.size() - 4) + QStringLiteral(".html"), page, true);
+    if (Result<void> written =
+            replaceFile(m_picture.path.left(m_picture.path.size() - 4) + QStringLiteral(".html"), page, true);
         !written)
         return written;
     const QByteArray description = QStringLiteral("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -146,8 +147,9 @@ Result<void> PackFile::open(const QString &path, qint64 from)
     m_path = path;
     m_file.setFileName(path);
     if (!m_file.open(QIODevice::ReadWrite | QIODevice::Unbuffered))
-        return Error{QCoreApplication::translate("Tiles", "%1: cannot be written (%2). Choose another folder, or change "
-                                                          "its permissions.")
+        return Error{QCoreApplication::translate("Tiles",
+                                                 "%1: cannot be written (%2). Choose another folder, or change "
+                                                 "its permissions.")
                          .arg(path, m_file.errorString())};
     m_end = std::max(from, m_file.size());
     return {};
@@ -162,7 +164,8 @@ Result<qint64> PackFile::add(const QByteArray &bytes)
         m_end += bytes.size();
     }
     for (qint64 done = 0; done < bytes.size();) {
-        const ssize_t n = ::pwrite(m_file.handle(), bytes.constData() + done, std::size_t(bytes.size() - done), at + done);
+        const ssize_t n =
+            ::pwrite(m_file.handle(), bytes.constData() + done, std::size_t(bytes.size() - done), at + done);
         if (n > 0)
             done += n;
         else if (n == 0 || errno != EINTR)

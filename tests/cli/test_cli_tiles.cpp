@@ -19,7 +19,8 @@ class TestCliTiles : public CliPictures {
 
     QStringList tiles(const QString &out, const QStringList &more = {}) const
     {
-        return QStringList{"render", path("a.json"), "--tiles", path(out), "--size", "400x300", "--backend", "cpu"} + more;
+        return QStringList{"render", path("a.json"), "--tiles", path(out), "--size", "400x300", "--backend", "cpu"} +
+               more;
     }
 
     /// Starts a run and sends it a signal soon, or as soon as there is a file; how it ended.
@@ -32,7 +33,8 @@ class TestCliTiles : public CliPictures {
             return outcome;
         do
             std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
-        while (!file.isEmpty() && !QFile::exists(file) && process.state() == QProcess::Running && !process.waitForFinished(0));
+        while (!file.isEmpty() && !QFile::exists(file) && process.state() == QProcess::Running &&
+               !process.waitForFinished(0));
         ::kill(pid_t(process.processId()), signal);
         process.waitForFinished();
         outcome.code = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
@@ -46,7 +48,8 @@ private slots:
     void theSamePixels()
     {
         const FloatPicture whole = rendered({"--size", "400x300", "--depth", "16", "--transparent"}, "whole.png");
-        const CliOutcome outcome = runCli(tiles("a.tif", {"--depth", "16", "--transparent", "--tile", "64", "--stats"}));
+        const CliOutcome outcome =
+            runCli(tiles("a.tif", {"--depth", "16", "--transparent", "--tile", "64", "--stats"}));
         QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
         const QJsonObject stats = outcome.json();
         QCOMPARE(stats["levels"].toInt(), 4);
@@ -119,8 +122,8 @@ private slots:
     /// The largest picture there is begins, with the memory of any other, and is stopped.
     void largest()
     {
-        const QStringList arguments{"render",    path("a.json"), "--tiles",   path("huge.tif"), "--size", "2147479552",
-                                    "--backend", "cpu",          "--threads", "1"};
+        const QStringList arguments{"render",     path("a.json"), "--tiles", path("huge.tif"), "--size",
+                                    "2147479552", "--backend",    "cpu",     "--threads",      "1"};
         const CliOutcome stopped = signalled(arguments, SIGTERM, 20'000, path("huge.tif.journal"));
         QVERIFY2(stopped.code == 1 && stopped.err.contains("the same command goes on"), stopped.err.constData());
         QVERIFY(!QFile::exists(path("huge.tif")));
@@ -143,7 +146,8 @@ private slots:
         QRandomGenerator random(4 + firstSeed());
         for (int i = trials(2, 100); i > 0; --i) {
             const CliOutcome ended = signalled(tiles(out, how), signal, int(random.bounded(60'000)));
-            QVERIFY2(signal == SIGKILL || ended.code == 0 || ended.code == 1 || ended.code == -1, ended.err.constData());
+            QVERIFY2(signal == SIGKILL || ended.code == 0 || ended.code == 1 || ended.code == -1,
+                     ended.err.constData());
         }
         QCOMPARE(runCli(tiles(out, how)).code, 0);
         const QString calm = "calm-" + out;

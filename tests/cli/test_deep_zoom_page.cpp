@@ -21,9 +21,11 @@ QString browser()
 QByteArray browse(const QTemporaryDir &folder, const QString &page)
 {
     QProcess process;
-    process.start(browser(), QStringList{"--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars",
-                                         "--no-first-run", "--force-color-profile=srgb", "--user-data-dir=" + folder.filePath("browser"),
-                                         "--window-size=700,600", "--allow-file-access-from-files", "--virtual-time-budget=4000", "--dump-dom", "file://" + page});
+    process.start(browser(), QStringList{"--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                                         "--hide-scrollbars", "--no-first-run", "--force-color-profile=srgb",
+                                         "--user-data-dir=" + folder.filePath("browser"), "--window-size=700,600",
+                                         "--allow-file-access-from-files", "--virtual-time-budget=4000", "--dump-dom",
+                                         "file://" + page});
     if (!process.waitForFinished(120'000)) {
         process.kill();
         process.waitForFinished();
@@ -97,7 +99,8 @@ class TestDeepZoomPage : public CliPictures {
     /// The page with a canvas of 400 × 325 pixels, whatever room the browser's window leaves.
     QByteArray page() const
     {
-        return bytesOf(path("a.html")).replace("</style>", "canvas { width: 400px !important; height: 325px !important; }</style>");
+        return bytesOf(path("a.html"))
+            .replace("</style>", "canvas { width: 400px !important; height: 325px !important; }</style>");
     }
 
     /// What a script left in a page. A browser on a busy machine may end before it, and is started again.
@@ -118,8 +121,8 @@ private slots:
         if (browser().isEmpty())
             QSKIP("no Chromium is installed (apt-get install chromium)");
         prepare();
-        const CliOutcome drawn =
-            runCli({"render", path("a.json"), "--tiles", path("a.dzi"), "--size", "300x225", "--tile", "64", "--format", "png"});
+        const CliOutcome drawn = runCli({"render", path("a.json"), "--tiles", path("a.dzi"), "--size", "300x225",
+                                         "--tile", "64", "--format", "png"});
         QVERIFY2(drawn.code == 0, qPrintable(drawn.text()));
     }
 
@@ -143,7 +146,8 @@ private slots:
     {
         QVERIFY(put(path("hands.html"), page().replace("</body>", script)));
         const QByteArray results = leftIn("hands.html", "results");
-        for (const char *name : {"fits", "wheel", "pan", "pinch", "pixels", "arrow", "plus", "all", "nearest", "farthest"})
+        for (const char *name :
+             {"fits", "wheel", "pan", "pinch", "pixels", "arrow", "plus", "all", "nearest", "farthest"})
             QVERIFY2((' ' + results + ' ').contains(QByteArray(" ") + name + "=true "), results.constData());
     }
 };

@@ -1,5 +1,5 @@
-// Many machines draw one picture: the bits are the same however the work is divided, whatever is killed, damaged or full.
-// SUFFUSE_TRIALS=100, or SUFFUSE_LONG=1, kills more workers.
+// Many machines draw one picture: the bits are the same however the work is divided, whatever is killed, damaged or
+// full. SUFFUSE_TRIALS=100, or SUFFUSE_LONG=1, kills more workers.
 #include "cli_process.h"
 
 #include "tests/files.h"
@@ -66,7 +66,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-const QStringList deepZoom{"--tiles", "OUT/a.dzi", "--size", "400x300", "--tile", "32", "--sheet", "64", "--format", "png"};
+const QStringList deepZoom{"--tiles", "OUT/a.dzi", "--size", "400x300",  "--tile",
+                           "32",      "--sheet",   "64",     "--format", "png"};
 const QStringList tiff{"--tiles", "OUT/a.tif", "--size", "400x300", "--tile", "32", "--sheet", "64"};
 const QStringList frames{"--frames", "OUT/f%03d.png", "--size", "80x60", "--fps", "5", "--duration", "2.6"};
 
@@ -81,9 +82,10 @@ void flipByte(const QString &path, qint64 at)
 CliOutcome runOnFullDisk(const QStringList &arguments, int kilobytes)
 {
     QProcess process;
-    process.start("/bin/bash", QStringList{"-c", QString("trap '' XFSZ; ulimit -f %1; exec \"$0\" \"$@\"").arg(kilobytes),
-                                           QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli")} +
-                                   arguments);
+    process.start("/bin/bash",
+                  QStringList{"-c", QString("trap '' XFSZ; ulimit -f %1; exec \"$0\" \"$@\"").arg(kilobytes),
+                              QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli")} +
+                      arguments);
     CliOutcome outcome;
     if (process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit)
         outcome.code = process.exitCode();
@@ -133,15 +135,15 @@ private slots:
         const Farm tiles(tiff), film(frames);
         QCOMPARE(tiles.run("1/1").code, 0);
         QCOMPARE(tiles.does("join").code, 0);
-        QCOMPARE(runCli({"render", tiles.path("a.json"), "--tiles", folder.filePath("b.tif"), "--size", "400x300", "--tile", "32",
-                         "--sheet", "64", "--threads", "1", "--backend", "cpu"})
+        QCOMPARE(runCli({"render", tiles.path("a.json"), "--tiles", folder.filePath("b.tif"), "--size", "400x300",
+                         "--tile", "32", "--sheet", "64", "--threads", "1", "--backend", "cpu"})
                      .code,
                  0);
         // Sheets of one machine may be finished in another order.
         QCOMPARE(bytesOf(folder.filePath("b.tif")).size(), bytesOf(tiles.path("out/a.tif")).size());
         QCOMPARE(film.run("1/1").code, 0);
-        QCOMPARE(runCli({"timelapse", film.path("a.json"), "-o", folder.filePath("f%03d.png"), "--size", "80x60", "--fps", "5",
-                         "--duration", "2.6", "--backend", "cpu"})
+        QCOMPARE(runCli({"timelapse", film.path("a.json"), "-o", folder.filePath("f%03d.png"), "--size", "80x60",
+                         "--fps", "5", "--duration", "2.6", "--backend", "cpu"})
                      .code,
                  0);
         for (const QString &name : filesIn(folder.path()))
@@ -210,7 +212,8 @@ private slots:
         const CliOutcome changed = farm.run("2/2");
         QCOMPARE(changed.code, 1);
         QVERIFY2(changed.err.contains("has changed since"), qPrintable(changed.text()));
-        const CliOutcome replanned = runCli({"farm", "plan", farm.path("a.json"), "-o", farm.path("farm"), "--tiles", farm.path("b.dzi")});
+        const CliOutcome replanned =
+            runCli({"farm", "plan", farm.path("a.json"), "-o", farm.path("farm"), "--tiles", farm.path("b.dzi")});
         QCOMPARE(replanned.code, 1);
         QVERIFY2(replanned.err.contains("another plan"), qPrintable(replanned.text()));
 
@@ -241,8 +244,9 @@ private slots:
         QRandomGenerator random(3 + firstSeed());
         for (int i = 0; i < kills; ++i) {
             QProcess worker;
-            worker.start(QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
-                         {"farm", "run", farm.path("farm"), "--task", QString("%1/8").arg(1 + i % 8), "--threads", "1"});
+            worker.start(
+                QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
+                {"farm", "run", farm.path("farm"), "--task", QString("%1/8").arg(1 + i % 8), "--threads", "1"});
             QVERIFY(worker.waitForStarted());
             std::this_thread::sleep_for(std::chrono::microseconds(random.bounded(150'000)));
             worker.kill();
@@ -275,7 +279,8 @@ private slots:
         QCOMPARE(farm.does("join").code, 0);
 
         QTemporaryDir folder;
-        const QStringList tiles{"render", farm.path("a.json"), "--tiles", folder.filePath("a.dzi"), "--size", "400x300", "--backend", "cpu"};
+        const QStringList tiles{"render", farm.path("a.json"), "--tiles",   folder.filePath("a.dzi"),
+                                "--size", "400x300",           "--backend", "cpu"};
         const CliOutcome one = runOnFullDisk(tiles, 2);
         QCOMPARE(one.code, 1);
         QVERIFY2(one.err.contains("the disk is full"), qPrintable(one.text()));
@@ -318,10 +323,12 @@ private slots:
     void jobs()
     {
         QTemporaryDir folder;
-        QVERIFY(writeFile(folder.filePath("one.json"), smallPainting()) && writeFile(folder.filePath("two.json"), smallPainting()));
+        QVERIFY(writeFile(folder.filePath("one.json"), smallPainting()) &&
+                writeFile(folder.filePath("two.json"), smallPainting()));
         const QString plan = folder.filePath("farm");
-        QStringList arguments{"farm", "plan", folder.filePath("one.json"), folder.filePath("two.json"), "-o", plan, "--backend", "cpu",
-                              "--tiles", folder.filePath("same.dzi")};
+        QStringList arguments{
+            "farm", "plan",    folder.filePath("one.json"), folder.filePath("two.json"), "-o", plan, "--backend",
+            "cpu",  "--tiles", folder.filePath("same.dzi")};
         QCOMPARE(runCli(arguments).code, 2);
         arguments.last() = folder.filePath("%s.tif");
         const CliOutcome planned = runCli(arguments);
@@ -335,11 +342,13 @@ private slots:
         const QString log = folder.filePath("log");
         QVERIFY(writeFile(folder.filePath("sbatch"), ("#!/bin/sh\necho \"$@\" >>" + log + "\necho 42\n").toUtf8()));
         QFile::setPermissions(folder.filePath("sbatch"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-        const CliOutcome slurm = runCli({"farm", "slurm", plan, "--tasks", "5"}, {}, {"PATH=" + folder.path() + ":/usr/bin:/bin"});
+        const CliOutcome slurm =
+            runCli({"farm", "slurm", plan, "--tasks", "5"}, {}, {"PATH=" + folder.path() + ":/usr/bin:/bin"});
         QVERIFY2(slurm.code == 0 && slurm.out.contains("job 42: 5 tasks"), qPrintable(slurm.text()));
         QVERIFY2(bytesOf(log).contains("--dependency=afterok:42"), bytesOf(log).constData());
         const QByteArray script = bytesOf(plan + "/slurm.sh");
-        QVERIFY(script.contains("--array=1-5\n") && script.contains("--requeue\n") && script.contains("$SLURM_ARRAY_TASK_ID/5"));
+        QVERIFY(script.contains("--array=1-5\n") && script.contains("--requeue\n") &&
+                script.contains("$SLURM_ARRAY_TASK_ID/5"));
         const QJsonObject openJd = runCli({"farm", "openjd", plan, "--tasks", "5"}).json();
         QCOMPARE(openJd["specificationVersion"].toString(), QString("jobtemplate-2023-09"));
         const CliOutcome flamenco = runCli({"farm", "flamenco", plan, "--tasks", "5"});

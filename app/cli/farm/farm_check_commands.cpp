@@ -32,13 +32,16 @@ QJsonObject jsonOf(const FarmPlan &plan, const Missing &missing)
 {
     QJsonArray paintings;
     for (const FarmPainting &p : plan.paintings)
-        paintings.append(QJsonObject{{"path", p.path}, {"out", p.out()}, {"pieces", p.pieces}, {"missing", numbersOf(p, missing)}});
+        paintings.append(
+            QJsonObject{{"path", p.path}, {"out", p.out()}, {"pieces", p.pieces}, {"missing", numbersOf(p, missing)}});
     return {{"pieces", plan.pieces()}, {"missing", qint64(missing.size())}, {"by", plan.by}, {"paintings", paintings}};
 }
 
 QString textOf(const FarmPlan &plan, const Missing &missing)
 {
-    QString text = QCoreApplication::translate("Cli", "%1 of %2 pieces are there").arg(plan.pieces() - qint64(missing.size())).arg(plan.pieces()) +
+    QString text = QCoreApplication::translate("Cli", "%1 of %2 pieces are there")
+                       .arg(plan.pieces() - qint64(missing.size()))
+                       .arg(plan.pieces()) +
                    '\n';
     for (const FarmPainting &p : plan.paintings)
         if (const QString numbers = numbersOf(p, missing); !numbers.isEmpty())
@@ -73,9 +76,10 @@ qint64 disputed(const FarmRecords &records)
 Result<Missing> damagedPieces(const FarmPlan &plan, const FarmRecords &records)
 {
     if (const qint64 piece = disputed(records); piece >= 0)
-        return Error{QCoreApplication::translate("Cli", "%1: two workers made different bits of piece %2. One of the machines is "
-                                                        "faulty: find it by the names in %3, remove its journal there, and run "
-                                                        "the tasks again.")
+        return Error{QCoreApplication::translate(
+                         "Cli", "%1: two workers made different bits of piece %2. One of the machines is "
+                                "faulty: find it by the names in %3, remove its journal there, and run "
+                                "the tasks again.")
                          .arg(plan.paintingOf(piece).out())
                          .arg(piece - plan.paintingOf(piece).first + 1)
                          .arg(plan.journals())};
@@ -116,9 +120,10 @@ Result<void> joinTiff(const FarmPlan &plan, const FarmRecords &records, const Fa
         if (interrupted() || !whole) {
             QFile::remove(part);
             return interrupted() ? Error{QCoreApplication::translate("Cli", "stopped")}
-                                 : Error{QCoreApplication::translate("Cli", "%1: sheet %2 cannot be read any more. Run the tasks again.")
-                             .arg(plan.folder)
-                             .arg(sheet + 1)};
+                                 : Error{QCoreApplication::translate(
+                                             "Cli", "%1: sheet %2 cannot be read any more. Run the tasks again.")
+                                             .arg(plan.folder)
+                                             .arg(sheet + 1)};
         }
         const Result<qint64> at = file.add(whole->second);
         if (!at) {
@@ -175,19 +180,23 @@ int report(const char *command, const QString &description, const QStringList &a
 
 int farmStatusCommand(const QStringList &arguments)
 {
-    return report("farm status", QCoreApplication::translate("Cli", "Says what is missing, by what workers wrote down."), arguments,
-                  [](const FarmPlan &plan, const FarmRecords &records) { return Result<Missing>(unrecorded(plan, records)); });
+    return report(
+        "farm status", QCoreApplication::translate("Cli", "Says what is missing, by what workers wrote down."),
+        arguments,
+        [](const FarmPlan &plan, const FarmRecords &records) { return Result<Missing>(unrecorded(plan, records)); });
 }
 
 int farmVerifyCommand(const QStringList &arguments)
 {
-    return report("farm verify", QCoreApplication::translate("Cli", "Says what is missing or damaged, by reading all of it."),
+    return report("farm verify",
+                  QCoreApplication::translate("Cli", "Says what is missing or damaged, by reading all of it."),
                   arguments, damagedPieces);
 }
 
 int farmJoinCommand(const QStringList &arguments)
 {
-    CommandLine line("farm join", QCoreApplication::translate("Cli", "Puts the pictures together, once all is there and whole."),
+    CommandLine line("farm join",
+                     QCoreApplication::translate("Cli", "Puts the pictures together, once all is there and whole."),
                      {"FOLDER"});
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
@@ -201,8 +210,9 @@ int farmJoinCommand(const QStringList &arguments)
     if (!missing)
         return fail(missing.error());
     if (!missing->empty())
-        return fail(textOf(*plan, *missing) +
-                    QCoreApplication::translate("Cli", "Nothing was joined. Run the tasks again: they draw what is missing."));
+        return fail(
+            textOf(*plan, *missing) +
+            QCoreApplication::translate("Cli", "Nothing was joined. Run the tasks again: they draw what is missing."));
     if (const Result<void> joined = join(*plan, *records); !joined)
         return fail(joined.error());
     QString text;

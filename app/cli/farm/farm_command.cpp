@@ -19,7 +19,8 @@ constexpr std::array commands = {
     FarmCommand{"plan", farmPlanCommand, QT_TRANSLATE_NOOP("Cli", "say what is to be drawn, in a shared folder")},
     FarmCommand{"run", farmRunCommand, QT_TRANSLATE_NOOP("Cli", "draw a part of it, on any machine")},
     FarmCommand{"status", farmStatusCommand, QT_TRANSLATE_NOOP("Cli", "what is missing")},
-    FarmCommand{"verify", farmVerifyCommand, QT_TRANSLATE_NOOP("Cli", "read all that is there, and compare the hashes")},
+    FarmCommand{"verify", farmVerifyCommand,
+                QT_TRANSLATE_NOOP("Cli", "read all that is there, and compare the hashes")},
     FarmCommand{"join", farmJoinCommand, QT_TRANSLATE_NOOP("Cli", "put the pictures together")},
     FarmCommand{"slurm", farmSlurmCommand, QT_TRANSLATE_NOOP("Cli", "submit the work as a job array of Slurm")},
     FarmCommand{"openjd", farmOpenJdCommand, QT_TRANSLATE_NOOP("Cli", "print the work as an Open Job Description")},
@@ -52,8 +53,9 @@ int farmCommand(const QStringList &arguments)
         QTextStream(stderr) << help();
         return WrongUsage;
     }
-    return fail(QCoreApplication::translate("Cli", "farm %1: there is no such command. See suffuse-cli farm --help.").arg(name),
-                WrongUsage);
+    return fail(
+        QCoreApplication::translate("Cli", "farm %1: there is no such command. See suffuse-cli farm --help.").arg(name),
+        WrongUsage);
 }
 
 } // namespace suffuse::cli

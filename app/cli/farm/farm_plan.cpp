@@ -38,7 +38,8 @@ QByteArray bytesOf(const FarmPlan &plan)
 
 Error damaged(const QString &path)
 {
-    return Error{QCoreApplication::translate("Cli", "%1: the plan is damaged, or of another version; make it anew").arg(path)};
+    return Error{
+        QCoreApplication::translate("Cli", "%1: the plan is damaged, or of another version; make it anew").arg(path)};
 }
 
 Result<FarmPainting> paintingOfJson(const QJsonObject &json)
@@ -128,24 +129,28 @@ Result<FarmPlan> writePlan(const FarmPlan &plan)
     if (QFile there(path); there.exists()) {
         if (there.open(QIODevice::ReadOnly) && there.readAll() == bytes)
             return readPlan(plan.folder);
-        return Error{QCoreApplication::translate("Cli", "%1: there is another plan already. Remove the folder, or choose another one.")
+        return Error{QCoreApplication::translate(
+                         "Cli", "%1: there is another plan already. Remove the folder, or choose another one.")
                          .arg(plan.folder)};
     }
     for (const QString &folder : {plan.folder, plan.journals(), plan.packs()})
         if (!QDir().mkpath(folder))
-            return Error{QCoreApplication::translate("Cli", "%1: the folder cannot be made. Choose another one, or change "
-                                                            "its permissions.")
+            return Error{QCoreApplication::translate("Cli",
+                                                     "%1: the folder cannot be made. Choose another one, or change "
+                                                     "its permissions.")
                              .arg(folder)};
     for (const FarmPainting &p : plan.paintings) {
         const QString folder = p.isFrames         ? QFileInfo(p.frames.out).path()
                                : p.tiles.isTiff() ? QFileInfo(p.tiles.path()).path()
                                                   : DeepZoomStore::filesOf(p.tiles.path());
         if (!p.isFrames && !p.tiles.isTiff() && QFileInfo::exists(folder) && !QDir(folder).isEmpty())
-            return Error{QCoreApplication::translate("Cli", "%1: there is something else already. Remove it, or choose another name.")
+            return Error{QCoreApplication::translate(
+                             "Cli", "%1: there is something else already. Remove it, or choose another name.")
                              .arg(folder)};
         if (!QDir().mkpath(folder))
-            return Error{QCoreApplication::translate("Cli", "%1: the folder cannot be made. Choose another one, or change "
-                                                            "its permissions.")
+            return Error{QCoreApplication::translate("Cli",
+                                                     "%1: the folder cannot be made. Choose another one, or change "
+                                                     "its permissions.")
                              .arg(folder)};
     }
     if (const Result<void> written = replaceFile(path, bytes, true); !written)
@@ -160,7 +165,8 @@ Result<FarmPlan> readPlan(const QString &folder)
     const QString path = QDir(plan.folder).filePath(fileName);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return Error{QCoreApplication::translate("Cli", "%1: there is no plan (%2). Is the shared folder there? farm plan makes one.")
+        return Error{QCoreApplication::translate(
+                         "Cli", "%1: there is no plan (%2). Is the shared folder there? farm plan makes one.")
                          .arg(path, file.errorString())};
     const QByteArray bytes = file.readAll();
     const QJsonObject json = QJsonDocument::fromJson(bytes).object();
@@ -194,7 +200,8 @@ Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to)
     FarmRecords all;
     const QDir folder(plan.journals());
     if (!folder.exists())
-        return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?").arg(folder.path())};
+        return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?")
+                         .arg(folder.path())};
     for (const QString &name : folder.entryList({QStringLiteral("*.journal")}, QDir::Files, QDir::Name)) {
         if (name.section('-', 0, 0).toLongLong() >= to || name.section('-', 1, 1).toLongLong() <= from)
             continue;

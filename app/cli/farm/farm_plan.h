@@ -47,7 +47,8 @@ struct FarmPlan {
     bool isFrames() const { return !paintings.empty() && paintings.front().isFrames; }
     /// The painting of a piece.
     const FarmPainting &paintingOf(qint64 piece) const;
-    /// The name of the files of a worker that draws the pieces [from, to), without ending. No two workers have the same one.
+    /// The name of the files of a worker that draws the pieces [from, to), without ending. No two workers have the same
+    /// one.
     static QString workerName(qint64 from, qint64 to);
     QString journals() const { return folder + QStringLiteral("/journals"); }
     QString packs() const { return folder + QStringLiteral("/packs"); }

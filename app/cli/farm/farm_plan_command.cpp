@@ -20,10 +20,12 @@ constexpr qint64 mostPieces = 100'000'000;
 void addOptions(CommandLine &line)
 {
     line.allowSeveral();
-    line.add({"o", "output"}, QCoreApplication::translate("Cli", "The folder of the farm, which all machines share."), "FOLDER");
+    line.add({"o", "output"}, QCoreApplication::translate("Cli", "The folder of the farm, which all machines share."),
+             "FOLDER");
     line.add({"frames"},
-             QCoreApplication::translate("Cli", "Frames of the paintings being painted: name%05d.png; of several, %s is the "
-                                                "painting's name."),
+             QCoreApplication::translate("Cli",
+                                         "Frames of the paintings being painted: name%05d.png; of several, %s is the "
+                                         "painting's name."),
              "OUT");
     addTilesOptions(line);
     line.add({"format"}, QCoreApplication::translate("Cli", "Tiles of a Deep Zoom: jpg or png."), "FORMAT");
@@ -31,7 +33,8 @@ void addOptions(CommandLine &line)
     line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
     line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
              "X,Y,W,H");
-    line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: the end)."), "T");
+    line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: the end)."),
+             "T");
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
     line.add({"drafts"}, QCoreApplication::translate("Cli", "Draws groups that are drafts, too."));
     line.add({"depth"}, QCoreApplication::translate("Cli", "8 or 16 bits (default 8)."), "DEPTH");
@@ -39,7 +42,8 @@ void addOptions(CommandLine &line)
     line.add({"fps"}, QCoreApplication::translate("Cli", "Frames a second (default 25)."), "F");
     line.add({"duration"}, QCoreApplication::translate("Cli", "Length in seconds (default 10)."), "S");
     line.add({"idle"},
-             QCoreApplication::translate("Cli", "Seconds that are kept of a pause in the painting (default 0.5)."), "S");
+             QCoreApplication::translate("Cli", "Seconds that are kept of a pause in the painting (default 0.5)."),
+             "S");
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
 }
 
@@ -133,21 +137,24 @@ Result<FarmPainting> paintingFor(const CommandLine &line, const QString &path, B
 
 int farmPlanCommand(const QStringList &arguments)
 {
-    CommandLine line("farm plan", QCoreApplication::translate("Cli", "Plans the drawing of paintings by many machines."), {"IN"});
+    CommandLine line("farm plan",
+                     QCoreApplication::translate("Cli", "Plans the drawing of paintings by many machines."), {"IN"});
     addOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const auto usage = [](const QString &message) { return failUsage("farm plan", message); };
     if (line.value("output").isEmpty())
-        return usage(QCoreApplication::translate("Cli", "-o FOLDER is missing: name the folder that all machines share"));
+        return usage(
+            QCoreApplication::translate("Cli", "-o FOLDER is missing: name the folder that all machines share"));
     if (line.isSet("tiles") == line.isSet("frames"))
         return usage(QCoreApplication::translate("Cli", "give --tiles or --frames"));
     if (line.several().contains(QLatin1String("-")))
         return usage(QCoreApplication::translate("Cli", "other machines cannot read this standard input: give files"));
     const QString out = line.value(line.isSet("tiles") ? "tiles" : "frames");
     if (line.several().size() > 1 && !out.contains(QLatin1String("%s")))
-        return usage(QCoreApplication::translate("Cli", "several paintings need several names: put %s where the painting's "
-                                                        "name is to stand, as in out/%s.dzi"));
+        return usage(QCoreApplication::translate("Cli",
+                                                 "several paintings need several names: put %s where the painting's "
+                                                 "name is to stand, as in out/%s.dzi"));
     const Result<RendererOptions> options = rendererOptions(line);
     if (!options)
         return usage(options.error());
@@ -162,22 +169,25 @@ int farmPlanCommand(const QStringList &arguments)
         if (!p)
             return fail(QStringLiteral("%1: %2").arg(path, p.error()));
         if (!names.insert(p->out()).second)
-            return fail(QCoreApplication::translate("Cli", "%1: two paintings would become the same file. Rename one.").arg(p->out()));
+            return fail(QCoreApplication::translate("Cli", "%1: two paintings would become the same file. Rename one.")
+                            .arg(p->out()));
         p->first = plan.pieces();
         plan.paintings.push_back(std::move(*p));
         if (plan.pieces() > mostPieces)
-            return fail(QCoreApplication::translate("Cli", "these are more than %1 pieces. Choose a greater --sheet, a smaller picture, "
-                                                            "or several plans.")
+            return fail(QCoreApplication::translate(
+                            "Cli", "these are more than %1 pieces. Choose a greater --sheet, a smaller picture, "
+                                   "or several plans.")
                             .arg(mostPieces));
     }
     plan.by = drawnBy(**renderer, plan.isFrames() ? nullptr : &plan.paintings.front().tiles.encoding);
     const Result<FarmPlan> written = writePlan(plan);
     if (!written)
         return fail(written.error());
-    return print(QCoreApplication::translate("Cli", "%1: %2 pieces of %n painting(s)", nullptr, int(written->paintings.size()))
-                     .arg(written->folder)
-                     .arg(written->pieces()) +
-                 '\n');
+    return print(
+        QCoreApplication::translate("Cli", "%1: %2 pieces of %n painting(s)", nullptr, int(written->paintings.size()))
+            .arg(written->folder)
+            .arg(written->pieces()) +
+        '\n');
 }
 
 } // namespace suffuse::cli

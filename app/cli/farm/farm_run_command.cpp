@@ -56,8 +56,9 @@ QString differenceOf(const QJsonObject &plan, const QJsonObject &here)
 {
     for (const char *key : {"build", "backend", "device", "encoder"})
         if (const QString a = plan[QLatin1String(key)].toString(), b = here[QLatin1String(key)].toString(); a != b)
-            return QCoreApplication::translate("Cli", "the plan is for %1 \"%2\", and this machine has \"%3\", which makes "
-                                                      "other bits. Use the same program on all machines, or make a new plan")
+            return QCoreApplication::translate("Cli",
+                                               "the plan is for %1 \"%2\", and this machine has \"%3\", which makes "
+                                               "other bits. Use the same program on all machines, or make a new plan")
                 .arg(QLatin1String(key), a, b);
     return {};
 }
@@ -65,8 +66,8 @@ QString differenceOf(const QJsonObject &plan, const QJsonObject &here)
 /// One run of a task.
 class FarmWork {
 public:
-    FarmWork(const FarmPlan &plan, FarmRecords records, const std::vector<std::unique_ptr<Renderer>> &renderers, int threads,
-             const Share &share)
+    FarmWork(const FarmPlan &plan, FarmRecords records, const std::vector<std::unique_ptr<Renderer>> &renderers,
+             int threads, const Share &share)
         : m_plan(plan), m_records(std::move(records)), m_renderers(renderers), m_threads(threads), m_share(share)
     {}
 
@@ -93,24 +94,27 @@ public:
             const auto whole = std::make_shared<const Painting>(std::move(*painting));
             const PaintingPtr drawn = p.tiles.drafts || p.frames.drafts ? whole : withoutDrafts(whole);
             if (hashOf(*drawn) != p.hash)
-                return Error{QCoreApplication::translate("Cli", "%1: the painting has changed since it was planned. Bring it "
-                                                                "back, or make a new plan.")
+                return Error{QCoreApplication::translate("Cli",
+                                                         "%1: the painting has changed since it was planned. Bring it "
+                                                         "back, or make a new plan.")
                                  .arg(p.path)};
-            if (const Result<void> done = p.isFrames ? drawFrames(p, drawn, missing) : drawTiles(p, drawn, missing); !done)
+            if (const Result<void> done = p.isFrames ? drawFrames(p, drawn, missing) : drawTiles(p, drawn, missing);
+                !done)
                 return done;
         }
         // What is written into files that were removed is nowhere.
         const Result<FarmPlan> still = readPlan(m_plan.folder);
         if (!still || still->identity != m_plan.identity || (m_journal.isOpen() && !QFile::exists(m_journal.path())))
-            return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?").arg(m_plan.folder)};
+            return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?")
+                             .arg(m_plan.folder)};
         return {};
     }
     qint64 drawn() const { return m_drawn; }
     qint64 kept() const { return m_kept; }
 
 private:
-    /// Opens files of its own, when there is something to draw: no two workers write into the same one, even if they do the
-    /// same task.
+    /// Opens files of its own, when there is something to draw: no two workers write into the same one, even if they do
+    /// the same task.
     Result<void> open()
     {
         if (m_journal.isOpen())
@@ -157,8 +161,9 @@ private:
         const auto use = [&](std::size_t i, const FloatPicture &picture) -> Result<void> {
             for (const auto &renderer : m_renderers)
                 if (const QString notice = renderer->notice(); !notice.isEmpty())
-                    return Error{QCoreApplication::translate("Cli", "%1 What another backend draws has other bits, and is "
-                                                                    "not mixed in. Start the task again.")
+                    return Error{QCoreApplication::translate("Cli",
+                                                             "%1 What another backend draws has other bits, and is "
+                                                             "not mixed in. Start the task again.")
                                      .arg(notice)};
             const QString path = p.frames.pathOf(frames[i]);
             const Result<QByteArray> bytes = encodeImage(imageFormatForPath(path), picture, p.frames.image(), path);
@@ -169,7 +174,8 @@ private:
             m_progress();
             return m_journal.add(sheetRecord(p.first + frames[i], 0, {*bytes}));
         };
-        const Result<SequenceStats> stats = renderSequence(m_renderers, request, moments, m_threads, use, &interrupted());
+        const Result<SequenceStats> stats =
+            renderSequence(m_renderers, request, moments, m_threads, use, &interrupted());
         return stats ? Result<void>() : Error{stats.error()};
     }
 
@@ -188,11 +194,13 @@ private:
 
 int farmRunCommand(const QStringList &arguments)
 {
-    CommandLine line("farm run", QCoreApplication::translate("Cli", "Draws what is missing of a task; as often as is liked."),
+    CommandLine line("farm run",
+                     QCoreApplication::translate("Cli", "Draws what is missing of a task; as often as is liked."),
                      {"FOLDER"});
     line.add({"task"}, QCoreApplication::translate("Cli", "Which part: i/n, from 1/n to n/n (default 1/1)."), "I/N");
     line.add({"devices"},
-             QCoreApplication::translate("Cli", "With CUDA: GPUs that share the picture, all or a number (default 1)."), "N");
+             QCoreApplication::translate("Cli", "With CUDA: GPUs that share the picture, all or a number (default 1)."),
+             "N");
     line.add({"threads"}, QCoreApplication::translate("Cli", "Number of threads (default: one a core)."), "N");
     line.add({"stats"}, QCoreApplication::translate("Cli", "Prints times and counts as JSON."));
     if (const std::optional<int> code = line.parse(arguments))
@@ -225,7 +233,8 @@ int farmRunCommand(const QStringList &arguments)
     const double startMs = double(clock.nsecsElapsed()) * 1e-6;
     const Result<void> done = work.run();
     if (interrupted())
-        return fail(QCoreApplication::translate("Cli", "stopped; what is finished is kept, and the same command goes on"));
+        return fail(
+            QCoreApplication::translate("Cli", "stopped; what is finished is kept, and the same command goes on"));
     if (!done)
         return fail(done.error());
     if (line.isSet("stats"))
@@ -234,7 +243,10 @@ int farmRunCommand(const QStringList &arguments)
                           {"drawn", work.drawn()},
                           {"kept", work.kept()},
                           {"ms", QJsonObject{{"start", startMs}, {"total", double(clock.nsecsElapsed()) * 1e-6}}}});
-    return print(QCoreApplication::translate("Cli", "task %1: %2 drawn, %3 there already").arg(task).arg(work.drawn()).arg(work.kept()) +
+    return print(QCoreApplication::translate("Cli", "task %1: %2 drawn, %3 there already")
+                     .arg(task)
+                     .arg(work.drawn())
+                     .arg(work.kept()) +
                  '\n');
 }
 

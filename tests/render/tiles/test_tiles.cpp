@@ -41,7 +41,8 @@ FloatPicture wholeOf(const PaintingPtr &painting, const View &view, bool transpa
     return out;
 }
 
-TiledPicture tiledPicture(const QString &path, const View &view, TileOptions options, TileFormat format, int bits, bool alpha)
+TiledPicture tiledPicture(const QString &path, const View &view, TileOptions options, TileFormat format, int bits,
+                          bool alpha)
 {
     TileEncoding encoding;
     encoding.format = format;
@@ -153,7 +154,8 @@ private slots:
         QTemporaryDir folder;
         const PaintingPtr painting = somePainting();
         const View view = View::ofArea(Rect::of(13.3, -7, 71, 53), 331, 247);
-        const TiledPicture picture = tiledPicture(folder.filePath("a.dzi"), view, {tile, overlap, sheet}, TileFormat::Png, bits, alpha);
+        const TiledPicture picture =
+            tiledPicture(folder.filePath("a.dzi"), view, {tile, overlap, sheet}, TileFormat::Png, bits, alpha);
         const Result<TilesStats> stats = drawDeepZoom(painting, picture, threads);
         QVERIFY2(stats, qPrintable(stats ? QString() : stats.error()));
         QCOMPARE(stats->sheets, picture.plan.sheets());
@@ -227,7 +229,8 @@ private slots:
                         QVERIFY(TIFFReadTile(tiff.get(), tile.data(), std::uint32_t(x), std::uint32_t(y), 0, 0) > 0);
                     for (int c = 0; c < channels; ++c) {
                         const std::size_t at = std::size_t((y % 64 * 64 + x % 64) * channels + c);
-                        const int value = bits == 8 ? tile[at] : reinterpret_cast<const std::uint16_t *>(tile.data())[at];
+                        const int value =
+                            bits == 8 ? tile[at] : reinterpret_cast<const std::uint16_t *>(tile.data())[at];
                         QCOMPARE(value, valueOf(whole.at(x, y)[c], bits));
                     }
                 }
@@ -235,13 +238,15 @@ private slots:
         }
     }
 
-    /// Tiles that are whole stay; what is missing, damaged or was never written down is drawn again, with the same bits.
+    /// Tiles that are whole stay; what is missing, damaged or was never written down is drawn again, with the same
+    /// bits.
     void resumes()
     {
         QTemporaryDir folder;
         const PaintingPtr painting = somePainting(PaperKind::None);
         const View view = View::ofArea(Rect::of(0, 0, 96, 72), 200, 150);
-        const TiledPicture picture = tiledPicture(folder.filePath("a.dzi"), view, {32, 1, 64}, TileFormat::Jpeg, 8, false);
+        const TiledPicture picture =
+            tiledPicture(folder.filePath("a.dzi"), view, {32, 1, 64}, TileFormat::Jpeg, 8, false);
         QVERIFY(drawDeepZoom(painting, picture));
         const qint64 all = picture.plan.sheets();
         TileJournal none;
@@ -273,7 +278,8 @@ private slots:
         QVERIFY(!refused && refused.error().contains("of another picture"));
     }
 
-    /// In a picture that is wider than 2^30 pixels, and far from the canvas' origin, parts that overlap agree to the bit.
+    /// In a picture that is wider than 2^30 pixels, and far from the canvas' origin, parts that overlap agree to the
+    /// bit.
     void farAndDeep()
     {
         const PaintingPtr painting = somePainting();
@@ -292,7 +298,8 @@ private slots:
             return renderer->render(request, out) ? out : FloatPicture();
         };
         const int at = maxTiledSide - 400;
-        const FloatPicture a = part({at, at, 200, 150}, {}), b = part({at + 37, at + 50, 363, 350}, {at - 5000, at - 5000, 5400, 5400});
+        const FloatPicture a = part({at, at, 200, 150}, {}),
+                           b = part({at + 37, at + 50, 363, 350}, {at - 5000, at - 5000, 5400, 5400});
         QCOMPARE(a.width, 200);
         QCOMPARE(b.height, 350);
         for (int y = 50; y < 150; ++y)
