@@ -5544,6 +5544,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
         <translation>Sie ist auf eine Ebene begrenzt, die jetzt verborgen ist; darum ist nichts von ihr zu sehen.</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>What Suffuse does and how; the key opens the page about what you are working with</source>
+        <translation>Was Suffuse kann und wie; die Taste öffnet die Seite zu dem, womit Sie gerade arbeiten</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11860,6 +11872,33 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>stroke %1: %2; a fit goes on with what a fit made</source>
         <translation>Strich %1: %2; nur was angepasst wurde, lässt sich weiter anpassen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManualWindow</name>
+    <message>
+        <source>Suffuse Manual</source>
+        <translation>Handbuch zu Suffuse</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
     </message>
 </context>
 </TS>

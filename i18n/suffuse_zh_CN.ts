@@ -5522,6 +5522,18 @@ Arrow keys work too.</source>
         <source>It is clipped to a layer that is hidden now, so nothing of it is seen.</source>
         <translation>它被剪贴到现已隐藏的图层，因此看不到任何内容。</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>What Suffuse does and how; the key opens the page about what you are working with</source>
+        <translation>Suffuse 的功能和用法；按键会打开与当前操作有关的一页</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11785,6 +11797,33 @@ Arrow keys work too.</source>
     <message>
         <source>stroke %1: %2; a fit goes on with what a fit made</source>
         <translation>笔画 %1：%2；只能从拟合得到的画作继续</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManualWindow</name>
+    <message>
+        <source>Suffuse Manual</source>
+        <translation>Suffuse 手册</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>搜索手册</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>没有找到</translation>
     </message>
 </context>
 </TS>

@@ -210,6 +210,7 @@ enum class Command {
     PreviousPanel,
     FullScreen,
     FindCommand,
+    Manual,
     Shortcuts,
     About,
 };
