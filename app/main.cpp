@@ -156,13 +156,14 @@ int main(int argc, char **argv)
     else // the first start: as much of the picture as there can be, as other painting programs do
         first->showMaximized();
     suffuse::MainWindow *window = first;
-    for (const QString &file : filesOf(app.arguments().mid(1)))
+    const QStringList files = filesOf(app.arguments().mid(1));
+    for (const QString &file : files)
         if (suffuse::MainWindow *opened = window->openFile(file))
             window = opened;
     constexpr int upMs = 500; // shown, and drawn
     QTimer::singleShot(upMs, first, [] { suffuse::settings::startSucceeded(); });
     // Whoever waits for the window must not wait for this.
-    QTimer::singleShot(0, first, [first, putAside] {
+    QTimer::singleShot(0, first, [first, putAside, greets = files.isEmpty()] {
         if (!putAside.isEmpty())
             suffuse::showNotice(first, QCoreApplication::translate("Messages",
                                                                    "Suffuse did not come up the last times, so "
@@ -170,6 +171,8 @@ int main(int argc, char **argv)
                                                                    "kept in %1.")
                                            .arg(putAside));
         suffuse::offerRecovery(*first, suffuse::journalFolder());
+        if (greets) // once the window is up: the first picture comes first
+            QTimer::singleShot(upMs, first, [first] { first->greet(); });
     });
     return QApplication::exec();
 }

@@ -5556,6 +5556,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
     </message>
+    <message>
+        <source>&amp;Welcome…</source>
+        <translation>&amp;Willkommen …</translation>
+    </message>
+    <message>
+        <source>New paintings, recent ones, samples, and short lessons</source>
+        <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11899,6 +11907,202 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Nothing found</source>
         <translation>Nichts gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Lesson</name>
+    <message>
+        <source>Paint, and change your mind</source>
+        <translation>Malen und es sich anders überlegen</translation>
+    </message>
+    <message>
+        <source>Let paint spread</source>
+        <translation>Farbe verlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Work with layers</source>
+        <translation>Mit Ebenen arbeiten</translation>
+    </message>
+    <message>
+        <source>Done. All of this can be changed at any time.</source>
+        <translation>Fertig. All das lässt sich jederzeit wieder ändern.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke on the sheet, however you like.</source>
+        <translation>Drücken Sie B und ziehen Sie auf dem Blatt einen Strich, wie Sie mögen.</translation>
+    </message>
+    <message>
+        <source>Press V for the Select tool, and click the paint of your stroke.</source>
+        <translation>Drücken Sie V für das Auswahlwerkzeug und klicken Sie auf die Farbe Ihres Strichs.</translation>
+    </message>
+    <message>
+        <source>Choose another colour in the Colour dock. It is now about what is selected.</source>
+        <translation>Wählen Sie im Andockfenster Farbe eine andere Farbe. Dort geht es jetzt um das Ausgewählte.</translation>
+    </message>
+    <message>
+        <source>Take it back with Ctrl+Z.</source>
+        <translation>Nehmen Sie das mit Strg+Z zurück.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. Watch it spread after you let go.</source>
+        <translation>Drücken Sie B und ziehen Sie einen Strich. Sehen Sie zu, wie er nach dem Loslassen verläuft.</translation>
+    </message>
+    <message>
+        <source>Press D: this goes to the moment when everything is dry.</source>
+        <translation>Drücken Sie D: Das springt zu dem Moment, in dem alles trocken ist.</translation>
+    </message>
+    <message>
+        <source>In the Inspector dock, drag the slider of Diffusion D. The dry paint spreads further, or less far.</source>
+        <translation>Ziehen Sie im Inspektor den Regler Diffusion D. Die trockene Farbe verläuft weiter oder weniger weit.</translation>
+    </message>
+    <message>
+        <source>Choose Layer ▸ New Layer, or press Ctrl+Shift+N. What you paint next comes into it.</source>
+        <translation>Wählen Sie Ebene ▸ Neue Ebene oder drücken Sie Strg+Umschalt+N. Was Sie als Nächstes malen, kommt hinein.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. The layer comes into the list with it.</source>
+        <translation>Drücken Sie B und ziehen Sie einen Strich. Mit ihm kommt die Ebene in die Liste.</translation>
+    </message>
+    <message>
+        <source>In the row of the layer, drag its opacity to the left, or click its mode and choose another one.</source>
+        <translation>Ziehen Sie in der Zeile der Ebene die Deckkraft nach links, oder klicken Sie auf den Modus und wählen Sie einen anderen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LessonCard</name>
+    <message>
+        <source>%1 – step %2 of %3</source>
+        <translation>%1 – Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>Lektion verlassen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Sheets</name>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in</source>
+        <translation>%1 × %2 in</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen für Blätter</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Skizze</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Postcard</source>
+        <translation>Postkarte</translation>
+    </message>
+    <message>
+        <source>Watercolour sheet</source>
+        <translation>Aquarellblatt</translation>
+    </message>
+    <message>
+        <source>Rice paper</source>
+        <translation>Reispapier</translation>
+    </message>
+    <message>
+        <source>Toned paper</source>
+        <translation>Getöntes Papier</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Nacht</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Suffuse</source>
+        <translation>Willkommen bei Suffuse</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>Neues Bild</translation>
+    </message>
+    <message>
+        <source>Other Size…</source>
+        <translation>Andere Größe …</translation>
+    </message>
+    <message>
+        <source>Open a painting</source>
+        <translation>Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>Drei kurze Lektionen</translation>
+    </message>
+    <message>
+        <source>Show this at the start</source>
+        <translation>Beim Start zeigen</translation>
     </message>
 </context>
 </TS>

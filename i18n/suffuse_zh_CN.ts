@@ -5534,6 +5534,14 @@ Arrow keys work too.</source>
         <source>Ctrl+F1</source>
         <translation>Ctrl+F1</translation>
     </message>
+    <message>
+        <source>&amp;Welcome…</source>
+        <translation>欢迎(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>New paintings, recent ones, samples, and short lessons</source>
+        <translation>新画作、最近的画作、示例和短课程</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -11824,6 +11832,202 @@ Arrow keys work too.</source>
     <message>
         <source>Nothing found</source>
         <translation>没有找到</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Lesson</name>
+    <message>
+        <source>Paint, and change your mind</source>
+        <translation>画一笔，再改主意</translation>
+    </message>
+    <message>
+        <source>Let paint spread</source>
+        <translation>让颜料扩散</translation>
+    </message>
+    <message>
+        <source>Work with layers</source>
+        <translation>使用图层</translation>
+    </message>
+    <message>
+        <source>Done. All of this can be changed at any time.</source>
+        <translation>完成。这一切随时都可以再改。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke on the sheet, however you like.</source>
+        <translation>按 B，在画纸上随意画一笔。</translation>
+    </message>
+    <message>
+        <source>Press V for the Select tool, and click the paint of your stroke.</source>
+        <translation>按 V 拿起选择工具，点击这条笔画的颜料。</translation>
+    </message>
+    <message>
+        <source>Choose another colour in the Colour dock. It is now about what is selected.</source>
+        <translation>在颜色面板里选另一种颜色。它现在针对所选内容。</translation>
+    </message>
+    <message>
+        <source>Take it back with Ctrl+Z.</source>
+        <translation>用 Ctrl+Z 撤销。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. Watch it spread after you let go.</source>
+        <translation>按 B 画一笔。松开后看它继续扩散。</translation>
+    </message>
+    <message>
+        <source>Press D: this goes to the moment when everything is dry.</source>
+        <translation>按 D：跳到全部干透的时刻。</translation>
+    </message>
+    <message>
+        <source>In the Inspector dock, drag the slider of Diffusion D. The dry paint spreads further, or less far.</source>
+        <translation>在检查器面板里拖动扩散系数 D 的滑块。干了的颜料会扩散得更远或更近。</translation>
+    </message>
+    <message>
+        <source>Choose Layer ▸ New Layer, or press Ctrl+Shift+N. What you paint next comes into it.</source>
+        <translation>选择“图层 ▸ 新建图层”，或按 Ctrl+Shift+N。接下来画的会进入其中。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. The layer comes into the list with it.</source>
+        <translation>按 B 画一笔。图层随之出现在列表中。</translation>
+    </message>
+    <message>
+        <source>In the row of the layer, drag its opacity to the left, or click its mode and choose another one.</source>
+        <translation>在图层所在的行里把不透明度向左拖，或者点击模式另选一种。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LessonCard</name>
+    <message>
+        <source>%1 – step %2 of %3</source>
+        <translation>%1 – 第 %2 步，共 %3 步</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>离开课程</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Sheets</name>
+    <message>
+        <source>Screen</source>
+        <translation>屏幕</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 毫米</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in</source>
+        <translation>%1 × %2 英寸</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>草图</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>全高清</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>美式信纸</translation>
+    </message>
+    <message>
+        <source>Postcard</source>
+        <translation>明信片</translation>
+    </message>
+    <message>
+        <source>Watercolour sheet</source>
+        <translation>水彩纸</translation>
+    </message>
+    <message>
+        <source>Rice paper</source>
+        <translation>宣纸</translation>
+    </message>
+    <message>
+        <source>Toned paper</source>
+        <translation>有色纸</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>夜色</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>油画布</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Suffuse</source>
+        <translation>欢迎使用 Suffuse</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>新画作</translation>
+    </message>
+    <message>
+        <source>Other Size…</source>
+        <translation>其他尺寸…</translation>
+    </message>
+    <message>
+        <source>Open a painting</source>
+        <translation>打开画作</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>三节短课</translation>
+    </message>
+    <message>
+        <source>Show this at the start</source>
+        <translation>启动时显示</translation>
     </message>
 </context>
 </TS>

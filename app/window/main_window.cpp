@@ -35,6 +35,7 @@
 #include "app/window/palette_entries.h"
 #include "app/window/pointer/at_pointer.h"
 #include "app/window/rebuilt_windows.h"
+#include "app/window/welcome/welcoming.h"
 #include "model/journal/recovery.h"
 
 #include <QApplication>
@@ -187,6 +188,7 @@ void MainWindow::makeParts(const Workplace &place)
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
     new Helping(place, m_parts);
+    m_welcoming = new Welcoming(place, *m_opening, m_parts);
 }
 
 void MainWindow::addRows()
@@ -285,6 +287,11 @@ MainWindow *MainWindow::openRecovered(LostDocument document)
 void MainWindow::importStrokes(const QString &path)
 {
     m_importing->importStrokes(path);
+}
+
+void MainWindow::greet()
+{
+    m_welcoming->greet();
 }
 
 bool MainWindow::save()

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int side = 10, above = 5; ///< logical pixels around what stands in a row
+constexpr int rowSide = 10, rowMargin = 5; ///< logical pixels around what stands in a row
 constexpr int excerptLines = 2;
 
 QFont excerptFont(const QFont &font)
@@ -41,12 +41,12 @@ QStringList linesOf(const QString &text, const QFont &font, int room)
 QSize HitDelegate::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     const QFontMetrics metrics(option.font);
-    int height = metrics.height() + 2 * above;
+    int height = metrics.height() + 2 * rowMargin;
     if (index.data(IsHeadingRole).toBool())
         height += index.row() > 0 ? metrics.height() / 2 : 0;
     if (!index.data(ExcerptRole).toString().isEmpty())
         height += excerptLines * QFontMetrics(excerptFont(option.font)).height() + 2;
-    return {2 * side, height}; // rows are as wide as the list
+    return {2 * rowSide, height}; // rows are as wide as the list
 }
 
 void HitDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
@@ -60,7 +60,7 @@ void HitDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, c
     const QColor text = option.palette.color(chosen ? QPalette::HighlightedText : QPalette::Text);
     const QColor quiet = chosen ? text : option.palette.color(QPalette::PlaceholderText);
     const QString excerpt = index.data(ExcerptRole).toString();
-    QRect room = option.rect.adjusted(side, above, -side, -above);
+    QRect room = option.rect.adjusted(rowSide, rowMargin, -rowSide, -rowMargin);
     QFont font = option.font;
     font.setBold(isHeading || !excerpt.isEmpty());
     if (isHeading)

@@ -10,14 +10,14 @@ namespace suffuse {
 namespace {
 
 /// Without a file: an empty text.
-QString textOf(const QString &code, const QString &name)
+QString pageText(const QString &code, const QString &name)
 {
     QFile file(QStringLiteral(":/manual/%1/%2.md").arg(code, name));
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 /// The first heading.
-QString titleOf(const QString &text)
+QString pageTitle(const QString &text)
 {
     const QString first = text.section('\n', 0, 0);
     return first.startsWith(QLatin1String("# ")) ? first.mid(2).trimmed() : QString();
@@ -25,7 +25,7 @@ QString titleOf(const QString &text)
 
 /// How well a page answers: a title counts more than headings, these more than a word in the text. Less than 0: a word
 /// is missing.
-int worthOf(const ManualPage &page, const QString &plain, const QStringList &words)
+int pageWorth(const ManualPage &page, const QString &plain, const QStringList &words)
 {
     constexpr int inTitle = 1000, inHeading = 50, most = 40;
     int worth = 0;
@@ -63,12 +63,12 @@ QString excerptOf(const QString &plain, const QStringList &words)
 
 ManualPages::ManualPages(const QString &code)
 {
-    QString language = code, contents = textOf(code, "index");
+    QString language = code, contents = pageText(code, "index");
     if (contents.isEmpty()) {
         language = "en";
-        contents = textOf(language, "index");
+        contents = pageText(language, "index");
     }
-    m_pages.push_back({"index", titleOf(contents), {}, contents});
+    m_pages.push_back({"index", pageTitle(contents), {}, contents});
     static const QRegularExpression link("\\]\\(([a-z-]+)\\.md\\)");
     QString section;
     for (const QString &line : contents.split('\n')) {
@@ -77,8 +77,8 @@ ManualPages::ManualPages(const QString &code)
         const QRegularExpressionMatch match = link.match(line);
         if (!match.hasMatch() || indexOf(match.captured(1)) != 0)
             continue;
-        const QString text = textOf(language, match.captured(1));
-        m_pages.push_back({match.captured(1), titleOf(text), section, text});
+        const QString text = pageText(language, match.captured(1));
+        m_pages.push_back({match.captured(1), pageTitle(text), section, text});
     }
     for (const ManualPage &page : m_pages)
         m_plain.push_back(plainText(page.text));
@@ -111,7 +111,7 @@ std::vector<ManualHit> ManualPages::search(const QString &words) const
     const QStringList wanted = wordsOf(words);
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 1; i < m_pages.size() && !wanted.isEmpty(); ++i) // the contents repeat titles only
-        if (const int worth = worthOf(m_pages[i], m_plain[i], wanted); worth >= 0)
+        if (const int worth = pageWorth(m_pages[i], m_plain[i], wanted); worth >= 0)
             found.emplace_back(-worth, i);
     std::ranges::sort(found);
     std::vector<ManualHit> hits;

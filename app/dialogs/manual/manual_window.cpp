@@ -29,7 +29,7 @@ namespace suffuse {
 namespace {
 
 constexpr int pageRole = Qt::UserRole;
-constexpr int usualWidth = 980, usualHeight = 720, contentsWidth = 270; ///< logical pixels
+constexpr int manualWidth = 980, manualHeight = 720, contentsWidth = 270; ///< logical pixels
 constexpr char widthKey[] = "manual/width", heightKey[] = "manual/height";
 
 QPointer<ManualWindow> &theManual()
@@ -53,14 +53,14 @@ ManualWindow::ManualWindow(QWidget *parent) : QWidget(parent, Qt::Window), m_pag
     parts->setChildrenCollapsible(false);
     parts->setHandleWidth(1);
     const int em = fontMetrics().height();
-    parts->setSizes({std::max(contentsWidth, 17 * em), usualWidth});
+    parts->setSizes({std::max(contentsWidth, 17 * em), manualWidth});
     row->addWidget(parts);
     addKeys();
     setTexts();
     fill();
     const QSettings &kept = settings::store();
-    const QSize wish(kept.value(widthKey, std::max(usualWidth, 56 * em)).toInt(),
-                     kept.value(heightKey, std::max(usualHeight, 40 * em)).toInt());
+    const QSize wish(kept.value(widthKey, std::max(manualWidth, 56 * em)).toInt(),
+                     kept.value(heightKey, std::max(manualHeight, 40 * em)).toInt());
     resize(wish.expandedTo({480, 320}).boundedTo(screen()->availableSize() - QSize(40, 60)));
     showPage(QStringLiteral("index"));
 }

@@ -17,7 +17,7 @@ namespace suffuse {
 
 namespace {
 
-double emOf(const QFont &font)
+double pageEm(const QFont &font)
 {
     return QFontMetricsF(font).height() * 0.8;
 }
@@ -158,12 +158,12 @@ QSizeF pictureSize(const QSize &pixels, int room)
 
 double pageMargin(const QFont &font)
 {
-    return emOf(font);
+    return pageEm(font);
 }
 
 void setPageLook(QTextDocument &document, const QFont &font, const QPalette &palette, int width)
 {
-    const Look look{emOf(font), QFontInfo(font).pointSizeF(),
+    const Look look{pageEm(font), QFontInfo(font).pointSizeF(),
                     QFontDatabase::systemFont(QFontDatabase::FixedFont).family(), palette, width};
     document.setDefaultFont(font);
     document.setIndentWidth(1.6 * look.em);

@@ -211,6 +211,7 @@ enum class Command {
     FullScreen,
     FindCommand,
     Manual,
+    Welcome,
     Shortcuts,
     About,
 };
