@@ -52,7 +52,7 @@ QString excerptOf(const QString &plain, const QStringList &words)
             at = std::min(at, found);
     if (at == plain.size())
         at = std::max<qsizetype>(title + 1, 0);
-    qsizetype from = std::max<qsizetype>(at - before, 0);
+    qsizetype from = std::max<qsizetype>(at - before, title + 1);
     while (from > 0 && from < at && !plain[from - 1].isSpace() && plain[from].script() != QChar::Script_Han)
         ++from;
     const QString part = plain.mid(from, length).simplified();

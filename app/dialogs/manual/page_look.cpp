@@ -122,12 +122,15 @@ void setTable(QTextTable &table, const Look &look)
     format.setBottomMargin(0.5 * look.em);
     format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
     table.setFormat(format);
-    for (int column = 0; column < table.columns(); ++column) {
-        QTextTableCell cell = table.cellAt(0, column);
-        QTextCharFormat head = cell.format();
-        head.setBackground(look.palette.alternateBase());
-        cell.setFormat(head);
-    }
+    for (int row = 0; row < table.rows(); ++row)
+        for (int column = 0; column < table.columns(); ++column) {
+            QTextTableCell cell = table.cellAt(row, column);
+            QTextCharFormat all = cell.format();
+            all.setVerticalAlignment(QTextCharFormat::AlignMiddle);
+            if (row == 0)
+                all.setBackground(look.palette.alternateBase());
+            cell.setFormat(all);
+        }
 }
 
 void setTables(const QTextFrame &frame, const Look &look)
