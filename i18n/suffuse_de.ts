@@ -968,8 +968,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>unbenannt</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
-        <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu</translation>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again, with what suffuse-cli recommends</source>
+        <translation>ein Teil von Suffuse, %1, fehlt oder gehört zu einer anderen Version, daher werden Texte weggelassen; installieren Sie Suffuse neu, mit dem, was suffuse-cli empfiehlt</translation>
     </message>
     <message>
         <source>  groups    %1</source>
@@ -1336,6 +1336,345 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Makes fewer strokes that look like those of a painting, or makes them look like a picture, and says how near they come.</source>
         <translation>Macht weniger Striche, die wie die eines Gemäldes aussehen, oder macht, dass sie wie ein Bild aussehen, und sagt, wie nahe sie kommen.</translation>
+    </message>
+    <message>
+        <source>a small picture of a painting, for file managers</source>
+        <translation>ein kleines Bild eines Gemäldes, für Dateiverwaltungen</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read.</source>
+        <translation>Das Gemälde, die Aufnahme oder die Zeichnung, die gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The PNG file to write; -: standard output.</source>
+        <translation>Die PNG-Datei, die geschrieben wird; -: Standardausgabe.</translation>
+    </message>
+    <message>
+        <source>So many pixels a side at most, 1 to 1024.</source>
+        <translation>Höchstens so viele Pixel je Seite, 1 bis 1024.</translation>
+    </message>
+    <message>
+        <source>Writes a small picture of a painting as a PNG file: the preview in the file, if it has one. File managers call this.</source>
+        <translation>Schreibt ein kleines Bild eines Gemäldes als PNG-Datei: die Vorschau in der Datei, wenn sie eine hat. Dateiverwaltungen rufen das auf.</translation>
+    </message>
+    <message>
+        <source>%1: give SIDE as a whole number of pixels from 1 to %2</source>
+        <translation>%1: SIDE muss eine ganze Zahl von Pixeln von 1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pieces are there</source>
+        <translation>%1 von %2 Stücken sind da</translation>
+    </message>
+    <message>
+        <source>%1: frames %2 are missing</source>
+        <translation>%1: Die Bilder %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1: sheets %2 are missing</source>
+        <translation>%1: Die Bögen %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
+        <translation>%1: Zwei Arbeiter haben aus Stück %2 verschiedene Bits gemacht. Einer der Rechner ist fehlerhaft: Finden Sie ihn anhand der Namen in %3, entfernen Sie dort sein Journal und führen Sie die Aufgaben noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>joining</source>
+        <translation>Zusammenfügen</translation>
+    </message>
+    <message>
+        <source>%1: sheet %2 cannot be read any more. Run the tasks again.</source>
+        <translation>%1: Bogen %2 lässt sich nicht mehr lesen. Führen Sie die Aufgaben noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Says what is missing, by what workers wrote down.</source>
+        <translation>Sagt, was fehlt, nach den Aufzeichnungen der Arbeiter.</translation>
+    </message>
+    <message>
+        <source>Says what is missing or damaged, by reading all of it.</source>
+        <translation>Sagt, was fehlt oder beschädigt ist, indem alles gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Puts the pictures together, once all is there and whole.</source>
+        <translation>Fügt die Bilder zusammen, sobald alles da und unversehrt ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was joined. Run the tasks again: they draw what is missing.</source>
+        <translation>Nichts wurde zusammengefügt. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</translation>
+    </message>
+    <message>
+        <source>say what is to be drawn, in a shared folder</source>
+        <translation>in einem gemeinsamen Ordner sagen, was zu zeichnen ist</translation>
+    </message>
+    <message>
+        <source>draw a part of it, on any machine</source>
+        <translation>einen Teil davon zeichnen, auf einem beliebigen Rechner</translation>
+    </message>
+    <message>
+        <source>what is missing</source>
+        <translation>was fehlt</translation>
+    </message>
+    <message>
+        <source>read all that is there, and compare the hashes</source>
+        <translation>alles lesen, was da ist, und die Hashwerte vergleichen</translation>
+    </message>
+    <message>
+        <source>put the pictures together</source>
+        <translation>die Bilder zusammenfügen</translation>
+    </message>
+    <message>
+        <source>submit the work as a job array of Slurm</source>
+        <translation>die Arbeit als Job-Array an Slurm geben</translation>
+    </message>
+    <message>
+        <source>print the work as an Open Job Description</source>
+        <translation>die Arbeit als Open Job Description ausgeben</translation>
+    </message>
+    <message>
+        <source>print the work as a job type of Flamenco</source>
+        <translation>die Arbeit als Job-Typ von Flamenco ausgeben</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli farm COMMAND [options] …</source>
+        <translation>Aufruf: suffuse-cli farm BEFEHL [Optionen] …</translation>
+    </message>
+    <message>
+        <source>farm %1: there is no such command. See suffuse-cli farm --help.</source>
+        <translation>farm %1: Diesen Befehl gibt es nicht. Siehe suffuse-cli farm --help.</translation>
+    </message>
+    <message>
+        <source>Into how many tasks the work is divided (default: one for 64 pieces).</source>
+        <translation>In wie viele Aufgaben die Arbeit geteilt wird (Vorgabe: eine für 64 Stücke).</translation>
+    </message>
+    <message>
+        <source>--tasks %1: give a whole number, at least 1</source>
+        <translation>--tasks %1: Geben Sie eine ganze Zahl an, mindestens 1</translation>
+    </message>
+    <message>
+        <source>sbatch cannot be started: install Slurm (slurm-client), or use --write-only</source>
+        <translation>sbatch lässt sich nicht starten: Installieren Sie Slurm (slurm-client) oder nehmen Sie --write-only</translation>
+    </message>
+    <message>
+        <source>Submits the tasks as a job array, and the joining after it.</source>
+        <translation>Gibt die Aufgaben als Job-Array ab, und danach das Zusammenfügen.</translation>
+    </message>
+    <message>
+        <source>Cores of each task (default 2).</source>
+        <translation>Kerne jeder Aufgabe (Vorgabe 2).</translation>
+    </message>
+    <message>
+        <source>Writes the scripts, and submits nothing.</source>
+        <translation>Schreibt die Skripte und gibt nichts ab.</translation>
+    </message>
+    <message>
+        <source>--cpus %1: give a whole number, at least 1</source>
+        <translation>--cpus %1: Geben Sie eine ganze Zahl an, mindestens 1</translation>
+    </message>
+    <message>
+        <source>job %1: %2 tasks; job %3 joins what they draw</source>
+        <translation>Job %1: %2 Aufgaben; Job %3 fügt zusammen, was sie zeichnen</translation>
+    </message>
+    <message>
+        <source>Prints a job template of the Open Job Description.</source>
+        <translation>Gibt eine Job-Vorlage der Open Job Description aus.</translation>
+    </message>
+    <message>
+        <source>Prints a job type of Flamenco 3 for its folder of scripts.</source>
+        <translation>Gibt einen Job-Typ von Flamenco 3 für dessen Skriptordner aus.</translation>
+    </message>
+    <message>
+        <source>%1: the plan is damaged, or of another version; make it anew</source>
+        <translation>%1: Der Plan ist beschädigt oder von einer anderen Version; machen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the plan is damaged; make it anew</source>
+        <translation>der Plan ist beschädigt; machen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>%1: there is another plan already. Remove the folder, or choose another one.</source>
+        <translation>%1: Hier liegt schon ein anderer Plan. Entfernen Sie den Ordner oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made. Choose another one, or change its permissions.</source>
+        <translation>%1: Der Ordner lässt sich nicht anlegen. Wählen Sie einen anderen oder ändern Sie seine Rechte.</translation>
+    </message>
+    <message>
+        <source>%1: there is something else already. Remove it, or choose another name.</source>
+        <translation>%1: Hier liegt schon etwas anderes. Entfernen Sie es oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: there is no plan (%2). Is the shared folder there? farm plan makes one.</source>
+        <translation>%1: Hier ist kein Plan (%2). Ist der gemeinsame Ordner da? farm plan macht einen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder is gone. Is the shared folder there?</source>
+        <translation>%1: Der Ordner ist verschwunden. Ist der gemeinsame Ordner da?</translation>
+    </message>
+    <message>
+        <source>The folder of the farm, which all machines share.</source>
+        <translation>Der Ordner der Farm, den alle Rechner gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Frames of the paintings being painted: name%05d.png; of several, %s is the painting&apos;s name.</source>
+        <translation>Bilder vom Entstehen der Gemälde: name%05d.png; bei mehreren ist %s der Name des Gemäldes.</translation>
+    </message>
+    <message>
+        <source>Tiles of a Deep Zoom: jpg or png.</source>
+        <translation>Kacheln eines Deep Zoom: jpg oder png.</translation>
+    </message>
+    <message>
+        <source>8 or 16 bits (default 8).</source>
+        <translation>8 oder 16 Bit (Vorgabe 8).</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP, 1 to 100.</source>
+        <translation>Von JPEG und WebP, 1 bis 100.</translation>
+    </message>
+    <message>
+        <source>a farm draws numbered frames, name%05d.png</source>
+        <translation>eine Farm zeichnet nummerierte Bilder, name%05d.png</translation>
+    </message>
+    <message>
+        <source>Plans the drawing of paintings by many machines.</source>
+        <translation>Plant das Zeichnen von Gemälden durch viele Rechner.</translation>
+    </message>
+    <message>
+        <source>-o FOLDER is missing: name the folder that all machines share</source>
+        <translation>-o ORDNER fehlt: Nennen Sie den Ordner, den alle Rechner gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>give --tiles or --frames</source>
+        <translation>geben Sie --tiles oder --frames an</translation>
+    </message>
+    <message>
+        <source>several paintings need several names: put %s where the painting&apos;s name is to stand, as in out/%s.dzi</source>
+        <translation>mehrere Gemälde brauchen mehrere Namen: Setzen Sie %s dorthin, wo der Name des Gemäldes stehen soll, wie in out/%s.dzi</translation>
+    </message>
+    <message>
+        <source>%1: two paintings would become the same file. Rename one.</source>
+        <translation>%1: Zwei Gemälde würden dieselbe Datei. Benennen Sie eines um.</translation>
+    </message>
+    <message>
+        <source>--task %1: give i/n, e.g. 3/8, from 1/8 to 8/8</source>
+        <translation>--task %1: Geben Sie i/n an, z. B. 3/8, von 1/8 bis 8/8</translation>
+    </message>
+    <message>
+        <source>the plan is for %1 &quot;%2&quot;, and this machine has &quot;%3&quot;, which makes other bits. Use the same program on all machines, or make a new plan</source>
+        <translation>der Plan ist für %1 „%2“, und dieser Rechner hat „%3“, was andere Bits ergibt. Nehmen Sie auf allen Rechnern dasselbe Programm oder machen Sie einen neuen Plan</translation>
+    </message>
+    <message>
+        <source>%1: the painting has changed since it was planned. Bring it back, or make a new plan.</source>
+        <translation>%1: Das Gemälde hat sich seit der Planung geändert. Stellen Sie es wieder her oder machen Sie einen neuen Plan.</translation>
+    </message>
+    <message>
+        <source>%1 What another backend draws has other bits, and is not mixed in. Start the task again.</source>
+        <translation>%1 Was ein anderes Backend zeichnet, hat andere Bits und wird nicht beigemischt. Starten Sie die Aufgabe noch einmal.</translation>
+    </message>
+    <message>
+        <source>Draws what is missing of a task; as often as is liked.</source>
+        <translation>Zeichnet, was von einer Aufgabe fehlt; beliebig oft.</translation>
+    </message>
+    <message>
+        <source>Which part: i/n, from 1/n to n/n (default 1/1).</source>
+        <translation>Welcher Teil: i/n, von 1/n bis n/n (Vorgabe 1/1).</translation>
+    </message>
+    <message>
+        <source>stopped; what is finished is kept, and the same command goes on</source>
+        <translation>angehalten; was fertig ist, bleibt, und derselbe Befehl macht weiter</translation>
+    </message>
+    <message>
+        <source>task %1: %2 drawn, %3 there already</source>
+        <translation>Aufgabe %1: %2 gezeichnet, %3 schon da</translation>
+    </message>
+    <message>
+        <source>let many machines draw pictures in tiles, and films</source>
+        <translation>viele Rechner Bilder in Kacheln und Filme zeichnen lassen</translation>
+    </message>
+    <message>
+        <source>a picture of %1 × %2 pixels is too large: at most %3 a side. Choose a smaller --size, --scale or --area</source>
+        <translation>ein Bild von %1 × %2 Pixeln ist zu groß: höchstens %3 je Seite. Wählen Sie kleinere Werte für --size, --scale oder --area</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Give a file name.</source>
+        <translation>%1: ist ein Ordner. Geben Sie einen Dateinamen an.</translation>
+    </message>
+    <message>
+        <source>A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
+        <translation>Ein Bild beliebiger Größe in Kacheln: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) oder ein Ordner; --format jpg oder png.</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels a side (default 254; TIFF 512).</source>
+        <translation>Mit --tiles: Pixel je Seite (Vorgabe 254; TIFF 512).</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels that tiles show of their neighbours (default 1; TIFF 0).</source>
+        <translation>Mit --tiles: Pixel, die Kacheln von ihren Nachbarn zeigen (Vorgabe 1; TIFF 0).</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192).</source>
+        <translation>Mit --tiles: Pixel je Seite, die auf einmal gezeichnet werden (Vorgabe 2048; CUDA 8192).</translation>
+    </message>
+    <message>
+        <source>--%1 is not for --tiles</source>
+        <translation>--%1 ist nicht für --tiles</translation>
+    </message>
+    <message>
+        <source>--tiles %1: give a name that ends in .dzi or .tif, or a folder</source>
+        <translation>--tiles %1: Geben Sie einen Namen an, der auf .dzi oder .tif endet, oder einen Ordner</translation>
+    </message>
+    <message>
+        <source>--format is for Deep Zoom: the tiles of a TIFF are packed in it</source>
+        <translation>--format ist für Deep Zoom: Die Kacheln eines TIFF sind darin gepackt</translation>
+    </message>
+    <message>
+        <source>--format %1: tiles of a Deep Zoom are jpg or png</source>
+        <translation>--format %1: Kacheln eines Deep Zoom sind jpg oder png</translation>
+    </message>
+    <message>
+        <source>--depth %1: tiles have 8 or 16 bits</source>
+        <translation>--depth %1: Kacheln haben 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>tiles of JPEG hold 8 bits and no transparency: use --format png, or .tif</source>
+        <translation>Kacheln in JPEG haben 8 Bit und keine Transparenz: Nehmen Sie --format png oder .tif</translation>
+    </message>
+    <message>
+        <source>tiles of a TIFF do not overlap, and have sides of a multiple of 16</source>
+        <translation>Kacheln eines TIFF überlappen nicht, und ihre Seiten sind Vielfache von 16</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 pieces of %n painting(s)</source>
+        <translation>
+            <numerusform>%1: %2 Stücke von %n Gemälde</numerusform>
+            <numerusform>%1: %2 Stücke von %n Gemälden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
+        <translation>das sind mehr als %1 Stücke. Wählen Sie ein größeres --sheet, ein kleineres Bild oder mehrere Pläne.</translation>
+    </message>
+    <message>
+        <source>other machines cannot read this standard input: give files</source>
+        <translation>andere Rechner können diese Standardeingabe nicht lesen: Geben Sie Dateien an</translation>
+    </message>
+    <message>
+        <source>auto (default: a GPU where there is one), cpu or cuda.</source>
+        <translation>auto (Vorgabe: eine GPU, wo es eine gibt), cpu oder cuda.</translation>
+    </message>
+    <message>
+        <source>--backend %1: give auto, cpu or cuda</source>
+        <translation>--backend %1: geben Sie auto, cpu oder cuda an</translation>
+    </message>
+    <message>
+        <source>the GPU failed (%1); the CPU went on</source>
+        <translation>die GPU ist ausgefallen (%1); der Prozessor hat weitergemacht</translation>
     </message>
 </context>
 <context>
@@ -1799,8 +2138,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>gehört zu einer anderen Version von Suffuse</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
-        <translation>ein Teil von Suffuse, %1, %2; Suffuse bitte neu installieren. Bilder mit der Endung .pfm gehen auch ohne</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again, with what suffuse-cli recommends. Pictures ending in .pfm work without it</source>
+        <translation>ein Teil von Suffuse, %1, %2; Suffuse bitte neu installieren, mit dem, was suffuse-cli empfiehlt. Bilder mit der Endung .pfm gehen auch ohne</translation>
     </message>
 </context>
 <context>
@@ -2042,6 +2381,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
         <translation>der Speicher reicht nicht für %1 × %2 Pixel. Bitte eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>The reference finds no gradients. Use the CPU backend.</source>
+        <translation>Die Referenz findet keine Gradienten. Nehmen Sie den Prozessor (cpu).</translation>
     </message>
 </context>
 <context>
@@ -5654,6 +5997,26 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Make fewer strokes that look like the selected ones</source>
         <translation>Weniger Striche machen, die wie die ausgewählten aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>What Suffuse does and how; the key opens the page about what you are working with</source>
+        <translation>Was Suffuse kann und wie; die Taste öffnet die Seite zu dem, womit Sie gerade arbeiten</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome…</source>
+        <translation>&amp;Willkommen …</translation>
+    </message>
+    <message>
+        <source>New paintings, recent ones, samples, and short lessons</source>
+        <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
     </message>
 </context>
 <context>
@@ -12073,6 +12436,260 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln Strich, der dazwischen lag, liegt jetzt darunter.</numerusform>
             <numerusform>%Ln Striche, die dazwischen lagen, liegen jetzt darunter.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>Tiles</name>
+    <message>
+        <source>%1 What another backend draws has other bits, and is not mixed in. Start again to go on.</source>
+        <translation>%1 Was ein anderes Backend zeichnet, hat andere Bits und wird nicht beigemischt. Starten Sie noch einmal, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the sheets that are drawn at once</source>
+        <translation>für die Bögen, die auf einmal gezeichnet werden, reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>a tile cannot be encoded: %1</source>
+        <translation>eine Kachel lässt sich nicht kodieren: %1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2)</source>
+        <translation>%1: lässt sich nicht lesen (%2)</translation>
+    </message>
+    <message>
+        <source>%1: what is there is of another picture, or of another build or backend. Remove it, or choose another name.</source>
+        <translation>%1: Was hier liegt, gehört zu einem anderen Bild oder ist von einem anderen Bau oder Backend. Entfernen Sie es oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
+        <translation>%1: lässt sich nicht schreiben (%2). Wählen Sie einen anderen Ordner oder ändern Sie seine Rechte.</translation>
+    </message>
+    <message>
+        <source>%1: another program is drawing the same picture. Wait until it has finished, or choose another name.</source>
+        <translation>%1: Ein anderes Programm zeichnet gerade dasselbe Bild. Warten Sie, bis es fertig ist, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManualWindow</name>
+    <message>
+        <source>Suffuse Manual</source>
+        <translation>Handbuch zu Suffuse</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Lesson</name>
+    <message>
+        <source>Paint, and change your mind</source>
+        <translation>Malen und es sich anders überlegen</translation>
+    </message>
+    <message>
+        <source>Let paint spread</source>
+        <translation>Farbe verlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Work with layers</source>
+        <translation>Mit Ebenen arbeiten</translation>
+    </message>
+    <message>
+        <source>Done. All of this can be changed at any time.</source>
+        <translation>Fertig. All das lässt sich jederzeit wieder ändern.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke on the sheet, however you like.</source>
+        <translation>Drücken Sie B und ziehen Sie auf dem Blatt einen Strich, wie Sie mögen.</translation>
+    </message>
+    <message>
+        <source>Press V for the Select tool, and click the paint of your stroke.</source>
+        <translation>Drücken Sie V für das Auswahlwerkzeug und klicken Sie auf die Farbe Ihres Strichs.</translation>
+    </message>
+    <message>
+        <source>Choose another colour in the Colour dock. It is now about what is selected.</source>
+        <translation>Wählen Sie im Andockfenster Farbe eine andere Farbe. Dort geht es jetzt um das Ausgewählte.</translation>
+    </message>
+    <message>
+        <source>Take it back with Ctrl+Z.</source>
+        <translation>Nehmen Sie das mit Strg+Z zurück.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. Watch it spread after you let go.</source>
+        <translation>Drücken Sie B und ziehen Sie einen Strich. Sehen Sie zu, wie er nach dem Loslassen verläuft.</translation>
+    </message>
+    <message>
+        <source>Press D: this goes to the moment when everything is dry.</source>
+        <translation>Drücken Sie D: Das springt zu dem Moment, in dem alles trocken ist.</translation>
+    </message>
+    <message>
+        <source>In the Inspector dock, drag the slider of Diffusion D. The dry paint spreads further, or less far.</source>
+        <translation>Ziehen Sie im Inspektor den Regler Diffusion D. Die trockene Farbe verläuft weiter oder weniger weit.</translation>
+    </message>
+    <message>
+        <source>Choose Layer ▸ New Layer, or press Ctrl+Shift+N. What you paint next comes into it.</source>
+        <translation>Wählen Sie Ebene ▸ Neue Ebene oder drücken Sie Strg+Umschalt+N. Was Sie als Nächstes malen, kommt hinein.</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. The layer comes into the list with it.</source>
+        <translation>Drücken Sie B und ziehen Sie einen Strich. Mit ihm kommt die Ebene in die Liste.</translation>
+    </message>
+    <message>
+        <source>In the row of the layer, drag its opacity to the left, or click its mode and choose another one.</source>
+        <translation>Ziehen Sie in der Zeile der Ebene die Deckkraft nach links, oder klicken Sie auf den Modus und wählen Sie einen anderen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LessonCard</name>
+    <message>
+        <source>%1 – step %2 of %3</source>
+        <translation>%1 – Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>Lektion verlassen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Sheets</name>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in</source>
+        <translation>%1 × %2 in</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen für Blätter</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Skizze</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Postcard</source>
+        <translation>Postkarte</translation>
+    </message>
+    <message>
+        <source>Watercolour sheet</source>
+        <translation>Aquarellblatt</translation>
+    </message>
+    <message>
+        <source>Rice paper</source>
+        <translation>Reispapier</translation>
+    </message>
+    <message>
+        <source>Toned paper</source>
+        <translation>Getöntes Papier</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Nacht</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Suffuse</source>
+        <translation>Willkommen bei Suffuse</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>Neues Bild</translation>
+    </message>
+    <message>
+        <source>Other Size…</source>
+        <translation>Andere Größe …</translation>
+    </message>
+    <message>
+        <source>Open a painting</source>
+        <translation>Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>Drei kurze Lektionen</translation>
+    </message>
+    <message>
+        <source>Show this at the start</source>
+        <translation>Beim Start zeigen</translation>
     </message>
 </context>
 </TS>

@@ -79,6 +79,13 @@
             <numerusform>%n strokes that lay between them lie below now.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %2 pieces of %n painting(s)</source>
+        <translation>
+            <numerusform>%1: %2 pieces of %n painting</numerusform>
+            <numerusform>%1: %2 pieces of %n paintings</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

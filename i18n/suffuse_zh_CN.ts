@@ -962,8 +962,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>未命名</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again</source>
-        <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse</translation>
+        <source>a part of Suffuse, %1, is missing or of another version, so texts are left out; install Suffuse again, with what suffuse-cli recommends</source>
+        <translation>Suffuse 的一部分 %1 缺失或属于其他版本，因此文字被略去；请重新安装 Suffuse，连同 suffuse-cli 推荐的软件包</translation>
     </message>
     <message>
         <source>  groups    %1</source>
@@ -1328,6 +1328,344 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Makes fewer strokes that look like those of a painting, or makes them look like a picture, and says how near they come.</source>
         <translation>生成外观与画作相同但更少的笔画，或使它们看起来像一张图片，并说明接近的程度。</translation>
+    </message>
+    <message>
+        <source>a small picture of a painting, for file managers</source>
+        <translation>画作的缩略图，供文件管理器使用</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read.</source>
+        <translation>要读取的画作、记录或图形。</translation>
+    </message>
+    <message>
+        <source>The PNG file to write; -: standard output.</source>
+        <translation>要写入的 PNG 文件；-：标准输出。</translation>
+    </message>
+    <message>
+        <source>So many pixels a side at most, 1 to 1024.</source>
+        <translation>每边最多的像素数，1 到 1024。</translation>
+    </message>
+    <message>
+        <source>Writes a small picture of a painting as a PNG file: the preview in the file, if it has one. File managers call this.</source>
+        <translation>把画作的小图写成 PNG 文件：若文件中有预览，就用预览。供文件管理器调用。</translation>
+    </message>
+    <message>
+        <source>%1: give SIDE as a whole number of pixels from 1 to %2</source>
+        <translation>%1：SIDE 应为 1 到 %2 的整数像素数</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pieces are there</source>
+        <translation>%2 份中已有 %1 份</translation>
+    </message>
+    <message>
+        <source>%1: frames %2 are missing</source>
+        <translation>%1：缺少第 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1: sheets %2 are missing</source>
+        <translation>%1：缺少第 %2 张</translation>
+    </message>
+    <message>
+        <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
+        <translation>%1：两个工作进程对第 %2 份算出的比特不同。其中一台机器有故障：请按 %3 中的名称找出它，删除它在那里的日志，然后重新运行任务。</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>joining</source>
+        <translation>正在合并</translation>
+    </message>
+    <message>
+        <source>%1: sheet %2 cannot be read any more. Run the tasks again.</source>
+        <translation>%1：第 %2 张已无法读取。请重新运行任务。</translation>
+    </message>
+    <message>
+        <source>Says what is missing, by what workers wrote down.</source>
+        <translation>根据工作进程的记录，说明缺少什么。</translation>
+    </message>
+    <message>
+        <source>Says what is missing or damaged, by reading all of it.</source>
+        <translation>读取全部内容，说明缺少或损坏了什么。</translation>
+    </message>
+    <message>
+        <source>Puts the pictures together, once all is there and whole.</source>
+        <translation>在全部齐备且完好后合并图像。</translation>
+    </message>
+    <message>
+        <source>Nothing was joined. Run the tasks again: they draw what is missing.</source>
+        <translation>没有合并任何内容。请重新运行任务：它们会绘制缺少的部分。</translation>
+    </message>
+    <message>
+        <source>say what is to be drawn, in a shared folder</source>
+        <translation>在共享文件夹中说明要绘制的内容</translation>
+    </message>
+    <message>
+        <source>draw a part of it, on any machine</source>
+        <translation>在任意机器上绘制其中一部分</translation>
+    </message>
+    <message>
+        <source>what is missing</source>
+        <translation>缺少什么</translation>
+    </message>
+    <message>
+        <source>read all that is there, and compare the hashes</source>
+        <translation>读取已有的全部内容并比较散列值</translation>
+    </message>
+    <message>
+        <source>put the pictures together</source>
+        <translation>合并图像</translation>
+    </message>
+    <message>
+        <source>submit the work as a job array of Slurm</source>
+        <translation>将工作作为 Slurm 作业数组提交</translation>
+    </message>
+    <message>
+        <source>print the work as an Open Job Description</source>
+        <translation>将工作输出为 Open Job Description</translation>
+    </message>
+    <message>
+        <source>print the work as a job type of Flamenco</source>
+        <translation>将工作输出为 Flamenco 的作业类型</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli farm COMMAND [options] …</source>
+        <translation>用法：suffuse-cli farm 命令 [选项] …</translation>
+    </message>
+    <message>
+        <source>farm %1: there is no such command. See suffuse-cli farm --help.</source>
+        <translation>farm %1：没有此命令。请参阅 suffuse-cli farm --help。</translation>
+    </message>
+    <message>
+        <source>Into how many tasks the work is divided (default: one for 64 pieces).</source>
+        <translation>将工作分成多少个任务（默认每 64 份一个）。</translation>
+    </message>
+    <message>
+        <source>--tasks %1: give a whole number, at least 1</source>
+        <translation>--tasks %1：请给出不小于 1 的整数</translation>
+    </message>
+    <message>
+        <source>sbatch cannot be started: install Slurm (slurm-client), or use --write-only</source>
+        <translation>无法启动 sbatch：请安装 Slurm（slurm-client），或使用 --write-only</translation>
+    </message>
+    <message>
+        <source>Submits the tasks as a job array, and the joining after it.</source>
+        <translation>将任务作为作业数组提交，随后提交合并。</translation>
+    </message>
+    <message>
+        <source>Cores of each task (default 2).</source>
+        <translation>每个任务的核心数（默认 2）。</translation>
+    </message>
+    <message>
+        <source>Writes the scripts, and submits nothing.</source>
+        <translation>只写出脚本，不提交。</translation>
+    </message>
+    <message>
+        <source>--cpus %1: give a whole number, at least 1</source>
+        <translation>--cpus %1：请给出不小于 1 的整数</translation>
+    </message>
+    <message>
+        <source>job %1: %2 tasks; job %3 joins what they draw</source>
+        <translation>作业 %1：%2 个任务；作业 %3 合并它们绘制的内容</translation>
+    </message>
+    <message>
+        <source>Prints a job template of the Open Job Description.</source>
+        <translation>输出 Open Job Description 的作业模板。</translation>
+    </message>
+    <message>
+        <source>Prints a job type of Flamenco 3 for its folder of scripts.</source>
+        <translation>输出供 Flamenco 3 脚本文件夹使用的作业类型。</translation>
+    </message>
+    <message>
+        <source>%1: the plan is damaged, or of another version; make it anew</source>
+        <translation>%1：计划已损坏或版本不同；请重新制作</translation>
+    </message>
+    <message>
+        <source>the plan is damaged; make it anew</source>
+        <translation>计划已损坏；请重新制作</translation>
+    </message>
+    <message>
+        <source>%1: there is another plan already. Remove the folder, or choose another one.</source>
+        <translation>%1：已有另一份计划。请删除该文件夹，或选择另一个。</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made. Choose another one, or change its permissions.</source>
+        <translation>%1：无法创建文件夹。请选择另一个，或更改其权限。</translation>
+    </message>
+    <message>
+        <source>%1: there is something else already. Remove it, or choose another name.</source>
+        <translation>%1：已有其他内容。请将其删除，或选择另一个名称。</translation>
+    </message>
+    <message>
+        <source>%1: there is no plan (%2). Is the shared folder there? farm plan makes one.</source>
+        <translation>%1：没有计划（%2）。共享文件夹是否存在？farm plan 可制作计划。</translation>
+    </message>
+    <message>
+        <source>%1: the folder is gone. Is the shared folder there?</source>
+        <translation>%1：文件夹已消失。共享文件夹是否存在？</translation>
+    </message>
+    <message>
+        <source>The folder of the farm, which all machines share.</source>
+        <translation>渲染农场的文件夹，由所有机器共享。</translation>
+    </message>
+    <message>
+        <source>Frames of the paintings being painted: name%05d.png; of several, %s is the painting&apos;s name.</source>
+        <translation>绘画过程的帧：name%05d.png；有多幅画时，%s 是画的名称。</translation>
+    </message>
+    <message>
+        <source>Tiles of a Deep Zoom: jpg or png.</source>
+        <translation>Deep Zoom 的图块：jpg 或 png。</translation>
+    </message>
+    <message>
+        <source>8 or 16 bits (default 8).</source>
+        <translation>8 位或 16 位（默认 8）。</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP, 1 to 100.</source>
+        <translation>JPEG 和 WebP 的质量，1 到 100。</translation>
+    </message>
+    <message>
+        <source>a farm draws numbered frames, name%05d.png</source>
+        <translation>渲染农场绘制编号的帧，name%05d.png</translation>
+    </message>
+    <message>
+        <source>Plans the drawing of paintings by many machines.</source>
+        <translation>计划由多台机器绘制画作。</translation>
+    </message>
+    <message>
+        <source>-o FOLDER is missing: name the folder that all machines share</source>
+        <translation>缺少 -o 文件夹：请指定所有机器共享的文件夹</translation>
+    </message>
+    <message>
+        <source>give --tiles or --frames</source>
+        <translation>请给出 --tiles 或 --frames</translation>
+    </message>
+    <message>
+        <source>several paintings need several names: put %s where the painting&apos;s name is to stand, as in out/%s.dzi</source>
+        <translation>多幅画需要多个名称：请在画名的位置写 %s，例如 out/%s.dzi</translation>
+    </message>
+    <message>
+        <source>%1: two paintings would become the same file. Rename one.</source>
+        <translation>%1：两幅画会写入同一个文件。请重命名其中一幅。</translation>
+    </message>
+    <message>
+        <source>--task %1: give i/n, e.g. 3/8, from 1/8 to 8/8</source>
+        <translation>--task %1：请给出 i/n，例如 3/8，从 1/8 到 8/8</translation>
+    </message>
+    <message>
+        <source>the plan is for %1 &quot;%2&quot;, and this machine has &quot;%3&quot;, which makes other bits. Use the same program on all machines, or make a new plan</source>
+        <translation>计划针对的 %1 是“%2”，而这台机器是“%3”，会得到不同的比特。请在所有机器上使用相同的程序，或制作新的计划</translation>
+    </message>
+    <message>
+        <source>%1: the painting has changed since it was planned. Bring it back, or make a new plan.</source>
+        <translation>%1：画作在计划之后已更改。请将其恢复，或制作新的计划。</translation>
+    </message>
+    <message>
+        <source>%1 What another backend draws has other bits, and is not mixed in. Start the task again.</source>
+        <translation>%1 其他后端绘制的比特不同，不会混入。请重新启动任务。</translation>
+    </message>
+    <message>
+        <source>Draws what is missing of a task; as often as is liked.</source>
+        <translation>绘制任务中缺少的部分；可以运行任意多次。</translation>
+    </message>
+    <message>
+        <source>Which part: i/n, from 1/n to n/n (default 1/1).</source>
+        <translation>哪一部分：i/n，从 1/n 到 n/n（默认 1/1）。</translation>
+    </message>
+    <message>
+        <source>stopped; what is finished is kept, and the same command goes on</source>
+        <translation>已停止；已完成的部分会保留，用同一命令即可继续</translation>
+    </message>
+    <message>
+        <source>task %1: %2 drawn, %3 there already</source>
+        <translation>任务 %1：绘制了 %2，已有 %3</translation>
+    </message>
+    <message>
+        <source>let many machines draw pictures in tiles, and films</source>
+        <translation>让多台机器绘制分块图像和影片</translation>
+    </message>
+    <message>
+        <source>a picture of %1 × %2 pixels is too large: at most %3 a side. Choose a smaller --size, --scale or --area</source>
+        <translation>%1 × %2 像素的图像太大：每边最多 %3。请选择更小的 --size、--scale 或 --area</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Give a file name.</source>
+        <translation>%1：是文件夹。请给出文件名。</translation>
+    </message>
+    <message>
+        <source>A picture of any size in tiles: OUT.dzi (Deep Zoom), OUT.tif (BigTIFF) or a folder; --format jpg or png.</source>
+        <translation>任意大小的分块图像：OUT.dzi（Deep Zoom）、OUT.tif（BigTIFF）或文件夹；--format jpg 或 png。</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels a side (default 254; TIFF 512).</source>
+        <translation>与 --tiles 一起：每边像素数（默认 254；TIFF 为 512）。</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels that tiles show of their neighbours (default 1; TIFF 0).</source>
+        <translation>与 --tiles 一起：图块显示相邻图块的像素数（默认 1；TIFF 为 0）。</translation>
+    </message>
+    <message>
+        <source>With --tiles: pixels a side of what is drawn at once (default 2048; CUDA 8192).</source>
+        <translation>与 --tiles 一起：一次绘制的每边像素数（默认 2048；CUDA 为 8192）。</translation>
+    </message>
+    <message>
+        <source>--%1 is not for --tiles</source>
+        <translation>--%1 不能与 --tiles 一起使用</translation>
+    </message>
+    <message>
+        <source>--tiles %1: give a name that ends in .dzi or .tif, or a folder</source>
+        <translation>--tiles %1：请给出以 .dzi 或 .tif 结尾的名称，或一个文件夹</translation>
+    </message>
+    <message>
+        <source>--format is for Deep Zoom: the tiles of a TIFF are packed in it</source>
+        <translation>--format 用于 Deep Zoom：TIFF 的图块压缩在文件之内</translation>
+    </message>
+    <message>
+        <source>--format %1: tiles of a Deep Zoom are jpg or png</source>
+        <translation>--format %1：Deep Zoom 的图块是 jpg 或 png</translation>
+    </message>
+    <message>
+        <source>--depth %1: tiles have 8 or 16 bits</source>
+        <translation>--depth %1：图块为 8 位或 16 位</translation>
+    </message>
+    <message>
+        <source>tiles of JPEG hold 8 bits and no transparency: use --format png, or .tif</source>
+        <translation>JPEG 图块只有 8 位且不含透明度：请使用 --format png 或 .tif</translation>
+    </message>
+    <message>
+        <source>tiles of a TIFF do not overlap, and have sides of a multiple of 16</source>
+        <translation>TIFF 的图块不重叠，边长是 16 的倍数</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 pieces of %n painting(s)</source>
+        <translation>
+            <numerusform>%1：%n 幅画的 %2 份</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>these are more than %1 pieces. Choose a greater --sheet, a smaller picture, or several plans.</source>
+        <translation>超过 %1 份。请选择更大的 --sheet、更小的图像，或多份计划。</translation>
+    </message>
+    <message>
+        <source>other machines cannot read this standard input: give files</source>
+        <translation>其他机器无法读取此标准输入：请给出文件</translation>
+    </message>
+    <message>
+        <source>auto (default: a GPU where there is one), cpu or cuda.</source>
+        <translation>auto（默认：有 GPU 就用 GPU）、cpu 或 cuda。</translation>
+    </message>
+    <message>
+        <source>--backend %1: give auto, cpu or cuda</source>
+        <translation>--backend %1：请给出 auto、cpu 或 cuda</translation>
+    </message>
+    <message>
+        <source>the GPU failed (%1); the CPU went on</source>
+        <translation>GPU 出错（%1）；已由 CPU 继续</translation>
     </message>
 </context>
 <context>
@@ -1783,8 +2121,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>属于另一版本的 Suffuse</translation>
     </message>
     <message>
-        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
-        <translation>Suffuse 的组件 %1 %2；请重新安装 Suffuse。以 .pfm 结尾的图片无需它</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again, with what suffuse-cli recommends. Pictures ending in .pfm work without it</source>
+        <translation>Suffuse 的组件 %1 %2；请重新安装 Suffuse，连同 suffuse-cli 推荐的软件包。以 .pfm 结尾的图片无需它</translation>
     </message>
 </context>
 <context>
@@ -2025,6 +2363,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
         <translation>内存不足以容纳 %1 × %2 像素。请选择较小的尺寸。</translation>
+    </message>
+    <message>
+        <source>The reference finds no gradients. Use the CPU backend.</source>
+        <translation>参考实现不求梯度。请使用 CPU 后端。</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +5973,26 @@ Arrow keys work too.</source>
     <message>
         <source>Make fewer strokes that look like the selected ones</source>
         <translation>生成外观与所选笔画相同但更少的笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>What Suffuse does and how; the key opens the page about what you are working with</source>
+        <translation>Suffuse 的功能和用法；按键会打开与当前操作有关的一页</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome…</source>
+        <translation>欢迎(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>New paintings, recent ones, samples, and short lessons</source>
+        <translation>新画作、最近的画作、示例和短课程</translation>
     </message>
 </context>
 <context>
@@ -11994,6 +12356,260 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>原先夹在其间的 %Ln 条笔画现在位于下方。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>Tiles</name>
+    <message>
+        <source>%1 What another backend draws has other bits, and is not mixed in. Start again to go on.</source>
+        <translation>%1 其他后端绘制的比特不同，不会混入。请重新启动以继续。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the sheets that are drawn at once</source>
+        <translation>内存不足，无法容纳同时绘制的部分</translation>
+    </message>
+    <message>
+        <source>a tile cannot be encoded: %1</source>
+        <translation>无法编码图块：%1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2)</source>
+        <translation>%1：无法读取（%2）</translation>
+    </message>
+    <message>
+        <source>%1: what is there is of another picture, or of another build or backend. Remove it, or choose another name.</source>
+        <translation>%1：已有内容属于另一幅图像，或来自另一构建或后端。请将其删除，或选择另一个名称。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
+        <translation>%1：无法写入（%2）。请选择另一个文件夹，或更改其权限。</translation>
+    </message>
+    <message>
+        <source>%1: another program is drawing the same picture. Wait until it has finished, or choose another name.</source>
+        <translation>%1：另一个程序正在绘制同一图像。请等它完成，或选择另一个名称。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManualWindow</name>
+    <message>
+        <source>Suffuse Manual</source>
+        <translation>Suffuse 手册</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>搜索手册</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>没有找到</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Lesson</name>
+    <message>
+        <source>Paint, and change your mind</source>
+        <translation>画一笔，再改主意</translation>
+    </message>
+    <message>
+        <source>Let paint spread</source>
+        <translation>让颜料扩散</translation>
+    </message>
+    <message>
+        <source>Work with layers</source>
+        <translation>使用图层</translation>
+    </message>
+    <message>
+        <source>Done. All of this can be changed at any time.</source>
+        <translation>完成。这一切随时都可以再改。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke on the sheet, however you like.</source>
+        <translation>按 B，在画纸上随意画一笔。</translation>
+    </message>
+    <message>
+        <source>Press V for the Select tool, and click the paint of your stroke.</source>
+        <translation>按 V 拿起选择工具，点击这条笔画的颜料。</translation>
+    </message>
+    <message>
+        <source>Choose another colour in the Colour dock. It is now about what is selected.</source>
+        <translation>在颜色面板里选另一种颜色。它现在针对所选内容。</translation>
+    </message>
+    <message>
+        <source>Take it back with Ctrl+Z.</source>
+        <translation>用 Ctrl+Z 撤销。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. Watch it spread after you let go.</source>
+        <translation>按 B 画一笔。松开后看它继续扩散。</translation>
+    </message>
+    <message>
+        <source>Press D: this goes to the moment when everything is dry.</source>
+        <translation>按 D：跳到全部干透的时刻。</translation>
+    </message>
+    <message>
+        <source>In the Inspector dock, drag the slider of Diffusion D. The dry paint spreads further, or less far.</source>
+        <translation>在检查器面板里拖动扩散系数 D 的滑块。干了的颜料会扩散得更远或更近。</translation>
+    </message>
+    <message>
+        <source>Choose Layer ▸ New Layer, or press Ctrl+Shift+N. What you paint next comes into it.</source>
+        <translation>选择“图层 ▸ 新建图层”，或按 Ctrl+Shift+N。接下来画的会进入其中。</translation>
+    </message>
+    <message>
+        <source>Press B and draw a stroke. The layer comes into the list with it.</source>
+        <translation>按 B 画一笔。图层随之出现在列表中。</translation>
+    </message>
+    <message>
+        <source>In the row of the layer, drag its opacity to the left, or click its mode and choose another one.</source>
+        <translation>在图层所在的行里把不透明度向左拖，或者点击模式另选一种。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::LessonCard</name>
+    <message>
+        <source>%1 – step %2 of %3</source>
+        <translation>%1 – 第 %2 步，共 %3 步</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>离开课程</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Sheets</name>
+    <message>
+        <source>Screen</source>
+        <translation>屏幕</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 毫米</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in</source>
+        <translation>%1 × %2 英寸</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>草图</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>全高清</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>美式信纸</translation>
+    </message>
+    <message>
+        <source>Postcard</source>
+        <translation>明信片</translation>
+    </message>
+    <message>
+        <source>Watercolour sheet</source>
+        <translation>水彩纸</translation>
+    </message>
+    <message>
+        <source>Rice paper</source>
+        <translation>宣纸</translation>
+    </message>
+    <message>
+        <source>Toned paper</source>
+        <translation>有色纸</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>夜色</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>油画布</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Suffuse</source>
+        <translation>欢迎使用 Suffuse</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>新画作</translation>
+    </message>
+    <message>
+        <source>Other Size…</source>
+        <translation>其他尺寸…</translation>
+    </message>
+    <message>
+        <source>Open a painting</source>
+        <translation>打开画作</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>三节短课</translation>
+    </message>
+    <message>
+        <source>Show this at the start</source>
+        <translation>启动时显示</translation>
     </message>
 </context>
 </TS>

@@ -7,11 +7,33 @@
 
 namespace suffuse {
 
+namespace {
+
+QString &namedFolder()
+{
+    static QString folder;
+    return folder;
+}
+
+} // namespace
+
+void setModuleFolder(const QString &folder)
+{
+    namedFolder() = folder;
+}
+
 QString modulePath(const QString &name)
 {
-    const QString folder = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
-    const QDir dir(folder.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
-                                    : folder);
+    QString folder = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
+    if (folder.isEmpty())
+        folder = namedFolder();
+    QDir dir(folder);
+    if (folder.isEmpty()) {
+        const QDir programs(QCoreApplication::applicationDirPath());
+        dir.setPath(programs.absoluteFilePath(QStringLiteral("../lib/suffuse")));
+        if (!dir.exists())
+            dir.setPath(programs.absoluteFilePath(QStringLiteral(SUFFUSE_MODULES)));
+    }
     return QDir::cleanPath(dir.absoluteFilePath(name + QStringLiteral(".so")));
 }
 

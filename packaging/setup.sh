@@ -6,9 +6,10 @@ build=build
 
 say() { printf '%s\n' "$*" >&2; }
 
+# missing_packages LIST: those of the packages in the file LIST, one a line, that are not installed.
 missing_packages() {
     local wanted
-    wanted=$(grep -v '^#' packaging/dependencies)
+    wanted=$(grep -v '^#' "$1")
     # shellcheck disable=SC2086  # one word a package
     dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' $wanted 2>/dev/null \
         | awk -v wanted="$wanted" '
@@ -16,13 +17,14 @@ missing_packages() {
             END { n = split(wanted, w, "\n"); for (i = 1; i <= n; ++i) if (!(w[i] in have)) print w[i] }'
 }
 
+# install_missing [LIST]
 install_missing() {
     if ! command -v dpkg-query >/dev/null; then
         say "This is no Debian system: install what packaging/dependencies lists by its names here. Going on."
         return
     fi
     local missing as_root=()
-    missing=$(missing_packages | tr '\n' ' ')
+    missing=$(missing_packages "${1:-packaging/dependencies}" | tr '\n' ' ')
     [ -n "$missing" ] || return 0
     if [ "$(id -u)" -ne 0 ]; then
         if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then

@@ -24,6 +24,10 @@ struct PictureGrid {
     /// A grid for this picture alone, whose first pixel is (0, 0).
     static PictureGrid ofPicture(const View &view);
 
+    /// The same grid with a part of the picture in it. Strokes are prepared for `near`, which lies around the part. All
+    /// in pixels of the picture.
+    PictureGrid part(const PixelRect &pixels, const PixelRect &near) const;
+
     bool sameGrid(const PictureGrid &other) const { return view == other.view; }
     /// Whether strokes that were prepared for the other one are prepared for this one.
     bool samePlace(const PictureGrid &other) const { return view == other.view && window == other.window; }

@@ -23,7 +23,22 @@ struct RenderRequest {
     /// Whether a value is being dragged. Then this frame may differ by 1e-5 a channel from the exact one, if that makes
     /// it faster. The next frame without it is exact again.
     bool interactive = false;
+    /// The pixels of the view's picture that are drawn, in a target of their size; empty: all. Drawn by the CPU they have
+    /// the bits that they have in the whole picture. Other backends draw them as a picture of their own.
+    PixelRect part = {};
+    /// A larger rectangle around the part, for which the CPU prepares the strokes: parts around which it is the same share
+    /// what was prepared. Empty: the part alone.
+    PixelRect near = {};
 };
+
+/// The request for the part alone, as a picture of its own.
+inline RenderRequest ofPart(const RenderRequest &request)
+{
+    RenderRequest out = request;
+    out.view = request.view.part(request.part);
+    out.part = out.near = {};
+    return out;
+}
 
 struct RenderStats {
     double nodesMs = 0;   ///< time for making nodes of segments

@@ -49,6 +49,15 @@ struct View {
         v.centre = {area.left + 0.5 * width / v.scale, area.top + 0.5 * height / v.scale};
         return v;
     }
+    /// The view of a rectangle of the picture's pixels.
+    View part(const PixelRect &pixels) const
+    {
+        View v = *this;
+        v.centre = toCanvas({pixels.x + 0.5 * pixels.width, pixels.y + 0.5 * pixels.height});
+        v.width = pixels.width;
+        v.height = pixels.height;
+        return v;
+    }
     Point toPixels(Point canvas) const
     {
         Point d = canvas - centre;

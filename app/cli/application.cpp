@@ -42,7 +42,8 @@ LetterShaper *Application::shaper()
     const auto letters = reinterpret_cast<LetteringShaperFunction>(library.resolve("suffuse_lettering_shaper"));
     if (!version || version() != letteringModuleVersion || !application || !letters) {
         warn(QCoreApplication::translate("Cli", "a part of Suffuse, %1, is missing or of another version, so texts are "
-                                                "left out; install Suffuse again")
+                                                "left out; install Suffuse again, with what suffuse-cli "
+                                                "recommends")
                  .arg(library.fileName()));
         return nullptr;
     }

@@ -27,6 +27,8 @@ constexpr std::array commands = {
     Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
     Command{"timelapse", timelapseCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting while it is painted, as frames")},
+    Command{"thumbnail", thumbnailCommand, QT_TRANSLATE_NOOP("Cli", "a small picture of a painting, for file managers")},
+    Command{"farm", farmCommand, QT_TRANSLATE_NOOP("Cli", "let many machines draw pictures in tiles, and films")},
     Command{"fit", fitCommand, QT_TRANSLATE_NOOP("Cli", "make a painting of a picture")},
     Command{"refit", refitCommand, QT_TRANSLATE_NOOP("Cli", "make fewer strokes that look like those of a painting")},
     Command{"recover", recoverCommand, QT_TRANSLATE_NOOP("Cli", "what was not saved when the editor ended")},

@@ -37,6 +37,12 @@ QString meaningOf(const QString &argument)
                                                   "standard input.");
     if (argument == QLatin1String("OUT"))
         return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json; -: standard output.");
+    if (argument == QLatin1String("FILE"))
+        return QCoreApplication::translate("Cli", "The painting, recording or drawing to read.");
+    if (argument == QLatin1String("PNG"))
+        return QCoreApplication::translate("Cli", "The PNG file to write; -: standard output.");
+    if (argument == QLatin1String("SIDE"))
+        return QCoreApplication::translate("Cli", "So many pixels a side at most, 1 to 1024.");
     if (argument == QLatin1String("A"))
         return QCoreApplication::translate("Cli", "The painting before; -: standard input.");
     if (argument == QLatin1String("B"))
@@ -47,6 +53,8 @@ QString meaningOf(const QString &argument)
         return QCoreApplication::translate("Cli", "How far below the canvas' upper edge, in canvas units.");
     if (argument == QLatin1String("ID"))
         return QCoreApplication::translate("Cli", "Which one, as the list names it.");
+    if (argument == QLatin1String("FOLDER"))
+        return QCoreApplication::translate("Cli", "The folder of the farm, which all machines share.");
     return {};
 }
 

@@ -23,12 +23,14 @@ enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 int fitCommand(const QStringList &arguments);
 int refitCommand(const QStringList &arguments);
 int renderCommand(const QStringList &arguments);
+int farmCommand(const QStringList &arguments);
 int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);
 int probeCommand(const QStringList &arguments);
 int verifyCommand(const QStringList &arguments);
 int diffCommand(const QStringList &arguments);
 int timelapseCommand(const QStringList &arguments);
+int thumbnailCommand(const QStringList &arguments);
 int recoverCommand(const QStringList &arguments);
 
 /// The parser of one command.
@@ -97,8 +99,11 @@ struct PictureOptions {
     int height = 0;
     Microseconds time = 0;
 };
+/// What limits a picture: its pixels, which are all in memory, or in tiles its sides.
+enum class PictureLimit { Pixels, Side };
 /// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
-Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting);
+Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting,
+                                      PictureLimit limit = PictureLimit::Pixels);
 /// --time alone; default the end. Not before time 0, nor before the first stroke where that is earlier.
 Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
 /// --backend, --threads and --devices, as far as the command has them. Errors are usage errors.

@@ -1,4 +1,5 @@
 #include "app/cli/options.h"
+#include "render/tiles/tile_plan.h"
 
 #include <QCoreApplication>
 
@@ -61,14 +62,20 @@ Result<Wish> scaledBy(const QString &text, const Rect &area)
     const std::optional<double> factor = toNumber(text);
     if (!factor || *factor <= 0)
         return Error{QCoreApplication::translate("Cli", "--scale %1: give pixels a unit, above 0, e.g. 2").arg(text)};
-    const double width = std::clamp(std::round(area.width() * *factor), 1.0, 2.0 * double(maxPicturePixels));
+    const double width = std::clamp(std::round(area.width() * *factor), 1.0, 2147483647.0);
     return Wish{int(width), std::nullopt};
 }
 
-QString limitProblem(const Rect &area, int width)
+QString limitProblem(const Rect &area, int width, PictureLimit limit)
 {
     const double height = area.height() / (area.width() / width); // before it is cut to an int
-    if (double(width) * std::max(height, 1.0) > double(maxPicturePixels))
+    if (limit == PictureLimit::Side && std::max(double(width), height) > maxTiledSide)
+        return QCoreApplication::translate("Cli", "a picture of %1 × %2 pixels is too large: at most %3 a side. Choose a "
+                                                  "smaller --size, --scale or --area")
+            .arg(width)
+            .arg(height, 0, 'f', 0)
+            .arg(maxTiledSide);
+    if (limit == PictureLimit::Pixels && double(width) * std::max(height, 1.0) > double(maxPicturePixels))
         return QCoreApplication::translate(
                    "Cli", "a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a "
                           "smaller --size, --scale or --area")
@@ -86,7 +93,7 @@ QString limitProblem(const Rect &area, int width)
 
 } // namespace
 
-Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting)
+Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting, PictureLimit limit)
 {
     PictureOptions out;
     out.area = painting.canvas.area();
@@ -103,7 +110,7 @@ Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &p
     if (!wish)
         return Error{wish.error()};
     out.width = wish->width;
-    if (const QString problem = limitProblem(out.area, out.width); !problem.isEmpty())
+    if (const QString problem = limitProblem(out.area, out.width, limit); !problem.isEmpty())
         return Error{problem};
     out.height = std::max(heightForWidth(out.area, out.width), 1);
     if (wish->height && *wish->height != out.height)

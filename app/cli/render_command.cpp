@@ -1,5 +1,6 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
+#include "app/cli/tiles_command.h"
 #include "render/backends.h"
 #include "render/image_io/colour_conversion.h"
 #include "render/image_io/image_io.h"
@@ -27,6 +28,7 @@ void addOptions(CommandLine &line)
     line.add({"format"},
              QCoreApplication::translate("Cli", "With -o -: png, tiff, exr, jpg, webp or pfm (default: png)."),
              "FORMAT");
+    addTilesOptions(line);
     line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
     line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
     line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
@@ -312,6 +314,8 @@ int renderCommand(const QStringList &arguments)
     addOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
+    if (line.isSet("tiles"))
+        return renderTilesCommand(line);
     if (line.value("output").isEmpty())
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
     if (layeredFormatFor(line.value("output")) != LayeredFormat::None) {

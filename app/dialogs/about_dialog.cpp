@@ -1,5 +1,6 @@
 #include "app/dialogs/about_dialog.h"
 
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "render/backends.h"
@@ -27,6 +28,7 @@ QString backendLines()
 AboutDialog::AboutDialog(QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("About Suffuse"));
+    setHelpPage(*this, "index");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(24, 24, 24, 16);
     column->setSpacing(16);

@@ -1,6 +1,7 @@
 #include "app/dialogs/backups_dialog.h"
 
 #include "app/session/files/saving_preview.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/look/picture_icon.h"
 #include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
@@ -47,6 +48,7 @@ QImage pictureOf(LoadedDocument &document, int side)
 BackupsDialog::BackupsDialog(const QString &painting, QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("Restore Backup"));
+    setHelpPage(*this, "saving");
     const QStringList files = backupsOf(painting);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);

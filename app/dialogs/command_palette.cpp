@@ -1,5 +1,6 @@
 #include "app/dialogs/command_palette.h"
 
+#include "app/widgets/habits/help_page.h"
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
@@ -102,6 +103,7 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint), m_entries(std::move(entries))
 {
     setWindowTitle(tr("Find a command"));
+    setHelpPage(*this, "keys");
     auto *frame = new QFrame(this); // the window has no frame, and may lie over a ground of its own colour
     frame->setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
     auto *whole = new QVBoxLayout(this);

@@ -2,6 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
@@ -48,6 +49,7 @@ Canvas lastCanvas()
 NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("New Painting"));
+    setHelpPage(*this, "first-painting");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_wheel.h"
 #include "app/widgets/colour/swatch_grid.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
@@ -59,6 +60,7 @@ FieldSpec shiftSpec(const QString &name, const QString &tip, double least, doubl
 RecolourDialog::RecolourDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_recolouring(editor)
 {
     setWindowTitle(tr("Recolour Artwork"));
+    setHelpPage(*this, "colour");
     auto *outer = new QVBoxLayout(this);
     auto *top = new QHBoxLayout;
     top->setSpacing(12);

@@ -1,5 +1,6 @@
 #include "app/dialogs/reshape_dialog.h"
 
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/painting/editable.h"
@@ -44,6 +45,7 @@ ReshapeDialog::ReshapeDialog(Editor &editor, Reshaping what, QWidget *parent)
       m_countBefore(segmentsOf(changeable(*m_before, m_selection)))
 {
     setWindowTitle(tr("Reshape"));
+    setHelpPage(*this, "refining");
     m_form = new QFormLayout(this);
     m_choice = new QComboBox(this);
     m_choice->addItems({tr("Simplify"), tr("Smooth"), tr("Straighten"), tr("Grow or shrink"), tr("Offset")});

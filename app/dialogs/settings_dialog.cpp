@@ -3,6 +3,7 @@
 #include "app/dialogs/colour_page.h"
 #include "app/dialogs/pen_page.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/theme.h"
 #include "model/formats/atomic_save.h"
@@ -20,6 +21,7 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     : QDialog(parent), m_themeBefore(int(settings::theme()))
 {
     setWindowTitle(tr("Settings"));
+    setHelpPage(*this, "window");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(16);

@@ -2,6 +2,7 @@
 
 #include "app/session/commands/commands.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/menu_titles.h"
@@ -30,6 +31,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<Fi
     : QDialog(parent), m_fixed(fixed)
 {
     setWindowTitle(tr("Keyboard Shortcuts"));
+    setHelpPage(*this, "keys");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(8);

@@ -1,6 +1,7 @@
 #include "app/dialogs/vary_dialog.h"
 
 #include "app/session/commands/restyling.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
@@ -23,6 +24,7 @@ VaryDialog::VaryDialog(Editor &editor, QWidget *parent)
       m_amounts(commands::storedVariation())
 {
     setWindowTitle(tr("Vary at Random"));
+    setHelpPage(*this, "refining");
     m_amounts.seed = QRandomGenerator::global()->generate();
     m_form = new QFormLayout(this);
     addField(&VaryAmounts::diffusion, specOf(Quantity::Diffusion).name,

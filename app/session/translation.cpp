@@ -46,6 +46,12 @@ constexpr const char *buttonTexts[] = {
     QT_TRANSLATE_NOOP("Buttons", "&Hide Details..."),
 };
 
+QString &inUse()
+{
+    static QString code = QStringLiteral("en");
+    return code;
+}
+
 class ButtonTexts : public QTranslator {
 public:
     QString translate(const char *context, const char *source, const char *, int) const override
@@ -75,6 +81,11 @@ QStringList translationCodes()
     return {"en", "zh_CN", "de"};
 }
 
+QString languageInUse()
+{
+    return inUse();
+}
+
 void installTranslators()
 {
     static QTranslator qtTexts;
@@ -86,6 +97,7 @@ void installTranslators()
 
     const QString chosen = settings::language();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
+    inUse() = code;
     // Numbers follow the language of the texts. Where the system's locale is of the same language, its own ways count.
     const QLocale language(code), system = QLocale::system();
     QLocale::setDefault(system.language() == language.language() ? system : language);

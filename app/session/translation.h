@@ -12,4 +12,7 @@ void installTranslators();
 /// Codes of the languages for which there are translations ("en", "zh_CN", "de").
 QStringList translationCodes();
 
+/// The one of them that `installTranslators` installed last; English before that.
+QString languageInUse();
+
 } // namespace suffuse

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int leastHeight = 30; ///< the height of a row of fields, logical pixels
+constexpr int rowHeight = 30; ///< the height of a row of fields, logical pixels
 
 } // namespace
 
@@ -17,7 +17,7 @@ ToolOptionsBar::ToolOptionsBar(const QString &title, QWidget *parent)
 {
     setObjectName("toolOptions");
     setMovable(false);
-    m_stack->setMinimumHeight(leastHeight);
+    m_stack->setMinimumHeight(rowHeight);
     m_stack->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_stack->addWidget(new QWidget(m_stack));
     addWidget(m_stack);

@@ -23,6 +23,7 @@
 #include "app/window/files/importing.h"
 #include "app/window/files/pasting.h"
 #include "app/window/free_hand.h"
+#include "app/window/helping.h"
 #include "app/window/layout/docks.h"
 #include "app/window/layout/proofing.h"
 #include "app/window/layout/side_windows.h"
@@ -34,6 +35,7 @@
 #include "app/window/palette_entries.h"
 #include "app/window/pointer/at_pointer.h"
 #include "app/window/rebuilt_windows.h"
+#include "app/window/welcome/welcoming.h"
 #include "model/journal/recovery.h"
 
 #include <QApplication>
@@ -185,6 +187,8 @@ void MainWindow::makeParts(const Workplace &place)
     m_docks = new Docks(place, *keyboard, m_parts);
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
+    new Helping(place, m_parts);
+    m_welcoming = new Welcoming(place, *m_opening, m_parts);
 }
 
 void MainWindow::addRows()
@@ -223,7 +227,9 @@ void MainWindow::addRows()
         ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},
               Commands::tr("Commands, brushes, docks and recent files by their names"))
         .runs([this] { CommandPalette::ask(paletteEntries(), *m_canvas); });
-    m_commands->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "", {QKeySequence(Qt::Key_F1)})
+    m_commands
+        ->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "",
+              {QKeySequence(Commands::tr("Ctrl+F1"))})
         .runs([this] { changeShortcuts(*this); });
     m_commands->add(About, "about", Commands::tr("&About Suffuse…"), "", {}).runs([this] { AboutDialog(this).exec(); });
     action(About).setMenuRole(QAction::AboutRole);
@@ -281,6 +287,11 @@ MainWindow *MainWindow::openRecovered(LostDocument document)
 void MainWindow::importStrokes(const QString &path)
 {
     m_importing->importStrokes(path);
+}
+
+void MainWindow::greet()
+{
+    m_welcoming->greet();
 }
 
 bool MainWindow::save()

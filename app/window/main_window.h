@@ -19,6 +19,7 @@ class Importing;
 class KeptBrush;
 class KeyboardFocus;
 class ToolOptionsBar;
+class Welcoming;
 struct LostDocument;
 struct PaletteEntry;
 struct Workplace;
@@ -53,6 +54,8 @@ public:
     MainWindow *openRecovered(LostDocument document);
     /// Adds a file's strokes to this window's painting and selects them. Errors are shown, and so is what was left out.
     void importStrokes(const QString &path);
+    /// Shows the welcome page, if people want it and nothing was begun yet.
+    void greet();
     /// Saves and waits until it is on disk. False if it failed or was given up.
     bool save();
     /// Writes to the path, shows what went wrong, and waits until it is on disk.
@@ -93,6 +96,7 @@ private:
     KeptBrush *m_brush = nullptr;
     FileSaving *m_saving = nullptr;
     FileOpening *m_opening = nullptr;
+    Welcoming *m_welcoming = nullptr;
     Importing *m_importing = nullptr;
     Docks *m_docks = nullptr;
     QMenu *m_docksMenu = nullptr;

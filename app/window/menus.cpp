@@ -213,7 +213,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
             {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,
               ReverseStrokes}});
     addToolsMenu(bar, table);
-    addMenu(bar, Commands::tr("&Help"), table, {{FindCommand, Shortcuts, About}});
+    addMenu(bar, Commands::tr("&Help"), table, {{Manual, Welcome}, {FindCommand, Shortcuts}, {About}});
     leaveBarWithMenus(bar);
     return open;
 }

@@ -197,7 +197,8 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     if (!paper)
         return Error{paper.error()};
 
-    const PictureGrid grid = PictureGrid::ofDocument(request.view);
+    const PictureGrid whole = PictureGrid::ofDocument(request.view);
+    const PictureGrid grid = request.part.isEmpty() ? whole : whole.part(request.part, request.near);
     const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads);
     const DirtyRegion &region = m_history.region();
     m_paper.begin(cpu::kernels(), grid, request.painting->canvas.paper, *paper,
@@ -244,7 +245,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     stats.cancelled = stats.dirty.size() < jobs.size();
     stats.pixelsEvaluated = pixelsIn(stats.dirty);
     if (step.moved)
-        stats.dirty = {{0, 0, request.view.width, request.view.height}};
+        stats.dirty = {{0, 0, grid.picture.width, grid.picture.height}};
     stats.tilesMs = milliseconds(stage);
     stats.totalMs = milliseconds(total);
     return stats;

@@ -169,6 +169,8 @@ Error CudaRenderer::lose(const QString &why)
 
 Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
 {
+    if (!request.part.isEmpty())
+        return render(ofPart(request), target, cancel);
     RenderStats stats;
     QElapsedTimer total, stage;
     total.start();

@@ -22,6 +22,8 @@ struct FilmOptions {
 FilmKind filmKindOf(const QString &path);
 /// Empty, or why such a film cannot be made, and what to choose instead.
 QString problemOf(const FilmOptions &options);
+/// The path of a numbered frame, whose pattern has been found good by `problemOf`.
+QString frameName(const QString &pattern, std::size_t number);
 /// The endings of films that are one file.
 QStringList filmEndings();
 

@@ -91,6 +91,12 @@ QString problemOfFrames(const QString &pattern)
                                                "that ends in .webp, .webm or .mp4");
 }
 
+QString frameName(const QString &pattern, std::size_t number)
+{
+    const std::optional<FrameNames> names = frameNames(pattern);
+    return names ? QDir(names->folder).filePath(names->nameOf(number)) : QString();
+}
+
 Result<std::unique_ptr<FilmWriter>> openFrames(const FilmOptions &options)
 {
     auto folder = std::make_unique<FrameFolder>(options, *frameNames(options.path));

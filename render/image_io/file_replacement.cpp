@@ -31,7 +31,7 @@ void FileReplacement::discard()
     m_temporary.clear();
 }
 
-QString FileReplacement::reason(int code) const
+QString FileReplacement::reason(const QString &shown, int code)
 {
     switch (code) {
     case EACCES:
@@ -39,16 +39,16 @@ QString FileReplacement::reason(int code) const
     case EROFS:
         return QCoreApplication::translate("FileReplacement", "%1: cannot be written (%2). Choose another folder, or "
                                                               "change its permissions.")
-            .arg(m_shown, QString::fromLocal8Bit(std::strerror(code)));
+            .arg(shown, QString::fromLocal8Bit(std::strerror(code)));
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
         return QCoreApplication::translate("FileReplacement", "%1: the disk is full (%2). Free some space, or choose "
                                                               "another disk.")
-            .arg(m_shown, QString::fromLocal8Bit(std::strerror(code)));
+            .arg(shown, QString::fromLocal8Bit(std::strerror(code)));
     default:
         return QCoreApplication::translate("FileReplacement", "%1: writing failed (%2). Choose another place.")
-            .arg(m_shown, QString::fromLocal8Bit(std::strerror(code)));
+            .arg(shown, QString::fromLocal8Bit(std::strerror(code)));
     }
 }
 
@@ -129,9 +129,9 @@ QString FileReplacement::problem() const
     return m_error ? reason(m_error) : QString();
 }
 
-Result<void> FileReplacement::commit()
+Result<void> FileReplacement::commit(bool toDisk)
 {
-    if (!m_error && ::fsync(m_file) != 0)
+    if (!m_error && toDisk && ::fsync(m_file) != 0)
         m_error = errno;
     const int file = m_file;
     m_file = -1;
@@ -145,6 +145,8 @@ Result<void> FileReplacement::commit()
         return Error{message};
     }
     m_temporary.clear();
+    if (!toDisk)
+        return {};
     // The new name is durable once the folder is synced. A folder that cannot be opened or synced is no reason to fail
     // now.
     const int folder = ::open(m_folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -29,10 +29,14 @@ public:
     /// The message of the first failed write; empty if none has failed.
     QString problem() const;
     /// Brings the file to disk and into its place. File and folder are synced.
-    Result<void> commit();
+    /// With `toDisk` false it is left to the system when they come to disk: whoever writes many files knows another way to
+    /// tell whether they are whole.
+    Result<void> commit(bool toDisk = true);
+    /// What an error of the system means for a file, and what to do.
+    static QString reason(const QString &shown, int code);
 
 private:
-    QString reason(int code) const;
+    QString reason(int code) const { return reason(m_shown, code); }
     void discard();
 
     QString m_shown;     ///< the name that the user gave

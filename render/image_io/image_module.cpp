@@ -16,7 +16,8 @@ Result<ImageModule> load(const QString &name)
     const QString path = modulePath(name);
     const auto problem = [&](const QString &what) {
         return Error{QCoreApplication::translate("ImageModule",
-                                                 "a part of Suffuse, %1, %2; install Suffuse again. Pictures "
+                                                 "a part of Suffuse, %1, %2; install Suffuse again, with what "
+                                                 "suffuse-cli recommends. Pictures "
                                                  "ending in .pfm work without it")
                          .arg(path, what)};
     };
@@ -29,6 +30,7 @@ Result<ImageModule> load(const QString &name)
     ImageModule module;
     module.write = reinterpret_cast<ImageModuleWriteFunction>(library.resolve("suffuse_image_write"));
     module.read = reinterpret_cast<ImageModuleReadFunction>(library.resolve("suffuse_image_read"));
+    module.tile = reinterpret_cast<ImageModuleTileFunction>(library.resolve("suffuse_image_tile"));
     module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
     module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
     module.profile = reinterpret_cast<ImageModuleProfileFunction>(library.resolve("suffuse_image_profile"));

@@ -8,11 +8,12 @@ namespace suffuse {
 
 class FileReplacement;
 
-/// The functions of an image module. All are set, except those for films and colours, which only the small
+/// The functions of an image module. All are set, except those for tiles, films and colours, which only the small
 /// module has.
 struct ImageModule {
     ImageModuleWriteFunction write = nullptr;
     ImageModuleReadFunction read = nullptr;
+    ImageModuleTileFunction tile = nullptr;
     ImageModuleFilmAddFunction filmAdd = nullptr;
     ImageModuleFilmEndFunction filmEnd = nullptr;
     ImageModuleProfileFunction profile = nullptr;

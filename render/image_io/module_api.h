@@ -8,7 +8,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number. Raise it with every change below.
-inline constexpr int imageModuleVersion = 8;
+inline constexpr int imageModuleVersion = 9;
 
 /// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -41,6 +41,26 @@ struct ImageModuleWrite {
     /// returns width·channels floats, which are valid until the next call; null: stop
     const float *(*row)(void *context, int y);
     bool (*stopped)(void *context); ///< whether writing is to stop; may be called on any thread
+};
+
+/// What a tile becomes: a JPEG file, or a tile of a TIFF file that is packed by deflate, of which the file is written by
+/// the program.
+enum ImageModuleTileKind { ModuleTileJpeg, ModuleTileTiff };
+
+/// A tile that is cut out of a picture in memory.
+struct ImageModuleTile {
+    int kind; ///< ImageModuleTileKind
+    ImageModuleFile file;
+    int width, height;
+    int side;     ///< of a tile of a TIFF file, which is square: what lies beyond width and height is 0
+    int channels; ///< 3, or 4 with alpha
+    int depth;    ///< ModuleBits8: `argb` is set; ModuleBits16: `rgba` is set
+    const std::uint32_t *argb;
+    const float *rgba;
+    std::size_t stride; ///< pixels from row to row
+    int quality;        ///< 1 … 100, of JPEG
+    const void *profile;
+    std::size_t profileSize;
 };
 
 struct ImageModuleRead {
@@ -83,11 +103,12 @@ struct ImageModuleColours {
 
 /// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
 /// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end`,
-/// `suffuse_image_profile`, `suffuse_colours_name`, `suffuse_colours_open`, `suffuse_colours_apply` and
+/// `suffuse_image_profile`, `suffuse_image_tile`, `suffuse_colours_name`, `suffuse_colours_open`, `suffuse_colours_apply` and
 /// `suffuse_colours_close`. Those that return a bool return false if they fail, and put a message (UTF-8, cut to `size`
 /// bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
+using ImageModuleTileFunction = bool (*)(const ImageModuleTile *tile, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
 /// Shows a picture of width·height·channels bytes from so many milliseconds after the start of the film.
 using ImageModuleFilmAddFunction = bool (*)(ImageModuleFilm *film, const std::uint8_t *pixels,

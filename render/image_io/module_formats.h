@@ -43,6 +43,7 @@ bool writePng(const ImageModuleWrite &job, char *error, std::size_t size);
 bool writeTiff(const ImageModuleWrite &job, char *error, std::size_t size);
 bool writeJpeg(const ImageModuleWrite &job, char *error, std::size_t size);
 bool writeWebP(const ImageModuleWrite &job, char *error, std::size_t size);
+bool writeJpegTile(const ImageModuleTile &tile, char *error, std::size_t size);
 bool readWebP(const ImageModuleRead &job, char *error, std::size_t size);
 
 } // namespace suffuse

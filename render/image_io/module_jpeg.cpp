@@ -5,6 +5,7 @@
 
 #include <jpeglib.h>
 
+#include <bit>
 #include <cmath>
 #include <csetjmp>
 #include <vector>
@@ -49,12 +50,14 @@ struct JpegFile {
     }
 };
 
-void describe(jpeg_compress_struct &jpeg, const ImageModuleWrite &job)
+/// `argb`: pixels come as 0xAARRGGBB instead of red, green and blue.
+void describe(jpeg_compress_struct &jpeg, const ImageModuleWrite &job, bool argb = false)
 {
+    static_assert(std::endian::native == std::endian::little, "else they are JCS_EXT_XRGB");
     jpeg.image_width = JDIMENSION(job.width);
     jpeg.image_height = JDIMENSION(job.height);
-    jpeg.input_components = 3;
-    jpeg.in_color_space = JCS_RGB;
+    jpeg.input_components = argb ? 4 : 3;
+    jpeg.in_color_space = argb ? JCS_EXT_BGRX : JCS_RGB;
     jpeg_set_defaults(&jpeg);
     jpeg_set_quality(&jpeg, job.quality, TRUE);
     if (job.quality >= leastQualityOfFullColour)
@@ -67,20 +70,26 @@ void describe(jpeg_compress_struct &jpeg, const ImageModuleWrite &job)
 }
 
 /// Compresses the picture. If it returns false, libjpeg has given up, and `file` says why. Nothing in here has a
-/// destructor, which libjpeg's jump would skip.
-bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite &job, unsigned char *row)
+/// destructor, which libjpeg's jump would skip. The pixels are those of the job's rows, for which `row` has room, or of
+/// the tile.
+bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite &job, unsigned char *row,
+              const ImageModuleTile *tile)
 {
     if (setjmp(file.escape))
         return false;
     jpeg_create_compress(&jpeg);
     file.connect(jpeg);
-    describe(jpeg, job);
+    describe(jpeg, job, tile != nullptr);
     jpeg_start_compress(&jpeg, TRUE);
     constexpr char software[] = "Suffuse " SUFFUSE_VERSION;
     jpeg_write_marker(&jpeg, JPEG_COM, reinterpret_cast<const JOCTET *>(software), sizeof software - 1);
     const std::string_view profile = profileOf(job);
     jpeg_write_icc_profile(&jpeg, reinterpret_cast<const JOCTET *>(profile.data()), unsigned(profile.size()));
-    for (int y = 0; y < job.height && file.whole; ++y) {
+    for (int y = 0; y < job.height && file.whole && !row; ++y) {
+        JSAMPROW pixels = reinterpret_cast<JSAMPROW>(const_cast<std::uint32_t *>(tile->argb + std::size_t(y) * tile->stride));
+        jpeg_write_scanlines(&jpeg, &pixels, 1);
+    }
+    for (int y = 0; y < job.height && file.whole && row; ++y) {
         const float *from = job.row(job.context, y);
         if (!from) {
             std::strcpy(file.message, "stopped");
@@ -95,12 +104,8 @@ bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite
     return file.whole;
 }
 
-} // namespace
-
-bool writeJpeg(const ImageModuleWrite &job, char *error, std::size_t size)
+bool write(const ImageModuleWrite &job, unsigned char *row, const ImageModuleTile *tile, char *error, std::size_t size)
 {
-    if (job.channels != 3)
-        return fail(error, size, "JPEG holds no transparency");
     jpeg_compress_struct jpeg{};
     JpegFile file;
     file.file = &job.file;
@@ -111,12 +116,34 @@ bool writeJpeg(const ImageModuleWrite &job, char *error, std::size_t size)
         (*j->err->format_message)(j, JpegFile::of(j).message);
         std::longjmp(JpegFile::of(j).escape, 1);
     };
-    std::vector<unsigned char> row(3 * std::size_t(job.width));
-    const bool done = compress(jpeg, file, job, row.data());
+    const bool done = compress(jpeg, file, job, row, tile);
     jpeg_destroy_compress(&jpeg);
     if (done)
         return true;
     return fail(error, size, file.whole ? file.message : "the file could not be written");
+}
+
+} // namespace
+
+bool writeJpeg(const ImageModuleWrite &job, char *error, std::size_t size)
+{
+    if (job.channels != 3)
+        return fail(error, size, "JPEG holds no transparency");
+    std::vector<unsigned char> row(3 * std::size_t(job.width));
+    return write(job, row.data(), nullptr, error, size);
+}
+
+bool writeJpegTile(const ImageModuleTile &tile, char *error, std::size_t size)
+{
+    ImageModuleWrite job{};
+    job.file = tile.file;
+    job.width = tile.width;
+    job.height = tile.height;
+    job.channels = 3;
+    job.quality = tile.quality;
+    job.profile = tile.profile;
+    job.profileSize = tile.profileSize;
+    return write(job, nullptr, &tile, error, size);
 }
 
 } // namespace suffuse

@@ -47,6 +47,8 @@ QString ReferenceRenderer::deviceName() const
 Result<RenderStats> ReferenceRenderer::render(const RenderRequest &request, Target &target,
                                               const std::atomic<bool> *cancel)
 {
+    if (!request.part.isEmpty())
+        return render(ofPart(request), target, cancel);
     const auto start = std::chrono::steady_clock::now();
     const View &view = request.view;
     const Canvas &canvas = request.painting->canvas;

@@ -12,6 +12,7 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/dialogs/vary_dialog.h"
+#include "app/dialogs/welcome/welcome_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along/along_dialog.h"
 #include "app/window/files/recovery.h"
@@ -50,6 +51,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"recolour", [](MainWindow &w) { return std::make_unique<RecolourDialog>(w.editor(), &w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
         {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
+        {"welcome", [](MainWindow &w) { return std::make_unique<WelcomeDialog>(&w); }},
         {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},
     };
 }

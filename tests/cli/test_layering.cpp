@@ -105,6 +105,8 @@ const QList<Rule> &rules()
         {"render/reference/", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
         // What other programs show of a painting is found without knowing who draws the picture.
         {"render/drawing/", {"model/", "render/"}, {"QtCore"}, {}, backends},
+        // Pictures in tiles, by whatever draws them.
+        {"render/tiles/", {"model/", "render/"}, {"QtCore"}, {}, backends},
         // Written once for host and device.
         {"render/math/", {"render/math/", "model/painting/style.h", "model/painting/blend.h"}, {}, {"hwy"}},
         {"render/cuda/",
@@ -158,8 +160,16 @@ const QList<Rule> &rules()
         {"app/panels/strokes/", below + QStringList{"app/widgets/", "app/panels/strokes/"}, widgets, {}},
         {"app/panels/timeline/", below + QStringList{"app/widgets/", "app/panels/timeline/"}, widgets, {}},
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
-        // suffuse-cli links model and render only, and loads what sets texts when it needs it.
-        {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {}},
+        {"app/window/files/running_program", {"app/window/"}, widgets + QStringList{"QtDBus"}, {}},
+        // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
+        {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {"link.h"}},
+        // The Python module asks as the command line does.
+        {"app/python/",
+         {"model/", "undo/", "render/", "app/cli/options.h", "app/python/"},
+         {"QtCore"},
+         {"pybind11"},
+         {"undo/history/edit_command.h", "undo/history/kept_history.h", "undo/history/stroke_history.h",
+          "undo/lettering/"}},
     };
     return table;
 }
@@ -421,6 +431,9 @@ void TestLayering::breachesAreFound_data()
     row("the command line without undo", "app/cli/a.cpp",
         "#include \"undo/edits.h\"\n#include \"app/session/editor.h\"", 2);
     row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);
+    row("the Python module without Gui", "app/python/a.cpp",
+        "#include <pybind11/numpy.h>\n#include \"undo/edits.h\"\n#include \"undo/history/edit_command.h\"\n#include <QFont>", 2);
+    row("and nobody else with Python", "app/cli/a.cpp", "#include <pybind11/numpy.h>", 1);
     row("the session without windows", "app/session/a.h", "#include <QWidget>\n#include \"app/canvas/a.h\"", 2);
     row("the session with all below", "app/session/frames/a.cpp",
         "#include \"app/session/a.h\"\n#include \"undo/edits.h\"\n#include \"render/view.h\"\n#include <QImage>", 0);

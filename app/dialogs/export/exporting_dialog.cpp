@@ -4,6 +4,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
@@ -26,6 +27,7 @@ ExportingDialog::ExportingDialog(const QString &title, QStandardPaths::StandardL
       m_column(new QVBoxLayout(this))
 {
     setWindowTitle(title);
+    setHelpPage(*this, "exchange");
     setMinimumWidth(480);
     m_column->setContentsMargins(16, 16, 16, 16);
     m_column->setSpacing(12);

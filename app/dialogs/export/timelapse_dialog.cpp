@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/decimal_box.h"
 
@@ -36,6 +37,7 @@ QString keyOf(const char *name)
 TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent)
     : ExportingDialog(tr("Export Timelapse"), QStandardPaths::MoviesLocation, parent), m_editor(editor)
 {
+    setHelpPage(*this, "time");
     addFields(*m_grid, shown);
     addWork(QStringLiteral("film"));
     m_left = quietLabel({}, this);

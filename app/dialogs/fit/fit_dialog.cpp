@@ -7,6 +7,7 @@
 #include "app/session/fitting/fit_layer.h"
 #include "app/widgets/asking/choose_picture.h"
 #include "app/widgets/habits/entry_field.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/slider_field.h"
@@ -69,6 +70,7 @@ FitDialog::FitDialog(Editor &editor, std::optional<RefitTask> task, QWidget *par
     : QDialog(parent), m_editor(editor), m_job(*new FitJob(qApp)), m_task(std::move(task))
 {
     setWindowTitle(m_task ? tr("Fewer Strokes") : tr("Picture to Strokes"));
+    setHelpPage(*this, "picture-to-strokes");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);

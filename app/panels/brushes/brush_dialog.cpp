@@ -6,6 +6,7 @@
 #include "app/panels/brushes/brush_paint_page.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
@@ -124,6 +125,7 @@ void BrushDialog::refresh()
     const BrushLibrary &library = BrushLibrary::instance();
     m_save->setEnabled(library.isOwn(brush.name) && library.isChanged(brush));
     setWindowTitle(tr("Brush: %1").arg(brushTitle(brush.name)));
+    setHelpPage(*this, "brushes");
     for (BrushPage *page : m_pages)
         page->showBrush(brush);
     giveMnemonics(*this);

@@ -211,6 +211,8 @@ enum class Command {
     PreviousPanel,
     FullScreen,
     FindCommand,
+    Manual,
+    Welcome,
     Shortcuts,
     About,
 };

@@ -67,7 +67,12 @@ FileOpening *FileOpening::show(const std::function<void(OpenPainting &open)> &fi
 void FileOpening::newPainting()
 {
     if (const std::optional<Canvas> canvas = NewDialog::ask(&window()))
-        show([&](OpenPainting &open) { open.editor.newPainting(*canvas); });
+        begin(*canvas);
+}
+
+void FileOpening::begin(const Canvas &canvas)
+{
+    show([&](OpenPainting &open) { open.editor.newPainting(canvas); });
 }
 
 void FileOpening::chooseFiles()

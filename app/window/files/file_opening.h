@@ -14,6 +14,7 @@ namespace suffuse {
 
 class FileRestoring;
 class KeptBrush;
+struct Canvas;
 struct LostDocument;
 struct OpenedFile;
 
@@ -36,6 +37,10 @@ public:
     /// Shows a document of an earlier run. Its journal goes when this one's is on disk.
     FileOpening *openRecovered(LostDocument document);
     void fillRecentMenu(QMenu &menu);
+    /// A new painting, here or in a window of its own.
+    void begin(const Canvas &canvas);
+    /// Nothing was painted, opened or saved in this window.
+    bool isUntouched() const;
 
 private:
     /// Another painting, given by `fill`, here or in a window of its own.
@@ -45,7 +50,6 @@ private:
     FileOpening *openBackup(const QString &backup);
     void newPainting();
     void chooseFiles();
-    bool isUntouched() const;
 
     Workplace m_place;
     FileRestoring &m_restoring;

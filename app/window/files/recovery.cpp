@@ -2,6 +2,7 @@
 
 #include "app/session/files/saving_preview.h"
 #include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/look/picture_icon.h"
 #include "app/window/main_window.h"
 
@@ -28,6 +29,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostDocument> documents, QWidget *par
     : QDialog(parent), m_documents(std::move(documents))
 {
     setWindowTitle(tr("Recover Paintings"));
+    setHelpPage(*this, "saving");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);

@@ -12,6 +12,7 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/open_painting.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/section.h"
@@ -69,12 +70,13 @@ Docks::~Docks()
     qDeleteAll(m_docks); // they show the painting, which may go before their window
 }
 
-QDockWidget *Docks::add(const char *name, const QString &title, QWidget *panel, CommandScope scope)
+QDockWidget *Docks::add(const char *name, const char *page, const QString &title, QWidget *panel, CommandScope scope)
 {
     if (scope != CommandScope::Window)
         panel->addActions(m_place.commands.of(scope));
     auto *dock = new QDockWidget(title, &m_place.window);
     dock->setObjectName(QString::fromLatin1(name));
+    setHelpPage(*dock, page);
     dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
     m_place.window.addDockWidget(Qt::RightDockWidgetArea, dock);
     // Qt would close a dock that is open behind another one, where people want to see it.
@@ -107,7 +109,7 @@ QDockWidget *Docks::makeProbe()
     const CanvasWidget *canvas = &m_place.canvas;
     connect(canvas, &CanvasWidget::pointerMoved, probe, [probe](double x, double y) { probe->setPoint({x, y}); });
     connect(canvas, &CanvasWidget::pointerLeft, probe, &ProbePanel::leaveCanvas);
-    QDockWidget *dock = add("probeDock", tr("Probe"), probe);
+    QDockWidget *dock = add("probeDock", "numbers", tr("Probe"), probe);
     dock->hide();
     return dock;
 }
@@ -115,7 +117,7 @@ QDockWidget *Docks::makeProbe()
 QDockWidget *Docks::makeTimeline()
 {
     auto *panel = new TimelinePanel(m_place.open.editor, m_place.open.playback, m_place.commands);
-    QDockWidget *dock = add("timelineDock", tr("Timeline"), panel, CommandScope::Timeline);
+    QDockWidget *dock = add("timelineDock", "time", tr("Timeline"), panel, CommandScope::Timeline);
     panel->addAction(&m_place.commands[Command::Delete]); // Its bars are strokes, and are selected as such.
     m_place.window.addDockWidget(Qt::BottomDockWidgetArea, dock);
     return dock;
@@ -146,11 +148,11 @@ void Docks::makeDocks()
     connect(inspectorPanel, &InspectorPanel::alongOpening, this,
             [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });
     addAlongRow(*inspectorPanel);
-    add("colourDock", tr("Colour"), new ColourPanel(editor));
-    m_brushes = add("brushesDock", tr("Brushes"), brushPanel);
-    m_inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
-    m_strokesDock = add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
-    add("historyDock", tr("History"), new HistoryPanel(editor));
+    add("colourDock", "colour", tr("Colour"), new ColourPanel(editor));
+    m_brushes = add("brushesDock", "brushes", tr("Brushes"), brushPanel);
+    m_inspector = add("inspectorDock", "numbers", tr("Inspector"), inspectorPanel);
+    m_strokesDock = add("strokesDock", "layers", tr("Strokes"), m_strokes, CommandScope::Strokes);
+    add("historyDock", "refining", tr("History"), new HistoryPanel(editor));
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     m_probe = makeProbe();
     m_timeline = makeTimeline();

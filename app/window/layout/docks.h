@@ -34,8 +34,9 @@ public:
     void arrangeAnew();
 
 private:
-    /// Keys of a scope are the panel's as much as the canvas'.
-    QDockWidget *add(const char *name, const QString &title, QWidget *panel, CommandScope scope = CommandScope::Window);
+    /// Keys of a scope are the panel's as much as the canvas'. `page` is that of the manual.
+    QDockWidget *add(const char *name, const char *page, const QString &title, QWidget *panel,
+                     CommandScope scope = CommandScope::Window);
     void makeDocks();
     void stack();
     void shareRoom();

@@ -118,7 +118,7 @@ SUFFUSE_PROGRAM Float4 finishSample(const Float4 &sample)
 
 SUFFUSE_PROGRAM std::uint32_t argbOf(const Float4 &rgba)
 {
-    const auto level = [](float v) { return std::uint32_t(math::mulAdd_(v, 255.0f, 0.5f)); };
+    const auto level = [](float v) { return std::uint32_t(v * 255.0f + 0.5f); }; // as files are rounded
     return level(rgba.w) << 24 | level(rgba.x) << 16 | level(rgba.y) << 8 | level(rgba.z);
 }
 

@@ -1,6 +1,7 @@
 #include "app/panels/inspector/along/along_dialog.h"
 
 #include "app/session/editor.h"
+#include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
 #include "model/restyling/profile.h"
@@ -38,6 +39,7 @@ QString nameOfStroke(const Stroke &stroke)
 
 AlongDialog::AlongDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor)
 {
+    setHelpPage(*this, "refining");
     m_state.runs = std::make_shared<const StrokeRuns>(runsOf(editor.document()));
     setAttribute(Qt::WA_DeleteOnClose);
     auto *outer = new QVBoxLayout(this);
