@@ -2,6 +2,7 @@
 
 #include "render/cost.h"
 #include "render/cpu/cpu_renderer.h"
+#include "render/cuda/cuda_differentiator.h"
 #include "render/cuda/cuda_renderer.h"
 #include "render/fallback_renderer.h"
 #include "render/reference/reference.h"
@@ -21,6 +22,11 @@ namespace {
 std::unique_ptr<Renderer> makeCpuRenderer(const RendererOptions &options)
 {
     return std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull);
+}
+
+QString cudaCannotRun(const QString &why)
+{
+    return QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.").arg(why);
 }
 
 /// A renderer on GPUs that goes on with the CPU when they fail.
@@ -75,11 +81,23 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
         if (cuda)
             return cuda;
         if (options.backend == Backend::Cuda)
-            return Error{
-                QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.")
-                    .arg(cuda.error())};
+            return Error{cudaCannotRun(cuda.error())};
     }
     return makeCpuRenderer(options);
+}
+
+Result<std::unique_ptr<gradient::Differentiator>> makeDifferentiator(Backend backend, const Threads &threads)
+{
+    if (backend == Backend::Reference)
+        return Error{QCoreApplication::translate("Renderer", "The reference finds no gradients. Use the CPU backend.")};
+    if (backend != Backend::Cpu) {
+        Result<std::unique_ptr<gradient::Differentiator>> cuda = makeCudaDifferentiator(threads);
+        if (cuda)
+            return cuda;
+        if (backend == Backend::Cuda)
+            return Error{cudaCannotRun(cuda.error())};
+    }
+    return gradient::makeCpuDifferentiator(threads);
 }
 
 Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options)

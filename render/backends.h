@@ -1,6 +1,7 @@
 // Lists the renderers, and makes them. Only the programs include this, since no backend knows another one.
 #pragma once
 
+#include "render/gradient/differentiator.h"
 #include "render/renderer.h"
 
 namespace suffuse {
@@ -19,6 +20,10 @@ Backend quickestBackend(const RenderRequest &request, std::size_t pictures, cons
 /// Makes renderers that share work by whole pictures (render/sequence.h): one for each GPU (`options.devices` of them),
 /// or one for the CPU.
 Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options);
+
+/// Makes what finds gradients for a fit. Auto takes a GPU where there is one. Cuda fails with the reason where it cannot run, and
+/// Reference always, since it has no gradients.
+Result<std::unique_ptr<gradient::Differentiator>> makeDifferentiator(Backend backend, const Threads &threads);
 
 struct BackendInfo {
     Backend backend;

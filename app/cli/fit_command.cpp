@@ -2,6 +2,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/fitting/fitting.h"
 #include "render/fitting/picture_metrics.h"
 
@@ -42,6 +43,7 @@ void addOptions(CommandLine &line)
     add({"iterations"}, QT_TRANSLATE_NOOP("Cli", "How many steps (default 1200)."), "N");
     add({"pixels"}, QT_TRANSLATE_NOOP("Cli", "PICTURE is averaged down to so many pixels (default 600000)."), "N");
     add({"seed"}, QT_TRANSLATE_NOOP("Cli", "Other numbers give other strokes (default 1)."), "N");
+    add({"backend"}, QT_TRANSLATE_NOOP("Cli", "auto (default: a GPU where there is one), cpu or cuda."), "BACKEND");
     add({"threads"}, QT_TRANSLATE_NOOP("Cli", "Number of threads (default: one a core)."), "N");
     add({"json"}, QT_TRANSLATE_NOOP("Cli", "Prints how near the painting comes, as JSON (docs/cli.md)."));
 }
@@ -49,8 +51,20 @@ void addOptions(CommandLine &line)
 /// What the command line asks for. Widths are in pixels of IN until the picture is known.
 struct FitRequest {
     FitOptions options;
+    Backend backend = Backend::Auto; ///< finds the gradients
     int pixels = usualFitPixels;
 };
+
+Result<Backend> backendOf(const CommandLine &line)
+{
+    const QString name = line.isSet("backend") ? line.value("backend") : QStringLiteral("auto");
+    constexpr std::array names = {std::pair("auto", Backend::Auto), std::pair("cpu", Backend::Cpu),
+                                  std::pair("cuda", Backend::Cuda)};
+    for (const auto &[known, backend] : names)
+        if (name == QLatin1String(known))
+            return backend;
+    return Error{QCoreApplication::translate("Cli", "--backend %1: give auto, cpu or cuda").arg(name)};
+}
 
 /// What contradicts itself; empty if nothing does.
 QString contradictionIn(const CommandLine &line)
@@ -76,6 +90,9 @@ Result<FitRequest> requestOf(const CommandLine &line)
     const Result<StyleKind> style = styleOf(line);
     if (!style)
         return Error{style.error()};
+    const Result<Backend> backend = backendOf(line);
+    if (!backend)
+        return Error{backend.error()};
     const Result<double> strokes =
         line.isSet("numbers") ? numberOf(line, "numbers", 0, {double(strokeNumbers), 1e6, true})
                               : numberOf(line, "strokes", byError ? mostStrokes : 512, {1, double(mostStrokes), true});
@@ -97,6 +114,7 @@ Result<FitRequest> requestOf(const CommandLine &line)
                          .arg(*greatest)
                          .arg(*least)};
     FitRequest out;
+    out.backend = *backend;
     out.options.strokes = line.isSet("numbers") ? int(*strokes) / int(strokeNumbers) : int(*strokes);
     out.options.error = *error / 255;
     out.options.paints = int(*paints);
@@ -147,13 +165,18 @@ Result<void> writeTarget(const QString &path, const FitPicture &picture)
     return writeImage(path, rows, options);
 }
 
-Result<std::unique_ptr<Fitting>> fittingOf(const CommandLine &line, FitTarget target, FitOptions options)
+Result<std::unique_ptr<Fitting>> fittingOf(const CommandLine &line, FitTarget target, const FitRequest &request)
 {
+    FitOptions options = request.options;
+    Result<std::unique_ptr<gradient::Differentiator>> differentiator =
+        makeDifferentiator(request.backend, Threads(options.threads));
+    if (!differentiator)
+        return Error{differentiator.error()};
     const double scale = target.picture.width / target.canvasWidth;
     options.limits.leastWidth *= scale;
     options.limits.greatestWidth *= scale;
     if (!line.isSet("from"))
-        return std::make_unique<Fitting>(std::move(target), options);
+        return std::make_unique<Fitting>(std::move(target), options, std::move(*differentiator));
     const QString path = line.value("from");
     const Result<Painting> painting = paintingOf(path);
     if (!painting)
@@ -161,7 +184,7 @@ Result<std::unique_ptr<Fitting>> fittingOf(const CommandLine &line, FitTarget ta
     Result<FittedStrokes> start = fittedStrokesOf(*painting, target);
     if (!start)
         return Error{QStringLiteral("%1: %2").arg(path, start.error())};
-    return std::make_unique<Fitting>(std::move(target), options, std::move(*start));
+    return std::make_unique<Fitting>(std::move(target), options, std::move(*start), std::move(*differentiator));
 }
 
 QJsonObject statsOf(Fitting &fit, const FitOptions &options, int paints, double seconds)
@@ -180,6 +203,7 @@ QJsonObject statsOf(Fitting &fit, const FitOptions &options, int paints, double 
             {"msSsimScales", similarity.scales},
             {"width", picture.width},
             {"height", picture.height},
+            {"device", fit.differentiator().deviceName()},
             {"iterations", fit.steps()},
             {"seed", qint64(options.seed)},
             {"seconds", seconds}};
@@ -199,7 +223,7 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
     if (line.isSet("target"))
         if (const Result<void> written = writeTarget(line.value("target"), target->picture); !written)
             return fail(written.error());
-    const Result<std::unique_ptr<Fitting>> made = fittingOf(line, std::move(*target), request.options);
+    const Result<std::unique_ptr<Fitting>> made = fittingOf(line, std::move(*target), request);
     if (!made)
         return fail(made.error());
     Fitting *const fit = made->get();
@@ -209,6 +233,8 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
         while (!interrupted() && fit->step())
             progress.show(qint64(1000 * fit->progress()), 1000);
     }
+    if (const QString lost = fit->differentiator().notice(); !lost.isEmpty())
+        warn(QCoreApplication::translate("Cli", "the GPU failed (%1); the CPU went on").arg(lost));
     if (interrupted() && fit->strokes().strokes.empty())
         return fail(QCoreApplication::translate("Cli", "stopped; nothing was written"));
     const Painting painting = fit->painting();

@@ -17,6 +17,8 @@ public:
 
     const FitPicture &target() const { return m_target; }
     const FitPicture &weight() const { return m_weight; }
+    /// Whether it is nothing but the sum of square differences from the target.
+    bool isPlain() const { return m_weight.isEmpty() && m_perceptual <= 0; }
     /// Writes the derivatives by the R, G, B of pixels [first, first + count). Any thread.
     void differentiate(std::size_t first, std::size_t count, const float *rgb, float *byRgb) const;
     /// The loss of one pixel.

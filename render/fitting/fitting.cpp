@@ -15,6 +15,7 @@ namespace {
 
 constexpr int stepsForNodes = 10;           ///< Nodes are chosen anew after so many steps.
 constexpr double unseenWhileFitting = 2e-3; ///< Errors of opacity that are too small to lead a fit astray.
+constexpr int bandHeight = 96; ///< Whole tiles; a picture is drawn in some tens of milliseconds a band.
 constexpr double leastEffect = 2e-6;        ///< of the whole error: strokes that do less are left out at the end
 constexpr double doubtfulEffect = 3e-4;     ///< Strokes that do less by a rough measure are measured exactly.
 
@@ -76,17 +77,18 @@ struct Fitting::Level {
     double scale = 1; ///< its pixels for each of the target's
 };
 
-Fitting::Fitting(FitTarget target, const FitOptions &options)
-    : Fitting(std::move(target), options, {{}, options.limits.style, {}})
+Fitting::Fitting(FitTarget target, const FitOptions &options, std::shared_ptr<gradient::Differentiator> differentiator)
+    : Fitting(std::move(target), options, {{}, options.limits.style, {}}, std::move(differentiator))
 {
     m_fitted.background = meanColour(m_target);
 }
 
-Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes start)
+Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes start,
+                 std::shared_ptr<gradient::Differentiator> differentiator)
     : m_target(std::move(target)), m_options(options), m_fitted(std::move(start)),
       m_plan(planOf(int(m_fitted.strokes.size()), std::max(options.strokes, int(m_fitted.strokes.size())),
                     options.error > 0, options.steps, m_target.picture.width, m_target.picture.height)),
-      m_gradient(Threads(options.threads))
+      m_gradient(differentiator ? std::move(differentiator) : gradient::makeCpuDifferentiator(Threads(options.threads)))
 {
     m_options.limits.style = m_fitted.style;
     m_options.limits.greatestSpread = std::max(m_target.picture.width, m_target.picture.height);
@@ -95,12 +97,12 @@ Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes star
 
 Fitting::~Fitting() = default;
 
-const Fitting::Level &Fitting::levelAt(int halvings)
+std::shared_ptr<const Fitting::Level> Fitting::levelAt(int halvings)
 {
     m_levels.resize(std::max(m_levels.size(), std::size_t(halvings) + 1));
-    std::unique_ptr<Level> &level = m_levels[std::size_t(halvings)];
+    std::shared_ptr<Level> &level = m_levels[std::size_t(halvings)];
     if (!level) {
-        level = std::make_unique<Level>();
+        level = std::make_shared<Level>();
         const FitPicture &full = m_target.picture;
         const Rect area = Rect::of(0, 0, full.width, full.height);
         const int width = std::max(1, full.width >> halvings),
@@ -118,7 +120,7 @@ const Fitting::Level &Fitting::levelAt(int halvings)
         level->view = View::ofArea(area, width, height);
         level->scale = double(width) / full.width;
     }
-    return *level;
+    return level;
 }
 
 /// The strokes as a level shows them.
@@ -131,7 +133,7 @@ gradient::FlatScene Fitting::sceneAt(const Level &level) const
 
 void Fitting::choose()
 {
-    m_gradient.choose(m_scene, {unseenWhileFitting});
+    m_gradient->choose(m_scene, {unseenWhileFitting});
 }
 
 void Fitting::keep(const std::vector<std::size_t> &kept)
@@ -149,7 +151,7 @@ void Fitting::keep(const std::vector<std::size_t> &kept)
 void Fitting::removeLeast(std::size_t count)
 {
     const std::vector<double> effects = roughErrorsWithout(
-        m_gradient, m_scene, {m_level->loss.target(), m_level->loss.weight(), m_level->view, nullptr}, m_options.seed, m_cancel);
+        *m_gradient, m_scene, {m_level->loss.target(), m_level->loss.weight(), m_level->view, nullptr}, m_options.seed, m_cancel);
     std::vector<std::size_t> order(effects.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return effects[a] < effects[b]; });
@@ -165,8 +167,10 @@ bool Fitting::removeIdle()
                            m_level->ground.get()};
     setNumbers(m_fitted.strokes, m_fitted.style, m_scene);
     choose();
-    const std::vector<double> rough = roughErrorsWithout(m_gradient, m_scene, seen, m_options.seed, m_cancel);
+    const std::vector<double> rough = roughErrorsWithout(*m_gradient, m_scene, seen, m_options.seed, m_cancel);
     const double error = meanSquareError() * 3 * double(m_target.picture.pixels());
+    if (isCancelled())
+        return false;
     std::vector<std::size_t> doubtful, kept;
     for (std::size_t i = 0; i < rough.size(); ++i)
         if (rough[i] < doubtfulEffect * error)
@@ -193,7 +197,7 @@ void Fitting::addStrokes(std::size_t count)
     FitPicture drawn;
     const auto draw = [&](FitPicture &to) {
         to = FitPicture(target->width, target->height, 3);
-        const std::span<const float> values = m_gradient.draw(m_scene);
+        const std::span<const float> values = m_gradient->draw(m_scene);
         std::copy(values.begin(), values.end(), to.values.begin());
     };
     if (m_level->sides.empty())
@@ -221,7 +225,7 @@ bool Fitting::begin(const FitPhase &phase)
     const std::vector<FitStroke> strokes = m_fitted.strokes;
     const AdamSteps adam = m_adam;
     const FitPalette palette = m_palette;
-    m_level = &levelAt(phase.halvings);
+    m_level = levelAt(phase.halvings);
     m_options.limits.leastSpread = std::min(1 / m_level->scale, 2.0);
     m_scene = sceneAt(*m_level);
     choose();
@@ -247,10 +251,11 @@ void Fitting::move(const FitPhase &phase)
     if (m_step % stepsForNodes == 0)
         choose();
     const FitLoss &loss = m_level->loss;
-    const gradient::FlatGradient &by = m_gradient.drawAndDifferentiate(
-        m_scene, [&loss](std::size_t first, std::size_t count, const float *rgb, float *byRgb) {
-            loss.differentiate(first, count, rgb, byRgb);
-        });
+    const gradient::FlatGradient &by = m_gradient->drawAndDifferentiate(
+        m_scene, {[&loss](std::size_t first, std::size_t count, const float *rgb, float *byRgb) {
+                      loss.differentiate(first, count, rgb, byRgb);
+                  },
+                  loss.isPlain() ? std::shared_ptr<const std::vector<float>>(m_level, &loss.target().values) : nullptr});
     std::vector<StrokeSlope> slopes = slopesOf(by, m_scene, m_fitted.strokes);
     if (!m_palette.isEmpty())
         m_palette.share(slopes);
@@ -287,11 +292,14 @@ void Fitting::end()
 {
     if (m_phase + 1 == m_plan.size() && !removeIdle())
         return;
-    m_step = -1;
-    ++m_phase;
-    if (isDone())
+    const std::size_t next = m_phase + 1;
+    const bool isNear = m_options.error > 0 && next < m_plan.size() && m_plan[next].grows &&
+                        std::sqrt(meanSquareError()) <= m_options.error;
+    if (isCancelled())
         return;
-    if (m_options.error > 0 && m_plan[m_phase].grows && std::sqrt(meanSquareError()) <= m_options.error) {
+    m_step = -1;
+    m_phase = next;
+    if (isNear) {
         while (m_plan[m_phase].grows)
             ++m_phase;
         for (FitPhase &phase : m_plan)
@@ -317,27 +325,35 @@ Painting Fitting::painting() const
 
 FitPicture Fitting::picture()
 {
-    const Level &full = levelAt(0);
-    return drawn(full, full.sides.empty() ? full.ground : full.sides[0].ground);
+    const auto full = levelAt(0);
+    return drawn(*full, full->sides.empty() ? full->ground : full->sides[0].ground);
 }
 
-/// Draws the strokes so far on a ground of a level.
+/// Draws the strokes so far on a ground of a level, or nothing if it is stopped.
 FitPicture Fitting::drawn(const Level &full, const std::shared_ptr<const std::vector<float>> &ground) const
 {
     gradient::SceneGradient<float> gradient{Threads(m_options.threads)};
     gradient::FlatScene scene = sceneAt(full);
-    scene.ground = ground;
     gradient.choose(scene);
     FitPicture out(full.view.width, full.view.height, 3);
-    const std::span<const float> values = gradient.draw(scene);
-    std::copy(values.begin(), values.end(), out.values.begin());
+    // Band by band, so that it stops soon.
+    for (int y = 0; y < full.view.height; y += bandHeight) {
+        if (isCancelled())
+            return {};
+        const PixelRect band{0, y, full.view.width, std::min(bandHeight, full.view.height - y)};
+        scene.view = partOf(full.view, band);
+        scene.ground = groundIn(ground.get(), full.view.width, band);
+        const std::span<const float> values = gradient.draw(scene);
+        std::copy(values.begin(), values.end(), out.at(0, y));
+    }
     return out;
 }
 
 double Fitting::meanSquareError()
 {
-    const Level &full = levelAt(0);
-    return meanSquare(drawn(full, full.ground), full.loss.target(), full.loss.weight());
+    const auto full = levelAt(0);
+    const FitPicture is = drawn(*full, full->ground);
+    return is.isEmpty() ? 0 : meanSquare(is, full->loss.target(), full->loss.weight());
 }
 
 } // namespace suffuse::fitting

@@ -6,7 +6,7 @@
 #include "render/fitting/fit_palette.h"
 #include "render/fitting/fit_plan.h"
 #include "render/fitting/fitted_painting.h"
-#include "render/gradient/scene_gradient.h"
+#include "render/gradient/differentiator.h"
 
 #include <memory>
 #include <optional>
@@ -25,13 +25,15 @@ struct FitOptions {
     int threads = 0; ///< 0: one for each core
 };
 
-/// A fit under way. What it does is a pure function of target, options and start: the same bits for any number of
-/// threads. It is used by one thread at a time; only the flag of `stopWith` may change meanwhile.
+/// A fit under way. What it does is a pure function of target, options and start, on one processor: the same bits for any number
+/// of threads. It is used by one thread at a time; only the flag of `stopWith` may change meanwhile.
 class Fitting {
 public:
-    Fitting(FitTarget target, const FitOptions &options);
+    /// `differentiator` finds the gradients, of one fit at a time; null: the CPU does.
+    Fitting(FitTarget target, const FitOptions &options, std::shared_ptr<gradient::Differentiator> differentiator = {});
     /// Goes on with strokes. Their style is taken, in place of that of the options.
-    Fitting(FitTarget target, const FitOptions &options, FittedStrokes start);
+    Fitting(FitTarget target, const FitOptions &options, FittedStrokes start,
+            std::shared_ptr<gradient::Differentiator> differentiator = {});
     ~Fitting();
 
     /// Makes `step` return soon after the flag is set, which then outlives the fit. A fit goes on after it is cleared,
@@ -47,9 +49,11 @@ public:
     /// The painting so far.
     Painting painting() const;
     const FitTarget &target() const { return m_target; }
-    /// Draws the strokes so far at the size of the target; on white, where their coverage counts.
+    const gradient::Differentiator &differentiator() const { return *m_gradient; }
+    /// Draws the strokes so far at the size of the target; on white, where their coverage counts. Empty if it was stopped
+    /// before.
     FitPicture picture();
-    /// The mean square error of the strokes so far, of what counts, at the size of the target.
+    /// The mean square error of the strokes so far, of what counts, at the size of the target; no number if it was stopped before.
     double meanSquareError();
 
 private:
@@ -62,7 +66,7 @@ private:
     bool removeIdle();
     void keep(const std::vector<std::size_t> &kept);
     void choose();
-    const Level &levelAt(int halvings);
+    std::shared_ptr<const Level> levelAt(int halvings);
     gradient::FlatScene sceneAt(const Level &level) const;
     FitPicture drawn(const Level &full, const std::shared_ptr<const std::vector<float>> &ground) const;
     bool isCancelled() const { return m_cancel && *m_cancel; }
@@ -76,9 +80,9 @@ private:
     int m_steps = 0;
     AdamSteps m_adam;
     FitPalette m_palette;
-    std::vector<std::unique_ptr<Level>> m_levels; ///< by halvings
-    const Level *m_level = nullptr;
-    gradient::SceneGradient<float> m_gradient;
+    std::vector<std::shared_ptr<Level>> m_levels; ///< by halvings
+    std::shared_ptr<const Level> m_level;
+    std::shared_ptr<gradient::Differentiator> m_gradient;
     gradient::FlatScene m_scene;
     const std::atomic<bool> *m_cancel = nullptr;
 };

@@ -13,7 +13,8 @@ constexpr double reach = 5; ///< in spreads: beyond, a stroke is not seen
 constexpr int samples = 16; ///< of random signs
 constexpr int tile = 16;    ///< Boxes begin at whole tiles, so that they hold the same bits as the picture.
 
-/// The pixels that a stroke may reach.
+} // namespace
+
 PixelRect boxOf(const FitStroke &stroke, const View &view)
 {
     const double s = reach * std::exp(stroke[LogSpread]);
@@ -46,27 +47,25 @@ View partOf(const View &view, const PixelRect &box)
     return out;
 }
 
-/// The ground of a box, if there is one of its own for each pixel.
-std::shared_ptr<const std::vector<float>> groundIn(const RemovalView &seen, const PixelRect &box)
+std::shared_ptr<const std::vector<float>> groundIn(const std::vector<float> *ground, int width, const PixelRect &box)
 {
-    if (!seen.ground)
+    if (!ground)
         return {};
     auto out = std::make_shared<std::vector<float>>();
     out->reserve(3 * std::size_t(box.width) * std::size_t(box.height));
     for (int y = box.y; y < box.y + box.height; ++y) {
-        const auto from = seen.ground->begin() + 3 * (std::ptrdiff_t(y) * seen.view.width + box.x);
+        const auto from = ground->begin() + 3 * (std::ptrdiff_t(y) * width + box.x);
         out->insert(out->end(), from, from + 3 * std::ptrdiff_t(box.width));
     }
     return out;
 }
 
-/// The sum of weighted square errors in a box.
 double errorIn(const std::vector<FitStroke> &strokes, StyleKind style, const Colour &background,
                const RemovalView &seen, const PixelRect &box)
 {
     gradient::SceneGradient<float> gradient{Threads(1)};
     gradient::FlatScene scene = sceneOf(strokes, style, background, partOf(seen.view, box));
-    scene.ground = groundIn(seen, box);
+    scene.ground = groundIn(seen.ground, seen.view.width, box);
     gradient.choose(scene);
     const std::span<const float> drawn = gradient.draw(scene);
     double sum = 0;
@@ -81,8 +80,6 @@ double errorIn(const std::vector<FitStroke> &strokes, StyleKind style, const Col
         }
     return sum;
 }
-
-} // namespace
 
 std::vector<double> errorsWithout(const std::vector<FitStroke> &strokes, const std::vector<std::size_t> &which,
                                   StyleKind style, const Colour &background, const RemovalView &seen,
@@ -111,7 +108,7 @@ std::vector<double> errorsWithout(const std::vector<FitStroke> &strokes, const s
     return out;
 }
 
-std::vector<double> roughErrorsWithout(gradient::SceneGradient<float> &gradient, const gradient::FlatScene &scene,
+std::vector<double> roughErrorsWithout(gradient::Differentiator &gradient, const gradient::FlatScene &scene,
                                        const RemovalView &seen, std::uint64_t seed, const std::atomic<bool> *cancel)
 {
     const std::span<const float> drawn = gradient.draw(scene);

@@ -1,5 +1,6 @@
 #include "app/session/fitting/fit_job.h"
 
+#include "app/session/settings/renderer_options.h"
 #include "render/fitting/picture_metrics.h"
 
 #include <QElapsedTimer>
@@ -172,15 +173,21 @@ Result<void> FitJob::prepare(const FitWish &wish)
         m_fit->stopWith(&m_cancel);
         return {};
     }
+    if (!m_differentiator) { // A GPU takes some time to start: once for all fits.
+        const Backend backend = settings::rendererOptions().backend;
+        if (Result<std::unique_ptr<gradient::Differentiator>> made =
+                makeDifferentiator(backend == Backend::Cpu ? Backend::Cpu : Backend::Auto, Threads()))
+            m_differentiator = std::move(*made);
+    }
     if (m_fit && wish.goesOnFrom(m_wish)) {
         // Strokes go to another size of the picture by way of the canvas.
         Result<fitting::FittedStrokes> start =
             isNew ? fitting::fittedStrokesOf(m_fit->painting(), *target) : m_fit->strokes();
         if (!start)
             return Error{start.error()};
-        m_fit = std::make_unique<fitting::Fitting>(*target, options, std::move(*start));
+        m_fit = std::make_unique<fitting::Fitting>(*target, options, std::move(*start), m_differentiator);
     } else {
-        m_fit = std::make_unique<fitting::Fitting>(*target, options);
+        m_fit = std::make_unique<fitting::Fitting>(*target, options, m_differentiator);
         m_seconds = 0;
     }
     if (isNew)
@@ -225,6 +232,8 @@ void FitJob::tell()
     news.progress = m_fit->progress();
     news.seconds = m_seconds;
     const fitting::FitPicture drawn = m_fit->picture();
+    if (drawn.isEmpty())
+        return; // It was stopped.
     news.picture = imageOf(drawn);
     news.peakRatio = fitting::peakRatio(fitting::meanSquare(drawn, m_target->picture, m_target->weight));
     m_untold = true;

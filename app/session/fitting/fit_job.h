@@ -107,6 +107,7 @@ private:
     std::shared_ptr<const fitting::FitTarget> m_target;
     int m_pixels = 0; ///< that were asked for when the target was read
     QImage m_original;
+    std::shared_ptr<gradient::Differentiator> m_differentiator; ///< of the fits, one after another
     std::unique_ptr<fitting::Fitting> m_fit;
     FitWish m_wish; ///< of the fit
     double m_seconds = 0;

@@ -1,7 +1,10 @@
 // The gradient of the picture as a GPU finds it, without a GPU: its programs on the host (docs/cuda.md).
+#include "render/cuda/cuda_differentiator.h"
 #include "render/cuda/device/failing_device.h"
+#include "render/fitting/picture_metrics.h"
 #include "tests/render/cuda/emulated_device.h"
 #include "tests/render/cuda/gradient_checks.h"
+#include "tests/render/fitting/fitted_pictures.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -15,7 +18,57 @@ class TestCudaGradient : public QObject {
         return std::make_shared<EmulatedDevice>(std::size_t(1) << 30, EmulatedDevice::Timing::Late);
     }
 
+    /// A short fit whose gradients a device finds; null: the CPU does. Returns how near it comes, in dB.
+    static double fitOn(std::shared_ptr<cuda::Device> device, bool weighted, QString *notice = nullptr,
+                        fitting::FittedStrokes *strokes = nullptr)
+    {
+        fitting::FitTarget target = landscape(32, 24);
+        if (weighted) {
+            target.weight = fitting::FitPicture(32, 24, 1);
+            std::fill(target.weight.values.begin(), target.weight.values.end(), 0.5f);
+        }
+        fitting::FitOptions options;
+        options.strokes = 6, options.steps = 40;
+        std::shared_ptr<gradient::Differentiator> differentiator;
+        if (device)
+            differentiator = std::make_shared<CudaDifferentiator>(std::move(device), Threads(1));
+        fitting::Fitting fit(target, options, differentiator);
+        while (fit.step()) {}
+        if (notice)
+            *notice = fit.differentiator().notice();
+        if (strokes)
+            *strokes = fit.strokes();
+        return fitting::peakRatio(fit.meanSquareError());
+    }
+
 private slots:
+    void fitsOnADevice()
+    {
+        for (const bool weighted : {false, true}) {
+            fitting::FittedStrokes first, second;
+            QString notice;
+            const double onCpu = fitOn(nullptr, weighted), onDevice = fitOn(open(), weighted, &notice, &first);
+            QVERIFY2(onDevice > 20 && std::abs(onDevice - onCpu) < 1,
+                     qPrintable(QStringLiteral("%1 and %2 dB").arg(onDevice).arg(onCpu)));
+            QVERIFY(notice.isEmpty());
+            (void)fitOn(open(), weighted, nullptr, &second);
+            QCOMPARE(first.strokes, second.strokes);
+        }
+    }
+
+    void fitsGoOnWithoutTheDevice()
+    {
+        const double onCpu = fitOn(nullptr, false);
+        for (const int call : {1, 20, 100, 500}) {
+            QString notice;
+            const double ratio = fitOn(std::make_shared<cuda::FailingDevice>(std::make_unique<EmulatedDevice>(),
+                                                                             cuda::PlannedFault{call, cuda::Fault::Lost}),
+                                       false, &notice);
+            QVERIFY2(std::abs(ratio - onCpu) < 1, qPrintable(QStringLiteral("call %1: %2 dB").arg(call).arg(ratio)));
+            QVERIFY2(!notice.isEmpty(), qPrintable(QString::number(call)));
+        }
+    }
+
     void kindsAgreeWithTheCpu() { checkGradientKinds(open, 6, 43, 30); }
     void extremesAgreeWithTheCpu() { checkGradientExtremes(open); }
     void targetLoss() { checkTargetLoss(open, 8, 50, 40); }

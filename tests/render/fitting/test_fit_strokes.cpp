@@ -194,10 +194,10 @@ void TestFitStrokes::whatARemovalCosts()
     const View view = viewOf(64, 48);
     const std::vector<double> costs =
         errorsWithout(strokes, {0, 1, 2, 3}, style, ground, {target.picture, none, view}, Threads(2));
-    gradient::SceneGradient<float> gradient;
+    const auto gradient = gradient::makeCpuDifferentiator(Threads(1));
     const gradient::FlatScene scene = sceneOf(strokes, style, ground, viewOf(64, 48));
-    gradient.choose(scene);
-    const std::vector<double> rough = roughErrorsWithout(gradient, scene, {target.picture, none, view}, 1);
+    gradient->choose(scene);
+    const std::vector<double> rough = roughErrorsWithout(*gradient, scene, {target.picture, none, view}, 1);
     const double with = meanSquare(drawn(strokes, style, 64, 48), target.picture) * 64 * 48 * 3;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         std::vector<FitStroke> others = strokes;
