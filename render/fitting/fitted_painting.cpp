@@ -28,6 +28,7 @@ StrokePtr strokeOf(const FitStroke &n, const FittedStrokes &fitted, std::size_t 
     const gradient::FlatScene scene = sceneOf({n}, fitted.style, fitted.background, {});
     Stroke stroke;
     stroke.id = StrokeId(number + 1);
+    const std::size_t birth = fitted.births.empty() ? number : fitted.births[number];
     stroke.style.kind = fitted.style;
     for (std::size_t i = 0; i < 3; ++i)
         stroke.style.xi[i] = float(scene.strokes[0].xi[i]);
@@ -44,7 +45,7 @@ StrokePtr strokeOf(const FitStroke &n, const FittedStrokes &fitted, std::size_t 
         segment.diffusion = float(spread * spread / (4 * double(dryingTime)));
         segment.density = float(from.density * unit);
         segment.maxAge = dryingTime;
-        segment.born = Microseconds(number) * strokeTime + Microseconds(k) * (strokeTime / strokeCubics);
+        segment.born = Microseconds(birth) * strokeTime + Microseconds(k) * (strokeTime / strokeCubics);
         segment.colour = {float(n[Red]), float(n[Yellow]), float(n[Blue]), float(from.opacity)};
         stroke.segments.push_back(std::move(segment));
     }

@@ -11,9 +11,10 @@ struct FittedStrokes {
     std::vector<FitStroke> strokes;
     StyleKind style = StyleKind::Feathering;
     Colour background{0, 0, 0, 1};
+    std::vector<std::size_t> births = {}; ///< when each is painted, from 0 on; empty: from the back to the front
 };
 
-/// The painting: strokes from the back to the front, one after another in time, on a canvas of the target's size. Its
+/// The painting: strokes from the back to the front, one after another in time (`births`), on a canvas of the target's size. Its
 /// numbers are rounded to what files hold. `paints` become linked swatches.
 Painting paintingOf(const FittedStrokes &fitted, const FitTarget &target, const std::vector<Colour> &paints = {});
 

@@ -1,6 +1,7 @@
 #include "render/fitting/fitting.h"
 
 #include "model/painting/ryb.h"
+#include "render/fitting/birth_order.h"
 #include "render/fitting/error_strokes.h"
 #include "render/fitting/picture_metrics.h"
 #include "render/fitting/stroke_removal.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr int stepsForNodes = 10;           ///< Nodes are chosen anew after so many steps.
 constexpr double unseenWhileFitting = 2e-3; ///< Errors of opacity that are too small to lead a fit astray.
 constexpr int bandHeight = 96; ///< Whole tiles; a picture is drawn in some tens of milliseconds a band.
+constexpr std::size_t leastPixelsForBirths = 20'000; ///< so many show in which order strokes bring a picture nearer
 constexpr double leastEffect = 2e-6;        ///< of the whole error: strokes that do less are left out at the end
 constexpr double doubtfulEffect = 3e-4;     ///< Strokes that do less by a rough measure are measured exactly.
 
@@ -92,6 +94,7 @@ Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes star
 {
     m_options.limits.style = m_fitted.style;
     m_options.limits.greatestSpread = std::max(m_target.picture.width, m_target.picture.height);
+    m_fitted.births.clear(); // They are found at the end.
     m_adam.grow(m_fitted.strokes.size());
 }
 
@@ -187,6 +190,18 @@ bool Fitting::removeIdle()
             kept.push_back(i);
     keep(kept);
     return true;
+}
+
+/// Finds when each stroke is painted, on a small picture. Returns false if it was stopped before.
+bool Fitting::orderBirths()
+{
+    int halvings = 0;
+    while (m_target.picture.pixels() >> (2 * halvings + 2) >= leastPixelsForBirths)
+        ++halvings;
+    const auto level = levelAt(halvings);
+    m_fitted.births = birthOrder(*m_gradient, sceneAt(*level), level->loss.target(), level->loss.weight(),
+                                 m_options.seed, m_cancel);
+    return m_fitted.births.size() == m_fitted.strokes.size();
 }
 
 void Fitting::addStrokes(std::size_t count)
@@ -290,7 +305,7 @@ bool Fitting::step()
 /// Ends a phase, unless it is stopped.
 void Fitting::end()
 {
-    if (m_phase + 1 == m_plan.size() && !removeIdle())
+    if (m_phase + 1 == m_plan.size() && (!removeIdle() || !orderBirths()))
         return;
     const std::size_t next = m_phase + 1;
     const bool isNear = m_options.error > 0 && next < m_plan.size() && m_plan[next].grows &&

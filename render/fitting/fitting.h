@@ -64,6 +64,7 @@ private:
     void addStrokes(std::size_t count);
     void removeLeast(std::size_t count);
     bool removeIdle();
+    bool orderBirths();
     void keep(const std::vector<std::size_t> &kept);
     void choose();
     std::shared_ptr<const Level> levelAt(int halvings);

@@ -53,6 +53,7 @@ private slots:
             QVERIFY(notice.isEmpty());
             (void)fitOn(open(), weighted, nullptr, &second);
             QCOMPARE(first.strokes, second.strokes);
+            QCOMPARE(first.births, second.births);
         }
     }
 

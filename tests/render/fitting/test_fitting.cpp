@@ -268,15 +268,30 @@ void TestFitting::thePaintingIsPlayedFromLargeToSmall()
     // While it is played, it comes nearer and nearer.
     double before = 1;
     int worse = 0;
+    const std::vector<std::size_t> &births = fit.strokes().births;
+    QCOMPARE(births.size(), strokes.size());
+    QCOMPARE(std::set<std::size_t>(births.begin(), births.end()).size(), strokes.size());
     for (std::size_t moment = 1; moment <= 10; ++moment) {
-        FittedStrokes some = fit.strokes();
-        some.strokes.resize(strokes.size() * moment / 10);
+        FittedStrokes some{{}, fit.strokes().style, fit.strokes().background, {}};
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+            if (births[i] < strokes.size() * moment / 10)
+                some.strokes.push_back(strokes[i]);
         Fitting part(target, optionsOf(1), some);
         const double error = part.meanSquareError();
         worse += error > before ? 1 : 0;
         before = error;
     }
-    QVERIFY2(worse <= 2, qPrintable(QString::number(worse)));
+    QCOMPARE(worse, 0);
+    // Strokes of the painting are born in that order, and lie in their own.
+    const Painting painting = fit.painting();
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        QCOMPARE(painting.strokes[i]->segments.front().born, Microseconds(births[i]) * 90'000);
+    // Another number of threads finds the same order.
+    FitOptions alone = optionsOf(40);
+    alone.threads = 1;
+    Fitting again(target, alone);
+    runToEnd(again);
+    QCOMPARE(again.strokes().births, births);
 }
 
 QTEST_GUILESS_MAIN(TestFitting)
