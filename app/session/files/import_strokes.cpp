@@ -166,7 +166,7 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
             continue;
         }
         edit.order->push_back(stroke.id);
-        if (isSeen(stroke))
+        if (landing.selects && isSeen(stroke))
             edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }

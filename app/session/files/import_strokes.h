@@ -16,13 +16,14 @@ class Editor;
 struct Landing {
     std::optional<Point> middle; ///< where their middle is to lie; none: they lie where they were
     Rect seen;                   ///< what can be seen of the canvas; empty: they need not be seen
+    bool selects = true;         ///< Whether they are selected; else nothing is.
     Landing() = default;
     Landing(std::optional<Point> middle, const Rect &seen = {}) : middle(middle), seen(seen) {}
     Landing(Point middle) : middle(middle) {}
 };
 
 /// Adds strokes to the layer (`CurrentLayer::takePasted`), or on top of all where there is none, in groups of their
-/// own, visible but in groups that are hidden, unlocked and selected, as one undo step. They lie where `landing` says;
+/// own, visible but in groups that are hidden, unlocked and, as `landing` says, selected, as one undo step. They lie where `landing` says;
 /// where they would lie wholly outside of what is seen, their middle comes to the middle of that, or, where they are to
 /// lie as they were, only the returned string says so. An empty painting takes over their times, and is then seen at
 /// its end; in others none is born after the moment that is shown: all are brought back in time together. The step also

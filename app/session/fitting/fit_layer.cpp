@@ -100,7 +100,9 @@ Painting layerOfFit(const FitResult &fit, const Rect &area, const Rect &canvas)
 QString insertFit(Editor &editor, const FitResult &fit, const Rect &area)
 {
     const Painting layer = layerOfFit(fit, area, editor.document().painting()->canvas.area());
-    return addStrokes(editor, layer, {}, FitLayer::tr("Picture to strokes"), layer.swatches);
+    Landing landing;
+    landing.selects = false; // Hundreds of outlines would cover the picture that one has just made.
+    return addStrokes(editor, layer, landing, FitLayer::tr("Picture to strokes"), layer.swatches);
 }
 
 } // namespace suffuse

@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
         const Painting &painting = *editor.document().painting();
         QCOMPARE(painting.strokes.size(), std::size_t(news.strokes) + 1); // and the sheet below them
-        QCOMPARE(editor.selection().strokes.size(), painting.strokes.size());
+        QVERIFY(editor.selection().strokes.empty()); // Their outlines would cover the picture.
         QCOMPARE(painting.groups.front().name, QStringLiteral("sunset"));
         QCOMPARE(painting.groups.front().parent, GroupId(0));
         QCOMPARE(editor.undoStack().count(), 1);
