@@ -4,6 +4,7 @@
 #include "tests/render/cuda/cuda_blending.h"
 #include "tests/render/cuda/cuda_pictures.h"
 #include "tests/render/cuda/emulated_device.h"
+#include "tests/trials.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -38,7 +39,7 @@ private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
-    void fills() { checkFills(open, 12); }
+    void fills() { checkFills(open, trials(5, 12)); }
     void cornersOfCells() { checkCornersOfCells(open, 120); }
     void fillEdits() { checkFillEdits(open, 14); }
     void dirtyIsFull() { checkDirtyIsFull(open, 60); }
@@ -46,7 +47,7 @@ private slots:
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
     void heavyTiles() { checkHeavyTiles(open, heavyPainting(5000), 1); }
-    void heavyFills() { checkHeavyTiles(open, test::heavyFills(15), 1); }
+    void heavyFills() { checkHeavyTiles(open, test::heavyFills(trials(8, 15)), 1); }
     void blending() { checkBlending(open, 41, 45); }
     void blendingEdits() { checkBlendingEdits(open, 30); }
     void picturesAsPaint() { checkPicturesAsPaint(open, 0, 6); }
