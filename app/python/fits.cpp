@@ -1,5 +1,5 @@
 // Strokes that look like a picture.
-#include "app/python/bindings.h"
+#include "app/python/pixels.h"
 
 #include "model/painting/fields.h"
 #include "render/fitting/fitting.h"
@@ -12,8 +12,6 @@ namespace {
 
 using namespace fitting;
 
-using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-
 /// The numbers of an array of `channels` (1: a weight), in [0, 1].
 FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
 {
@@ -22,12 +20,8 @@ FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
         raise(Raised::Value, QStringLiteral("%1: give it the shape (height, width%2)")
                                  .arg(QLatin1String(name), channels == 1 ? QString() : QStringLiteral(", 3 or 4")));
     // As images are read: what is multiplied, to the last bit.
-    const float unit = pixels.dtype().equal(py::dtype("uint8"))    ? 1.0f / 255
-                       : pixels.dtype().equal(py::dtype("uint16")) ? 1.0f / 65535
-                                                                   : 1.0f;
-    const Floats numbers = Floats::ensure(pixels);
-    if (!numbers)
-        raise(Raised::Value, QStringLiteral("%1: give an array of numbers").arg(QLatin1String(name)));
+    const float unit = 1 / whiteOf(pixels, name);
+    const Floats numbers = finiteFloatsOf(pixels, name);
     FitPicture out(int(pixels.shape(1)), int(pixels.shape(0)), channels);
     const auto given = isGrey ? 1 : int(pixels.shape(2));
     const float *from = numbers.data();

@@ -1,4 +1,5 @@
 // Pictures as arrays: rendered, written and read.
+#include "app/python/pixels.h"
 #include "app/python/views.h"
 
 #include "render/backends.h"
@@ -182,15 +183,11 @@ ImageOptions imageOptionsOf(const WriteWish &wish, const py::array &pixels, Imag
     return options;
 }
 
-/// The numbers of an array as floats in [0, 1], RGBA.
+/// The numbers of an array as floats, RGBA; white is 1.
 FloatPicture pictureOf(const py::array &pixels)
 {
-    const float most = pixels.dtype().equal(py::dtype("uint8"))    ? 255.0f
-                       : pixels.dtype().equal(py::dtype("uint16")) ? 65535.0f
-                                                                   : 1.0f;
-    const auto numbers = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(pixels);
-    if (!numbers)
-        raise(Raised::Value, QStringLiteral("pixels: give an array of numbers"));
+    const float most = whiteOf(pixels, "pixels");
+    const Floats numbers = finiteFloatsOf(pixels, "pixels");
     FloatPicture picture;
     picture.resize(int(pixels.shape(1)), int(pixels.shape(0)));
     const float *from = numbers.data();

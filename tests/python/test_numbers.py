@@ -137,6 +137,18 @@ class Fits(unittest.TestCase):
                         {"least_width": 5, "greatest_width": 2}):
             with self.assertRaises(suffuse.DataError, msg=options):
                 suffuse.fit(picture, **options)
+        for wrong in (np.nan, np.inf, -np.inf):
+            holed = np.ones((8, 8, 3))
+            holed[2, 3, 1] = wrong
+            with self.assertRaisesRegex(suffuse.DataError, "picture: holds NaN or infinity"):
+                suffuse.fit(holed)
+            with self.assertRaisesRegex(suffuse.DataError, "weight: holds NaN or infinity"):
+                suffuse.fit(picture, weight=holed[..., 1])
+        for dtype in ("int64", "int32", "bool", "object", "uint32", "complex64"):
+            with self.assertRaisesRegex(suffuse.DataError, f"picture: dtype {dtype}: give uint8"):
+                suffuse.fit(picture.astype(dtype))
+            with self.assertRaisesRegex(suffuse.DataError, f"weight: dtype {dtype}: give uint8"):
+                suffuse.fit(picture, weight=np.ones((8, 8), dtype))
         with self.assertRaises(suffuse.FileError):
             suffuse.fit("missing.png")
 

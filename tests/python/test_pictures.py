@@ -108,6 +108,19 @@ class Pictures(unittest.TestCase):
             suffuse.write_picture(self.path / "a.bmp", pixels)
         with self.assertRaisesRegex(suffuse.DataError, "shape"):
             suffuse.write_picture(self.path / "a.png", pixels[..., 0])
+        for wrong in (np.nan, np.inf):
+            holed = pixels.copy()
+            holed[1, 2, 0] = wrong
+            with self.assertRaisesRegex(suffuse.DataError, "pixels: holds NaN or infinity"):
+                suffuse.write_picture(self.path / "holed.exr", holed)
+        self.assertFalse((self.path / "holed.exr").exists())
+        for dtype in ("int64", "int32", "bool", "object"):
+            with self.assertRaisesRegex(suffuse.DataError, f"pixels: dtype {dtype}: give uint8"):
+                suffuse.write_picture(self.path / "typed.png", pixels.astype(dtype))
+        suffuse.write_picture(self.path / "swapped.png", (pixels * 65535).astype(">u2"))
+        suffuse.write_picture(self.path / "usual.png", (pixels * 65535).astype("u2"), depth="16")
+        self.assertLess(np.abs(suffuse.read_picture(self.path / "swapped.png", dtype="float32")
+                               - suffuse.read_picture(self.path / "usual.png", dtype="float32")).max(), 1 / 250)
         with self.assertRaises(OSError):
             suffuse.read_picture(self.path / "missing.png")
         with self.assertRaises(suffuse.DataError):
