@@ -1626,6 +1626,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--%1 ist nicht für --tiles</translation>
     </message>
     <message>
+        <source>--tiles %1: the name is missing: give wall.dzi, wall.tif or a folder</source>
+        <translation>--tiles %1: Der Name fehlt: Geben Sie wall.dzi, wall.tif oder einen Ordner an</translation>
+    </message>
+    <message>
         <source>--tiles %1: give a name that ends in .dzi or .tif, or a folder</source>
         <translation>--tiles %1: Geben Sie einen Namen an, der auf .dzi oder .tif endet, oder einen Ordner</translation>
     </message>

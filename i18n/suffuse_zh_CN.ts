@@ -1618,6 +1618,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--%1 不能与 --tiles 一起使用</translation>
     </message>
     <message>
+        <source>--tiles %1: the name is missing: give wall.dzi, wall.tif or a folder</source>
+        <translation>--tiles %1：缺少名称：请给出 wall.dzi、wall.tif 或一个文件夹</translation>
+    </message>
+    <message>
         <source>--tiles %1: give a name that ends in .dzi or .tif, or a folder</source>
         <translation>--tiles %1：请给出以 .dzi 或 .tif 结尾的名称，或一个文件夹</translation>
     </message>

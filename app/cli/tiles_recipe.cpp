@@ -1,6 +1,7 @@
 #include "app/cli/tiles_recipe.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -172,10 +173,24 @@ Result<TilesRecipe> TilesRecipe::ofJson(const QJsonObject &json, const QString &
     return recipe;
 }
 
+QString problemOfTilesName(const QString &out)
+{
+    const QString name = QFileInfo(out).fileName().toLower();
+    const bool isBareEnding =
+        name == QLatin1String(".dzi") || name == QLatin1String(".tif") || name == QLatin1String(".tiff");
+    return out.isEmpty() || isBareEnding
+               ? QCoreApplication::translate("Cli",
+                                             "--tiles %1: the name is missing: give wall.dzi, wall.tif or a folder")
+                     .arg(out)
+               : QString();
+}
+
 Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &painting)
 {
     TilesRecipe recipe;
     recipe.out = line.value(QStringLiteral("tiles"));
+    if (const QString problem = problemOfTilesName(recipe.out); !problem.isEmpty())
+        return Error{problem};
     const Result<TileEncoding> encoding = encodingOf(line, recipe.out);
     if (!encoding)
         return Error{encoding.error()};

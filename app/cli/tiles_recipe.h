@@ -25,6 +25,8 @@ struct TilesRecipe {
     static Result<TilesRecipe> ofJson(const QJsonObject &json, const QString &out);
 };
 
+/// What is wrong with OUT of --tiles: without a name it would be the root of the file system, or hidden files.
+QString problemOfTilesName(const QString &out);
 /// --tiles, --tile, --overlap, --format, --quality, --depth, --transparent, --drafts, --size, --scale, --area and
 /// --time. Errors are usage errors.
 Result<TilesRecipe> tilesRecipe(const CommandLine &line, const Painting &painting);

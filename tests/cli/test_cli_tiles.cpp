@@ -119,6 +119,19 @@ private slots:
         QVERIFY(!QFile::exists(path(out)));
     }
 
+    /// An empty name is not the root of the file system, and an ending alone is not a name.
+    void nameless()
+    {
+        for (const QString &out : {QString(), path(".dzi"), path(".tif"), QStringLiteral(".TIFF")})
+            for (const QStringList &command :
+                 {QStringList{"render", path("a.json")}, QStringList{"farm", "plan", path("a.json"), "-o", path("farm")}}) {
+                const CliOutcome outcome = runCli(command + QStringList{"--tiles", out, "--size", "40x30"});
+                QCOMPARE(outcome.code, 2);
+                QVERIFY2(outcome.err.contains("the name is missing"), qPrintable(outcome.text()));
+            }
+        QVERIFY(!QFile::exists(path("_files")) && !QFile::exists(path("farm")));
+    }
+
     /// The largest picture there is begins, with the memory of any other, and is stopped.
     void largest()
     {

@@ -148,6 +148,9 @@ int farmPlanCommand(const QStringList &arguments)
             QCoreApplication::translate("Cli", "-o FOLDER is missing: name the folder that all machines share"));
     if (line.isSet("tiles") == line.isSet("frames"))
         return usage(QCoreApplication::translate("Cli", "give --tiles or --frames"));
+    if (line.isSet("tiles"))
+        if (const QString problem = problemOfTilesName(line.value("tiles")); !problem.isEmpty())
+            return usage(problem);
     if (line.several().contains(QLatin1String("-")))
         return usage(QCoreApplication::translate("Cli", "other machines cannot read this standard input: give files"));
     const QString out = line.value(line.isSet("tiles") ? "tiles" : "frames");
