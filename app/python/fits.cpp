@@ -4,6 +4,7 @@
 #include "model/painting/fields.h"
 #include "render/fitting/fitting.h"
 
+#include <QCoreApplication>
 #include <QFile>
 
 namespace suffuse::python {
@@ -22,8 +23,24 @@ FitPicture fitPictureOf(const py::array &pixels, int channels, const char *name)
     // As images are read: what is multiplied, to the last bit.
     const float unit = 1 / whiteOf(pixels, name);
     const Floats numbers = finiteFloatsOf(pixels, name);
-    FitPicture out(int(pixels.shape(1)), int(pixels.shape(0)), channels);
     const auto given = isGrey ? 1 : int(pixels.shape(2));
+    const float *const end = numbers.data() + numbers.size();
+    bool counts = channels != 1; // Of a weight, the first channel does.
+    for (const float *v = numbers.data(); v < end && !counts; v += given)
+        counts = *v > 0;
+    if (!counts)
+        raise(Raised::Value, QCoreApplication::translate(
+                                 "fitting",
+                                 "%1: is black all over, so nothing counts; paint white what is to be fitted")
+                                 .arg(QLatin1String(name)));
+    // What a resampling overshoots is cut off; farther away it is another range, which would be cut to black and white.
+    const float *const far =
+        std::find_if(numbers.data(), end, [&](float v) { return v * unit < -0.01f || v * unit > 1.5f; });
+    if (far != end)
+        raise(Raised::Value, QStringLiteral("%1: %2 is not in [0, 1]; divide floats by their white, or give uint8")
+                                 .arg(QLatin1String(name))
+                                 .arg(double(*far)));
+    FitPicture out(int(pixels.shape(1)), int(pixels.shape(0)), channels);
     const float *from = numbers.data();
     for (std::size_t i = 0; i < out.pixels(); ++i, from += given) {
         const float alpha = given == 4 ? from[3] * unit : 1.0f; // White shows through.

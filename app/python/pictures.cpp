@@ -176,7 +176,7 @@ ImageOptions imageOptionsOf(const WriteWish &wish, const py::array &pixels, Imag
         if (depth == depths.end())
             raise(Raised::Value, QStringLiteral("depth %1: give 8, 16, half or float").arg(*wish.depth));
         options.depth = depth->second;
-    } else if (pixels.dtype().equal(py::dtype("uint16")) &&
+    } else if (whiteOf(pixels, "pixels") == 65535 &&
                (format == ImageFormat::Png || format == ImageFormat::Tiff)) {
         options.depth = ImageDepth::Bits16;
     }

@@ -149,6 +149,19 @@ class Fits(unittest.TestCase):
                 suffuse.fit(picture.astype(dtype))
             with self.assertRaisesRegex(suffuse.DataError, f"weight: dtype {dtype}: give uint8"):
                 suffuse.fit(picture, weight=np.ones((8, 8), dtype))
+        for number in (-0.02, 1.6, 255):
+            far = np.full((8, 8, 3), 0.5, np.float32)
+            far[1, 2, 0] = number
+            with self.assertRaisesRegex(suffuse.DataError, r"picture: .* is not in \[0, 1\]"):
+                suffuse.fit(far)
+            with self.assertRaisesRegex(suffuse.DataError, r"weight: .* is not in \[0, 1\]"):
+                suffuse.fit(picture, weight=far[..., 0])
+        for black in (np.zeros((8, 8)), np.full((8, 8), -3.0), np.zeros((8, 8, 1), np.uint8),
+                      np.full((8, 8, 4), (0, 0, 0, 1.0))):
+            with self.assertRaisesRegex(suffuse.DataError, "weight: is black all over"):
+                suffuse.fit(picture, weight=black)
+        near = np.full((8, 8, 3), (-0.005, 0.5, 1.2), np.float32)  # as resampling overshoots
+        self.assertEqual(suffuse.fit(near, strokes=1, steps=1), suffuse.fit(near.clip(0, 1), strokes=1, steps=1))
         with self.assertRaises(suffuse.FileError):
             suffuse.fit("missing.png")
 
