@@ -59,10 +59,11 @@ Result<TilesStats> drawDeepZoom(const std::vector<std::unique_ptr<Renderer>> &re
                                 const TiledPicture &picture, int threads)
 {
     const QString files = DeepZoomStore::filesOf(picture.path), journalPath = files + QStringLiteral("/tiles.journal");
-    if (QFileInfo::exists(files) && !QFileInfo::exists(journalPath) && !QDir(files).isEmpty())
+    const bool isFolderTaken = QFileInfo::exists(files) && !QFileInfo::exists(journalPath) && !QDir(files).isEmpty();
+    if (isFolderTaken || DeepZoomStore::isPageTaken(picture.path))
         return Error{QCoreApplication::translate(
                          "Cli", "%1: there is something else already. Remove it, or choose another name.")
-                         .arg(files)};
+                         .arg(isFolderTaken ? files : DeepZoomStore::pageOf(picture.path))};
     if (!QDir().mkpath(files))
         return Error{QCoreApplication::translate("Cli",
                                                  "%1: the folder cannot be made. Choose another one, or change its "

@@ -7,12 +7,14 @@ namespace suffuse {
 
 namespace {
 
-constexpr char head[] = R"html(<!DOCTYPE html>
+constexpr char start[] = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="generator" content="Suffuse )html" SUFFUSE_VERSION R"html(">
+<meta name="generator" content="Suffuse )html";
+
+constexpr char head[] = SUFFUSE_VERSION R"html(">
 <style>
 html, body { margin: 0; height: 100%; overflow: hidden; background: #808080; }
 canvas { display: block; width: 100%; height: 100%; touch-action: none; cursor: grab; outline: none; }
@@ -203,7 +205,12 @@ QByteArray deepZoomPage(const DeepZoomPage &page)
                              {"overlap", page.overlap}};
     QByteArray json = QJsonDocument(values).toJson(QJsonDocument::Compact);
     json.replace('<', "\\u003c"); // A name must not end the script.
-    return head + json + tail;
+    return start + (head + json) + tail;
+}
+
+bool isDeepZoomPage(const QByteArray &bytes)
+{
+    return bytes.startsWith(start);
 }
 
 } // namespace suffuse

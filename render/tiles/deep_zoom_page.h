@@ -15,5 +15,7 @@ struct DeepZoomPage {
 /// One HTML file that needs nothing but the tiles beside it: no network and no library. It pans, zooms at the pointer,
 /// by wheel, pinch and keys, and shows coarser tiles until the finer ones have come.
 QByteArray deepZoomPage(const DeepZoomPage &page);
+/// Whether a file begins as such a page does, of whatever version.
+bool isDeepZoomPage(const QByteArray &bytes);
 
 } // namespace suffuse

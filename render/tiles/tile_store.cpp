@@ -65,6 +65,17 @@ QString DeepZoomStore::filesOf(const QString &path)
     return path.left(path.size() - 4) + QStringLiteral("_files");
 }
 
+QString DeepZoomStore::pageOf(const QString &path)
+{
+    return path.left(path.size() - 4) + QStringLiteral(".html");
+}
+
+bool DeepZoomStore::isPageTaken(const QString &path)
+{
+    QFile page(pageOf(path));
+    return page.exists() && !(page.open(QIODevice::ReadOnly) && isDeepZoomPage(page.read(4096)));
+}
+
 QString DeepZoomStore::pathOf(int level, int column, int row) const
 {
     return QStringLiteral("%1/%2/%3_%4.%5")
@@ -125,9 +136,7 @@ Result<void> DeepZoomStore::finish()
     const QString format = endingOf(m_picture.encoding.format);
     const QByteArray page =
         deepZoomPage({QFileInfo(m_files).fileName(), format, view.width, view.height, options.tile, options.overlap});
-    if (Result<void> written =
-            replaceFile(m_picture.path.left(m_picture.path.size() - 4) + QStringLiteral(".html"), page, true);
-        !written)
+    if (Result<void> written = replaceFile(pageOf(m_picture.path), page, true); !written)
         return written;
     const QByteArray description = QStringLiteral("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                                                   "<Image xmlns=\"http://schemas.microsoft.com/deepzoom/2008\" "

@@ -46,6 +46,9 @@ public:
     Result<void> finish();
 
     static QString filesOf(const QString &path); ///< picture_files, which must be there
+    static QString pageOf(const QString &path);  ///< picture.html
+    /// Whether there is something else than our page where it will be.
+    static bool isPageTaken(const QString &path);
     QString pathOf(int level, int column, int row) const;
 
 private:

@@ -78,6 +78,32 @@ private slots:
         QVERIFY2(mine.err.contains("something else"), qPrintable(mine.text()));
     }
 
+    /// A page that somebody else wrote stays; our own is replaced.
+    void pages()
+    {
+        const QByteArray own = "<!DOCTYPE html>\n<html lang=\"en\">\n<p>My photographs";
+        QVERIFY(QDir().mkpath(path("web")));
+        for (const QString &page : {QStringLiteral("web/index.html"), QStringLiteral("photos.html")}) {
+            QVERIFY(writeFile(path(page), own));
+            const QString out = page.startsWith("web") ? QStringLiteral("web") : QStringLiteral("photos.dzi");
+            for (const CliOutcome &outcome :
+                 {runCli(tiles(out)), runCli({"farm", "plan", path("a.json"), "-o", path("farm-of-" + out), "--tiles",
+                                              path(out), "--size", "40x30", "--backend", "cpu"})}) {
+                QCOMPARE(outcome.code, 1);
+                QVERIFY2(outcome.err.contains(QFile::encodeName(path(page)) + ": there is something else"),
+                         qPrintable(outcome.text()));
+            }
+            QCOMPARE(bytesOf(path(page)), own);
+        }
+        QVERIFY(!QFile::exists(path("web/index_files")) && !QFile::exists(path("photos_files")));
+        QVERIFY(QFile::remove(path("photos.html")));
+        QCOMPARE(runCli(tiles("photos.dzi")).code, 0);
+        const QByteArray page = bytesOf(path("photos.html"));
+        QVERIFY(writeFile(path("photos.html"), QByteArray(page).replace("Suffuse ", "Suffuse 0")));
+        QCOMPARE(runCli(tiles("photos.dzi")).code, 0);
+        QCOMPARE(bytesOf(path("photos.html")), page);
+    }
+
     void oneAtATime()
     {
         QFile journal(path("two.tif.journal"));

@@ -143,10 +143,12 @@ Result<FarmPlan> writePlan(const FarmPlan &plan)
         const QString folder = p.isFrames         ? QFileInfo(p.frames.out).path()
                                : p.tiles.isTiff() ? QFileInfo(p.tiles.path()).path()
                                                   : DeepZoomStore::filesOf(p.tiles.path());
-        if (!p.isFrames && !p.tiles.isTiff() && QFileInfo::exists(folder) && !QDir(folder).isEmpty())
+        const bool isDeepZoom = !p.isFrames && !p.tiles.isTiff();
+        const bool isFolderTaken = isDeepZoom && QFileInfo::exists(folder) && !QDir(folder).isEmpty();
+        if (isFolderTaken || (isDeepZoom && DeepZoomStore::isPageTaken(p.tiles.path())))
             return Error{QCoreApplication::translate(
                              "Cli", "%1: there is something else already. Remove it, or choose another name.")
-                             .arg(folder)};
+                             .arg(isFolderTaken ? folder : DeepZoomStore::pageOf(p.tiles.path()))};
         if (!QDir().mkpath(folder))
             return Error{QCoreApplication::translate("Cli",
                                                      "%1: the folder cannot be made. Choose another one, or change "
