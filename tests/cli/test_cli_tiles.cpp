@@ -59,6 +59,15 @@ private slots:
         const FloatPicture tiled = picture("a.tif");
         QVERIFY(tiled.width == 400 && tiled.rgba == whole.rgba);
         QVERIFY(!QFile::exists(path("a.tif.part")) && !QFile::exists(path("a.tif.journal")));
+        // It is one file, which the same command draws again and replaces, as -o does.
+        const QByteArray bytes = bytesOf(path("a.tif"));
+        QVERIFY(writeFile(path("a.tif"), "something else"));
+        const CliOutcome again =
+            runCli(tiles("a.tif", {"--depth", "16", "--transparent", "--tile", "64", "--threads", "1", "--stats"}));
+        QVERIFY2(again.code == 0, qPrintable(again.text()));
+        QCOMPARE(again.json()["kept"].toInt(-1), 0);
+        QCOMPARE(bytesOf(path("a.tif")).size(), bytes.size());
+        QVERIFY(picture("a.tif").rgba == whole.rgba);
     }
 
     void folders()
