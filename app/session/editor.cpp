@@ -338,6 +338,8 @@ std::vector<QString> Editor::open(OpenedFile file)
     Origin origin;
     if (damaged)
         origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, said, true, true};
+    else if (file.isSample)
+        origin = {{}, QFileInfo(file.path).completeBaseName(), QDir::home().filePath(QFileInfo(file.path).fileName()), {}, said};
     else if (canBeSavedAs(document.format))
         origin = {file.path, {}, file.path, file.hash, said};
     else { // A drawing or a recording: the painting of it has its name, and would lie beside it.

@@ -131,7 +131,7 @@ public:
     /// What a new painting has where nothing else is asked for: a sheet of grainy paper.
     static Canvas usualCanvas();
     void newPainting(const Canvas &canvas);
-    /// Shows what was read of a file. Formats that cannot be saved (recordings) open untitled. So does a damaged file,
+    /// Shows what was read of a file. Formats that cannot be saved (recordings) open untitled, and so do samples. So does a damaged file,
     /// modified, with what is whole of it; returns what is lost.
     std::vector<QString> open(OpenedFile file);
     /// Reads it first; one that cannot be read changes nothing.

@@ -1,9 +1,11 @@
 #include "app/session/files/opened_file.h"
 
+#include "app/session/files/samples.h"
 #include "model/formats/messages.h"
 #include "model/formats/picture_links.h"
 
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -20,8 +22,9 @@ Result<OpenedFile> readOpenedFile(const QString &path)
     if (!document)
         return Error{document.error()};
     document->painting = withAbsoluteLinks(std::move(document->painting), QFileInfo(path).absolutePath());
-    return OpenedFile{QFileInfo(path).absoluteFilePath(), std::move(*document),
-                      QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    return OpenedFile{absolute, std::move(*document), QCryptographicHash::hash(bytes, QCryptographicHash::Sha256),
+                      sampleFiles().contains(QDir::cleanPath(absolute))};
 }
 
 } // namespace suffuse

@@ -107,7 +107,8 @@ FileOpening *FileOpening::open(const QString &path)
 
 FileOpening *FileOpening::showFile(OpenedFile file)
 {
-    settings::addRecentFile(file.path);
+    if (!file.isSample)
+        settings::addRecentFile(file.path);
     const QString name = QFileInfo(file.path).fileName();
     std::vector<QString> losses;
     FileOpening *shown = show([&](OpenPainting &open) { losses = open.editor.open(std::move(file)); });

@@ -120,6 +120,19 @@ private slots:
         QCOMPARE(s.editor().filePath(), recent);
     }
 
+    /// What came with the program is not replaced by saving, and is not what one worked on last.
+    void aSampleOpensUntitled()
+    {
+        const QStringList recent = settings::recentFiles();
+        const QString sample = sampleFiles().front();
+        Session s;
+        QVERIFY(s.window.openFile(sample));
+        QVERIFY(!s.editor().document().painting()->strokes.empty());
+        QVERIFY(s.editor().filePath().isEmpty());
+        QVERIFY(s.window.windowTitle().contains(QFileInfo(sample).completeBaseName()));
+        QCOMPARE(settings::recentFiles(), recent);
+    }
+
     void previewsOfOtherFilesAreNone()
     {
         const QString path = m_folder.filePath("none.suffuse");
