@@ -87,12 +87,17 @@ void PageView::mark(const QStringList &words)
     QTextCharFormat format;
     format.setBackground(palette().highlight());
     format.setForeground(palette().highlightedText());
-    for (const QString &word : words)
-        for (QTextCursor at = document()->find(word); !at.isNull(); at = document()->find(word, at)) {
+    for (const QString &word : words) {
+        // “a” stands in nearly every word; a character of Chinese is a word of its own.
+        constexpr char16_t firstOfChinese = 0x2e80;
+        const bool isShort = word.size() < 3 && word.front() < firstOfChinese;
+        const auto how = isShort ? QTextDocument::FindWholeWords : QTextDocument::FindFlags();
+        for (QTextCursor at = document()->find(word, 0, how); !at.isNull(); at = document()->find(word, at, how)) {
             marks << ExtraSelection{at, format};
             if (first.isNull() || at.selectionStart() < first.selectionStart())
                 first = at;
         }
+    }
     setExtraSelections(marks);
     if (!first.isNull())
         verticalScrollBar()->setValue(cursorRect(first).top() + verticalScrollBar()->value() - viewport()->height() / 4);
