@@ -1680,6 +1680,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>the GPU failed (%1); the CPU went on</source>
         <translation>die GPU ist ausgefallen (%1); der Prozessor hat weitergemacht</translation>
     </message>
+    <message>
+        <source>stopped before it came nearer than %1; nothing was written</source>
+        <translation>angehalten, bevor es näher kam als %1; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
+        <translation>--error %1 wurde nicht erreicht: es ist %2. Geben Sie mehr --strokes oder --iterations an.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

@@ -1671,6 +1671,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>the GPU failed (%1); the CPU went on</source>
         <translation>GPU 出错（%1）；已由 CPU 继续</translation>
     </message>
+    <message>
+        <source>stopped before it came nearer than %1; nothing was written</source>
+        <translation>在比 %1 更接近之前就停止了；没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
+        <translation>--error %1 未达到：现为 %2。请增大 --strokes 或 --iterations。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

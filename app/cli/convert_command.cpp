@@ -77,13 +77,6 @@ QString fitProblem(const CommandLine &line)
     return {};
 }
 
-/// Whether what is written to `out` takes the place of `in`, by whatever names and links.
-bool isSameFile(const QString &in, const QString &out)
-{
-    const QString file = in == QLatin1String("-") ? QString() : QFileInfo(in).canonicalFilePath();
-    return !file.isEmpty() && file == QFileInfo(out).canonicalFilePath();
-}
-
 /// The painting with links to pictures that hold from another file's folder.
 Painting movedTo(const QString &out, const QString &in, const Painting &painting)
 {
@@ -168,9 +161,7 @@ int convertCommand(const QStringList &arguments)
                                         "Cli", "several INs become the pages of a PDF; give OUT the ending .pdf"));
     for (const QString &in : ins)
         if (isSameFile(in, out))
-            return failUsage("convert", QCoreApplication::translate(
-                                            "Cli", "%1: is IN itself, which would be lost; give OUT another name")
-                                            .arg(out));
+            return failUsage("convert", inputWouldBeLost(out));
     std::optional<Brush> brush;
     if (line.isSet("brush")) {
         const Result<Brush> found = brushOf(line.value("brush"));

@@ -79,6 +79,9 @@ QString contradictionIn(const CommandLine &line)
     if (line.isSet("target") && imageFormatForPath(line.value("target")) == ImageFormat::Unknown)
         return QCoreApplication::translate("Cli", "--target %1: unknown ending; use one of %2")
             .arg(line.value("target"), imageEndings().join(QStringLiteral(", ")));
+    for (const QString &in : {line.argument(0), line.value("mask"), line.value("from")})
+        if (isSameFile(in, line.value("target")))
+            return inputWouldBeLost(line.value("target"));
     if (line.isSet("style") && line.isSet("from"))
         return QCoreApplication::translate("Cli", "--style goes without --from, whose strokes have a style already");
     return {};
@@ -227,6 +230,8 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
     if (!made)
         return fail(made.error());
     Fitting *const fit = made->get();
+    const bool goesOn = line.isSet("from");
+    const double before = goesOn ? fit->meanSquareError() : 0;
     fit->stopWith(&interrupted());
     {
         ProgressLine progress(QCoreApplication::translate("Cli", "fitting"), true);
@@ -237,6 +242,15 @@ int fitPicture(const CommandLine &line, const FitRequest &request)
         warn(QCoreApplication::translate("Cli", "the GPU failed (%1); the CPU went on").arg(lost));
     if (interrupted() && fit->strokes().strokes.empty())
         return fail(QCoreApplication::translate("Cli", "stopped; nothing was written"));
+    fit->stopWith(nullptr);
+    const double error = goesOn || request.options.error > 0 ? std::sqrt(fit->meanSquareError()) : 0;
+    if (interrupted() && goesOn && error > std::sqrt(before)) // OUT may be FIT, which is worth more.
+        return fail(QCoreApplication::translate("Cli", "stopped before it came nearer than %1; nothing was written")
+                        .arg(line.value("from")));
+    if (error > request.options.error && request.options.error > 0)
+        warn(QCoreApplication::translate("Cli", "--error %1 was not reached: it is %2. Give more --strokes or --iterations.")
+                 .arg(line.value("error"))
+                 .arg(255 * error, 0, 'f', 2));
     const Painting painting = fit->painting();
     if (const Result<void> saved = saveDocument(painting, {}, out); !saved)
         return fail(saved.error());

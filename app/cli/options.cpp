@@ -3,6 +3,7 @@
 #include "model/formats/files.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QLocale>
 #include <QSet>
@@ -143,6 +144,17 @@ Result<Painting> paintingOf(const QString &path)
     if (painting && !leftOut.isEmpty())
         warn(QStringLiteral("%1: %2").arg(path, leftOut));
     return painting;
+}
+
+bool isSameFile(const QString &in, const QString &out)
+{
+    const QString file = in == QLatin1String("-") ? QString() : QFileInfo(in).canonicalFilePath();
+    return !file.isEmpty() && file == QFileInfo(out).canonicalFilePath();
+}
+
+QString inputWouldBeLost(const QString &out)
+{
+    return QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name").arg(out);
 }
 
 void warn(const QString &message)

@@ -75,6 +75,11 @@ private:
 /// out with a warning.
 Result<Painting> paintingOf(const QString &path);
 
+/// Whether what is written to `out` takes the place of `in`, by whatever names and links.
+bool isSameFile(const QString &in, const QString &out);
+/// What to say then.
+QString inputWouldBeLost(const QString &out);
+
 /// Prints "suffuse-cli: MESSAGE" on stderr.
 void warn(const QString &message);
 /// The same, and returns the code.

@@ -59,10 +59,8 @@ QString refitContradiction(const CommandLine &line)
         return QCoreApplication::translate("Cli", "-o OUT is missing: name the painting to write");
     if (formatForSaving(out) == FileFormat::Unknown)
         return QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out);
-    if (in != QLatin1String("-") && QFileInfo(out).exists() &&
-        QFileInfo(in).canonicalFilePath() == QFileInfo(out).canonicalFilePath())
-        return QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name")
-            .arg(out);
+    if (isSameFile(in, out) || isSameFile(line.value("to"), out))
+        return inputWouldBeLost(out);
     if (line.isSet("select") && line.isSet("layer"))
         return QCoreApplication::translate("Cli", "--select and --layer both say which strokes; give one of them");
     return {};

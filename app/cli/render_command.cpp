@@ -318,6 +318,8 @@ int renderCommand(const QStringList &arguments)
         return renderTilesCommand(line);
     if (line.value("output").isEmpty())
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
+    if (isSameFile(line.argument(0), line.value("output")))
+        return failUsage("render", inputWouldBeLost(line.value("output")));
     if (layeredFormatFor(line.value("output")) != LayeredFormat::None) {
         const Result<RendererOptions> renderer = rendererOptions(line);
         return renderer ? renderLayers(line, *renderer) : failUsage("render", renderer.error());

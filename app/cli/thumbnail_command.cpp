@@ -119,6 +119,8 @@ int thumbnailCommand(const QStringList &arguments)
                                                                          "from 1 to %2")
                                           .arg(line.argument(2))
                                           .arg(largestThumbnail));
+    if (isSameFile(in, out))
+        return failUsage("thumbnail", inputWouldBeLost(out));
     QByteArray png;
     if (const QByteArray preview = previewIn(startOf(in)); !preview.isEmpty())
         png = thumbnailOf(preview, int(*side), in);

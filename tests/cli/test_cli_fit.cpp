@@ -38,6 +38,7 @@ private slots:
     void failures_data();
     void failures();
     void interrupted();
+    void whatIsReadIsNotReplaced();
 
 private:
     using Value = std::function<std::array<float, 4>(double x, double y)>;
@@ -434,6 +435,30 @@ void TestCliFit::failures()
 }
 
 /// The strokes so far are written, whole, and a further fit goes on with them.
+void TestCliFit::whatIsReadIsNotReplaced()
+{
+    const auto bytesOf = [](const QString &file) {
+        QFile read(file);
+        return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+    };
+    const QString picture = path("scene.png"), painting = path("own.suffuse");
+    QCOMPARE(fit("scene.png", "own.suffuse", {"--strokes", "2"}).code, 0);
+    const QByteArray pictureBytes = bytesOf(picture), paintingBytes = bytesOf(painting);
+    QVERIFY(!pictureBytes.isEmpty() && !paintingBytes.isEmpty());
+    for (const QStringList &arguments : {QStringList{"fit", picture, "-o", path("x.suffuse"), "--target", picture},
+                                         QStringList{"refit", painting, "-o", painting},
+                                         QStringList{"thumbnail", painting, painting, "64"},
+                                         QStringList{"render", painting, "-o", painting, "--format", "png"}}) {
+        const CliOutcome outcome = runCli(arguments);
+        QVERIFY2(outcome.code == 2 && outcome.err.contains("would be lost"), qPrintable(arguments.join(' ') + outcome.text()));
+    }
+    QCOMPARE(bytesOf(picture), pictureBytes);
+    QCOMPARE(bytesOf(painting), paintingBytes);
+    // What was asked for and not reached is said.
+    const CliOutcome far = fit("scene.png", "x.suffuse", {"--strokes", "1", "--error", "0.5"});
+    QVERIFY2(far.code == 0 && far.err.contains("was not reached"), qPrintable(far.text()));
+}
+
 void TestCliFit::interrupted()
 {
     QProcess process;
