@@ -70,7 +70,8 @@ void PageView::setPage()
     m_document->setMarkdown(m_page.text, QTextDocument::MarkdownDialectGitHub);
     setPageLook(*m_document, pageFont(), palette(), m_pictures);
     setDocument(m_document);
-    delete before;
+    if (before) // Where this view is being shown, Qt is walking through its children, of which it is one.
+        before->deleteLater();
     setAccessibleName(m_page.title);
 }
 
