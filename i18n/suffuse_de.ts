@@ -1688,6 +1688,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
         <translation>--error %1 wurde nicht erreicht: es ist %2. Geben Sie mehr --strokes oder --iterations an.</translation>
     </message>
+    <message>
+        <source>the new strokes are farther from %1 than those before: %2 of 255, and before it was %3. Give more --strokes or --iterations.</source>
+        <translation>Die neuen Striche sind weiter von %1 entfernt als die vorigen: %2 von 255, zuvor waren es %3. Geben Sie mehr --strokes oder --iterations an.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1733,8 +1737,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Duplizieren“ verdoppelt sie in ihrem Strich, „Löschen“ entfernt sie.</translation>
     </message>
     <message>
-        <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
-        <translation>Was dazukam, wurde später als zum gezeigten Zeitpunkt gemalt. Seine Zeiten wurden auf diesen Zeitpunkt zurückgesetzt.</translation>
+        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
+        <translation>Was dazukam, wurde nach dem Augenblick gemalt, den Sie ansehen. Es wurde auf diesen Augenblick zurückgeholt, damit Sie es sehen.</translation>
     </message>
     <message>
         <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
@@ -8224,44 +8228,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::NewDialog</name>
     <message>
-        <source>Sketch</source>
-        <translation>Skizze</translation>
-    </message>
-    <message>
-        <source>Full HD</source>
-        <translation>Full HD</translation>
-    </message>
-    <message>
-        <source>4K</source>
-        <translation>4K</translation>
-    </message>
-    <message>
-        <source>Square</source>
-        <translation>Quadrat</translation>
-    </message>
-    <message>
-        <source>A5, 150 dpi</source>
-        <translation>A5, 150 dpi</translation>
-    </message>
-    <message>
-        <source>A4, 150 dpi</source>
-        <translation>A4, 150 dpi</translation>
-    </message>
-    <message>
-        <source>A4, 300 dpi</source>
-        <translation>A4, 300 dpi</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
         <source>Custom</source>
         <translation>Eigene</translation>
-    </message>
-    <message>
-        <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
-        <translation>Übliche Größen in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
     </message>
     <message>
         <source>Swap width and height</source>
@@ -8274,6 +8242,54 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>New Painting</source>
         <translation>Neues Bild</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Usual sizes, and sheets with a ground of their own</source>
+        <translation>Übliche Größen, und Blätter mit eigenem Grund</translation>
+    </message>
+    <message>
+        <source>Sides in</source>
+        <translation>Seiten in</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>What width and height are given in. A pixel is a unit of the canvas.</source>
+        <translation>Worin Breite und Höhe angegeben werden. Ein Pixel ist eine Einheit der Leinwand.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Pixels for each inch of paper. The sheet stays as large on paper.</source>
+        <translation>Pixel für jeden Zoll Papier. Auf Papier bleibt das Blatt so groß.</translation>
     </message>
 </context>
 <context>
@@ -12120,6 +12136,17 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Picture to strokes</source>
         <translation>Bild in Striche umwandeln</translation>
     </message>
+    <message>
+        <source>The picture was painted quickly, just before the moment that you look at. All that you painted stays as it is.</source>
+        <translation>Das Bild wurde schnell gemalt, kurz vor dem Augenblick, den Sie ansehen. Alles, was Sie gemalt haben, bleibt, wie es ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) came in, and a ground below them.</source>
+        <translation>
+            <numerusform>%Ln Strich kam dazu, und ein Grund darunter.</numerusform>
+            <numerusform>%Ln Striche kamen dazu, und ein Grund darunter.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::FitView</name>
@@ -12352,6 +12379,22 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Puts the strokes so far in place of the selected ones</source>
         <translation>Setzt die bisherigen Striche an die Stelle der ausgewählten</translation>
     </message>
+    <message>
+        <source>Give up the strokes so far?</source>
+        <translation>Die bisherigen Striche aufgeben?</translation>
+    </message>
+    <message>
+        <source>Replace puts them in place of the selected ones.</source>
+        <translation>Ersetzen setzt sie an die Stelle der ausgewählten.</translation>
+    </message>
+    <message>
+        <source>Insert puts them into the painting.</source>
+        <translation>Einfügen bringt sie ins Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Give Up</source>
+        <translation>&amp;Aufgeben</translation>
+    </message>
 </context>
 <context>
     <name>fitting</name>
@@ -12448,6 +12491,10 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln Strich, der dazwischen lag, liegt jetzt darunter.</numerusform>
             <numerusform>%Ln Striche, die dazwischen lagen, liegen jetzt darunter.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is farther than before, when it was off by %1; Undo brings the former strokes back.</source>
+        <translation>Das ist weiter als zuvor, als es %1 waren; Rückgängig bringt die früheren Striche zurück.</translation>
     </message>
 </context>
 <context>

@@ -586,6 +586,16 @@
     </message>
 </context>
 <context>
+    <name>FitLayer</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s) came in, and a ground below them.</source>
+        <translation>
+            <numerusform>%Ln stroke came in, and a ground below it.</numerusform>
+            <numerusform>%Ln strokes came in, and a ground below them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>suffuse::FitDialog</name>
     <message numerus="yes">
         <source>%Ln stroke(s)</source>

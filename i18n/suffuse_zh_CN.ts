@@ -1679,6 +1679,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
         <translation>--error %1 未达到：现为 %2。请增大 --strokes 或 --iterations。</translation>
     </message>
+    <message>
+        <source>the new strokes are farther from %1 than those before: %2 of 255, and before it was %3. Give more --strokes or --iterations.</source>
+        <translation>新的笔画与 %1 的差距比原来更大：%2（共 255），原来是 %3。请增大 --strokes 或 --iterations。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -1721,8 +1725,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>擦除不能脱离它所去除的颜料单独复制。“再制”会在笔画内复制它，“删除”会移除它。</translation>
     </message>
     <message>
-        <source>What came was painted later than the moment that is shown. Its times were brought back to this moment.</source>
-        <translation>加入的内容绘制于当前显示时刻之后，其时间已移回到这一时刻。</translation>
+        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
+        <translation>新加入的笔画画在您正在看的时刻之后。它们已移到这一时刻，好让您看到。</translation>
     </message>
     <message>
         <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
@@ -8161,44 +8165,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::NewDialog</name>
     <message>
-        <source>Sketch</source>
-        <translation>草图</translation>
-    </message>
-    <message>
-        <source>Full HD</source>
-        <translation>全高清</translation>
-    </message>
-    <message>
-        <source>4K</source>
-        <translation>4K</translation>
-    </message>
-    <message>
-        <source>Square</source>
-        <translation>正方形</translation>
-    </message>
-    <message>
-        <source>A5, 150 dpi</source>
-        <translation>A5，150 dpi</translation>
-    </message>
-    <message>
-        <source>A4, 150 dpi</source>
-        <translation>A4，150 dpi</translation>
-    </message>
-    <message>
-        <source>A4, 300 dpi</source>
-        <translation>A4，300 dpi</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
         <source>Custom</source>
         <translation>自定义</translation>
-    </message>
-    <message>
-        <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
-        <translation>常用尺寸（单位）；100 % 时 1 单位即 1 像素。</translation>
     </message>
     <message>
         <source>Swap width and height</source>
@@ -8211,6 +8179,54 @@ Arrow keys work too.</source>
     <message>
         <source>New Painting</source>
         <translation>新建画作</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>画纸</translation>
+    </message>
+    <message>
+        <source>Usual sizes, and sheets with a ground of their own</source>
+        <translation>常用尺寸，以及自带底色的画纸</translation>
+    </message>
+    <message>
+        <source>Sides in</source>
+        <translation>边长单位</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>What width and height are given in. A pixel is a unit of the canvas.</source>
+        <translation>宽度和高度所用的单位。一个像素就是画布的一个单位。</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Pixels for each inch of paper. The sheet stays as large on paper.</source>
+        <translation>每英寸纸张的像素数。纸上的大小不变。</translation>
     </message>
 </context>
 <context>
@@ -12044,6 +12060,16 @@ Arrow keys work too.</source>
         <source>Picture to strokes</source>
         <translation>图片转为笔画</translation>
     </message>
+    <message>
+        <source>The picture was painted quickly, just before the moment that you look at. All that you painted stays as it is.</source>
+        <translation>图画已快速画在您正在看的时刻之前。您画过的一切保持原样。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) came in, and a ground below them.</source>
+        <translation>
+            <numerusform>加入了 %Ln 条笔画，其下有一层底色。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::FitView</name>
@@ -12275,6 +12301,22 @@ Arrow keys work too.</source>
         <source>Puts the strokes so far in place of the selected ones</source>
         <translation>用目前的笔画替换所选笔画</translation>
     </message>
+    <message>
+        <source>Give up the strokes so far?</source>
+        <translation>放弃目前的笔画？</translation>
+    </message>
+    <message>
+        <source>Replace puts them in place of the selected ones.</source>
+        <translation>“替换”会用它们代替选中的笔画。</translation>
+    </message>
+    <message>
+        <source>Insert puts them into the painting.</source>
+        <translation>“插入”会把它们放进画作。</translation>
+    </message>
+    <message>
+        <source>&amp;Give Up</source>
+        <translation>放弃(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>fitting</name>
@@ -12368,6 +12410,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>原先夹在其间的 %Ln 条笔画现在位于下方。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That is farther than before, when it was off by %1; Undo brings the former strokes back.</source>
+        <translation>这比原来的 %1 差得更多；撤销可恢复原来的笔画。</translation>
     </message>
 </context>
 <context>

@@ -6,33 +6,43 @@
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "model/painting/validate.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
 
 namespace suffuse {
 
 namespace {
 
-struct SizePreset {
-    QString name;
-    double width;
-    double height;
-};
+/// What sides are given in, in the order of the list.
+enum SideUnit { InPixels, InMillimetres, InInches };
 
-/// The usual sizes, with their names in the present language.
-std::vector<SizePreset> sizePresets()
+Display displayIn(int unit, double resolution)
 {
-    return {{NewDialog::tr("Sketch"), 1024, 768},      {NewDialog::tr("Full HD"), 1920, 1080},
-            {NewDialog::tr("4K"), 3840, 2160},         {NewDialog::tr("Square"), 1080, 1080},
-            {NewDialog::tr("A5, 150 dpi"), 1240, 874}, {NewDialog::tr("A4, 150 dpi"), 1754, 1240},
-            {NewDialog::tr("A4, 300 dpi"), 3508, 2480}};
+    switch (unit) {
+    case InMillimetres:
+        return {.unit = NewDialog::tr(" mm"), .factor = inch / resolution, .decimals = 1};
+    case InInches:
+        return {.unit = NewDialog::tr(" in"), .factor = 1 / resolution, .decimals = 2};
+    default:
+        return screenDisplay();
+    }
+}
+
+int unitOfPaper()
+{
+    return QLocale::system().measurementSystem() == QLocale::MetricSystem ? InMillimetres : InInches;
 }
 
 Canvas lastCanvas()
@@ -55,22 +65,11 @@ NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
     column->setSpacing(12);
 
     auto *row = new QHBoxLayout;
-    auto *label = new QLabel(tr("Size"), this);
-    m_presets = new QComboBox(this);
-    for (const SizePreset &preset : sizePresets())
-        m_presets->addItem(QStringLiteral("%1 — %2 × %3").arg(preset.name).arg(preset.width).arg(preset.height));
-    m_presets->setPlaceholderText(tr("Custom"));
-    m_presets->setAccessibleName(tr("Size"));
-    m_presets->setToolTip(tr("Usual sizes in units; a unit is a pixel at 100 %."));
-    label->setBuddy(m_presets);
-    auto *swap = new QToolButton(this);
-    swap->setIcon(icon("swap"));
-    swap->setAccessibleName(tr("Swap width and height"));
-    swap->setToolTip(tr("Swap width and height"));
-    row->addWidget(label);
-    row->addWidget(m_presets, 1);
-    row->addWidget(swap);
+    addPresets(*row);
     column->addLayout(row);
+    auto *measure = new QHBoxLayout;
+    addUnits(*measure);
+    column->addLayout(measure);
 
     m_section = new CanvasSection(this);
     m_section->setMinimumWidth(340);
@@ -86,12 +85,64 @@ NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_presets, &QComboBox::activated, this, &NewDialog::takePreset);
-    connect(swap, &QToolButton::clicked, this, &NewDialog::swapSides);
     connect(m_section, &CanvasSection::edited, this, &NewDialog::showPreset);
     connect(m_section, &CanvasSection::refused, hint, &HintLabel::showRefusal);
+    connect(m_resolution, &NumberField::refused, hint, &HintLabel::showRefusal);
     giveMnemonics(*this);
-    showPreset();
+    takeUnit();
+}
+
+void NewDialog::addPresets(QHBoxLayout &row)
+{
+    auto *label = new QLabel(tr("Sheet"), this);
+    m_presets = new QComboBox(this);
+    for (std::size_t i = 0; i < m_sheets.size(); ++i) {
+        if (i > 0 && m_sheets[i].section != m_sheets[i - 1].section)
+            m_presets->insertSeparator(m_presets->count());
+        m_presets->addItem(m_sheets[i].name + QStringLiteral(" — ") + m_sheets[i].size, int(i));
+    }
+    m_presets->setPlaceholderText(tr("Custom"));
+    m_presets->setAccessibleName(tr("Sheet"));
+    m_presets->setToolTip(tr("Usual sizes, and sheets with a ground of their own"));
+    label->setBuddy(m_presets);
+    auto *swap = new QToolButton(this);
+    swap->setIcon(icon("swap"));
+    swap->setAccessibleName(tr("Swap width and height"));
+    swap->setToolTip(tr("Swap width and height"));
+    row.addWidget(label);
+    row.addWidget(m_presets, 1);
+    row.addWidget(swap);
+    connect(m_presets, &QComboBox::activated, this, &NewDialog::takePreset);
+    connect(swap, &QToolButton::clicked, this, &NewDialog::swapSides);
+}
+
+void NewDialog::addUnits(QHBoxLayout &row)
+{
+    const QSettings &s = settings::store();
+    auto *label = new QLabel(tr("Sides in"), this);
+    m_units = new QComboBox(this);
+    m_units->addItems({tr("Pixels"), tr("Millimetres"), tr("Inches")});
+    m_units->setCurrentIndex(std::clamp(s.value("newCanvas/unit", int(InPixels)).toInt(), int(InPixels), int(InInches)));
+    m_units->setAccessibleName(tr("Sides in"));
+    m_units->setToolTip(tr("What width and height are given in. A pixel is a unit of the canvas."));
+    label->setBuddy(m_units);
+    auto *resolutionLabel = new QLabel(tr("Resolution"), this);
+    m_resolution = new NumberField(this);
+    m_resolution->setRange(1, 10'000);
+    m_resolution->setDisplay({.unit = tr(" dpi"), .decimals = 1});
+    m_resolution->setStep(10);
+    const double kept = s.value("newCanvas/resolution", usualResolution).toDouble();
+    m_resolution->setValue(kept >= 1 && kept <= 10'000 ? kept : usualResolution);
+    m_resolution->setAccessibleName(tr("Resolution"));
+    m_resolution->setToolTip(tr("Pixels for each inch of paper. The sheet stays as large on paper."));
+    resolutionLabel->setBuddy(m_resolution);
+    row.addWidget(label);
+    row.addWidget(m_units, 1);
+    row.addWidget(resolutionLabel);
+    row.addWidget(m_resolution);
+    connect(m_units, &QComboBox::activated, this, &NewDialog::takeUnit);
+    for (const auto signal : {&NumberField::entered, &NumberField::stepped})
+        connect(m_resolution, signal, this, &NewDialog::takeResolution);
 }
 
 const Canvas &NewDialog::canvas() const
@@ -101,10 +152,42 @@ const Canvas &NewDialog::canvas() const
 
 void NewDialog::takePreset(int index)
 {
-    Canvas canvas = m_section->canvas();
-    canvas.width = sizePresets()[std::size_t(index)].width;
-    canvas.height = sizePresets()[std::size_t(index)].height;
+    const SheetPreset &sheet = m_sheets[std::size_t(m_presets->itemData(index).toInt())];
+    const QSizeF sides = sheet.sides(*m_resolution->value());
+    Canvas canvas = sheet.hasGround ? sheet.canvas : m_section->canvas();
+    canvas.width = sides.width();
+    canvas.height = sides.height();
     m_section->setCanvas(canvas);
+    const bool isPaper = !sheet.paper.isEmpty();
+    if (isPaper != (m_units->currentIndex() != InPixels))
+        m_units->setCurrentIndex(isPaper ? unitOfPaper() : InPixels);
+    takeUnit();
+}
+
+/// The sheet stays as it is, and its sides are shown otherwise.
+void NewDialog::takeUnit()
+{
+    const int unit = m_units->currentIndex();
+    m_resolution->setEnabled(unit != InPixels);
+    m_section->setSideDisplay(displayIn(unit, *m_resolution->value()), unit != InPixels);
+    showPreset();
+}
+
+/// The sheet stays as large on paper, and has more or fewer units.
+void NewDialog::takeResolution(double resolution)
+{
+    const double factor = resolution / *m_resolution->value();
+    Canvas canvas = m_section->canvas();
+    for (double *side : {&canvas.width, &canvas.height})
+        *side = std::max(1.0, std::round(*side * factor));
+    if (const int index = m_presets->currentIndex(); index >= 0) { // Rounding twice would lose it.
+        const QSizeF sides = m_sheets[std::size_t(m_presets->itemData(index).toInt())].sides(resolution);
+        canvas.width = sides.width(), canvas.height = sides.height();
+    }
+    m_resolution->setValue(resolution);
+    if (problemOf(canvas).isEmpty())
+        m_section->setCanvas(canvas);
+    takeUnit();
 }
 
 void NewDialog::swapSides()
@@ -115,13 +198,19 @@ void NewDialog::swapSides()
     showPreset();
 }
 
+/// The first sheet that it is; one with a ground of its own only with this ground.
 void NewDialog::showPreset()
 {
+    const auto isShown = [this](const SheetPreset &sheet) {
+        return sheet.sides(*m_resolution->value()) == QSizeF(canvas().width, canvas().height) &&
+               (!sheet.hasGround ||
+                (sheet.canvas.background == canvas().background && sheet.canvas.paper == canvas().paper));
+    };
     int index = -1;
-    for (std::size_t i = 0; i < sizePresets().size(); ++i)
-        if (sizePresets()[i].width == canvas().width && sizePresets()[i].height == canvas().height)
+    for (std::size_t i = 0; i < m_sheets.size(); ++i)
+        if (isShown(m_sheets[i]) && (index < 0 || m_sheets[i].hasGround))
             index = int(i);
-    m_presets->setCurrentIndex(index);
+    m_presets->setCurrentIndex(index < 0 ? -1 : m_presets->findData(index));
 }
 
 std::optional<Canvas> NewDialog::ask(QWidget *parent)
@@ -131,6 +220,8 @@ std::optional<Canvas> NewDialog::ask(QWidget *parent)
         return std::nullopt;
     settings::store().setValue("newCanvas/width", dialog.canvas().width);
     settings::store().setValue("newCanvas/height", dialog.canvas().height);
+    settings::store().setValue("newCanvas/unit", dialog.units()->currentIndex());
+    settings::store().setValue("newCanvas/resolution", *dialog.resolution()->value());
     return dialog.canvas();
 }
 

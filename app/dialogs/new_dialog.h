@@ -1,18 +1,21 @@
 #pragma once
 
-#include "model/painting/painting.h"
+#include "app/dialogs/sheet_presets.h"
 
 #include <QDialog>
 
 #include <optional>
 
 class QComboBox;
+class QHBoxLayout;
 
 namespace suffuse {
 
 class CanvasSection;
+class NumberField;
 
-/// Asks for size, background and paper of a new painting.
+/// Asks for size, background and paper of a new painting. It offers the sheets of the welcome page, and takes sides in
+/// pixels, or in millimetres or inches at a resolution.
 class NewDialog : public QDialog {
     Q_OBJECT
 
@@ -25,14 +28,23 @@ public:
 
     const Canvas &canvas() const;
     QComboBox *presets() const { return m_presets; }
+    QComboBox *units() const { return m_units; }
+    NumberField *resolution() const { return m_resolution; }
     CanvasSection *section() const { return m_section; }
 
 private:
+    void addPresets(QHBoxLayout &row);
+    void addUnits(QHBoxLayout &row);
     void takePreset(int index);
+    void takeUnit();
+    void takeResolution(double resolution);
     void swapSides();
     void showPreset();
 
+    const std::vector<SheetPreset> m_sheets = sheetPresets();
     QComboBox *m_presets = nullptr;
+    QComboBox *m_units = nullptr;
+    NumberField *m_resolution = nullptr;
     CanvasSection *m_section = nullptr;
 };
 

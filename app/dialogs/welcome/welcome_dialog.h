@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/dialogs/welcome/sheet_presets.h"
+#include "app/dialogs/sheet_presets.h"
 #include "app/session/lessons/lesson.h"
 
 #include <QDialog>

@@ -17,6 +17,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace suffuse {
 
 namespace {
@@ -96,7 +99,8 @@ void CanvasSection::addSize(QGridLayout &grid)
         grid.addWidget(field, row, 2);
         connect(field, &NumberField::refused, this, &CanvasSection::refused);
         const auto take = [=, this](double value) {
-            change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas"));
+            const double side = m_isPaper ? std::max(1.0, std::round(value)) : value;
+            change([=](Canvas &c) { c.*member = side; }, tr("Resize canvas"));
         };
         connect(field, &NumberField::entered, this, take);
         // A tenth of a size is rarely whole, and nobody steps to a part of a pixel.
@@ -248,6 +252,14 @@ void CanvasSection::change(const std::function<void(Canvas &)> &change, const QS
 void CanvasSection::setCanvas(const Canvas &canvas)
 {
     m_canvas = canvas;
+    refresh();
+}
+
+void CanvasSection::setSideDisplay(const Display &display, bool isPaper)
+{
+    m_isPaper = isPaper;
+    for (NumberField *field : {m_width, m_height})
+        field->setDisplay(display);
     refresh();
 }
 

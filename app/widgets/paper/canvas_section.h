@@ -24,6 +24,8 @@ public:
 
     void setCanvas(const Canvas &canvas);
     const Canvas &canvas() const { return m_canvas; }
+    /// Shows and takes the sides in another unit. Those of paper become whole units of the canvas.
+    void setSideDisplay(const Display &display, bool isPaper);
 
     NumberField *widthField() const { return m_width; }
     NumberField *heightField() const { return m_height; }
@@ -52,6 +54,7 @@ private:
     void refresh();
 
     Canvas m_canvas;
+    bool m_isPaper = false; ///< whether sides are lengths of paper
     NumberField *m_width = nullptr;
     NumberField *m_height = nullptr;
     ColourSwatch *m_swatch = nullptr;

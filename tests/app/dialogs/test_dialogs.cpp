@@ -120,6 +120,45 @@ private slots:
         QCOMPARE(dialog.presets()->currentIndex(), -1);
     }
 
+    /// One list of sheets, wherever a painting begins.
+    void newPaintingsHaveTheSheetsOfTheWelcomePage()
+    {
+        NewDialog dialog;
+        dialog.show();
+        const auto choose = [&](const QString &name) {
+            for (int i = 0; i < dialog.presets()->count(); ++i)
+                if (dialog.presets()->itemText(i).startsWith(name + " — "))
+                    return emit dialog.presets()->activated(i);
+            QFAIL(qPrintable(name));
+        };
+        const std::vector<SheetPreset> sheets = sheetPresets();
+        for (const SheetPreset &sheet : sheets) {
+            choose(sheet.name);
+            QCOMPARE(dialog.canvas().width, sheet.canvas.width);
+            QCOMPARE(dialog.canvas().height, sheet.canvas.height);
+            QCOMPARE(sheet.hasGround, dialog.canvas().background == sheet.canvas.background &&
+                                          dialog.canvas().paper == sheet.canvas.paper && sheet.hasGround);
+            QCOMPARE(dialog.presets()->currentText(), sheet.name + " — " + sheet.size);
+        }
+        choose("A4");
+        dialog.units()->setCurrentIndex(1);
+        emit dialog.units()->activated(1);
+        QCOMPARE(dialog.section()->widthField()->text(), QString("297 mm"));
+        emit dialog.resolution()->entered(300);
+        QCOMPARE(dialog.canvas().width, 3508.0);
+        QCOMPARE(dialog.canvas().height, 2480.0);
+        QVERIFY(dialog.presets()->currentText().startsWith("A4"));
+        type(*dialog.section()->heightField(), "100");
+        QCOMPARE(dialog.canvas().height, 1181.0); // whole pixels
+        QCOMPARE(dialog.section()->heightField()->text(), QString("100 mm"));
+        dialog.units()->setCurrentIndex(2);
+        emit dialog.units()->activated(2);
+        QCOMPARE(dialog.section()->heightField()->text(), QString("3.94 in"));
+        QCOMPARE(dialog.canvas().height, 1181.0);
+        choose("Full HD");
+        QCOMPARE(dialog.section()->widthField()->text(), QString("1920 px"));
+    }
+
     void settingsAreKeptOrPutBack()
     {
         settings::setTheme(settings::Theme::Light);

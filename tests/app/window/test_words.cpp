@@ -24,6 +24,7 @@
 #include "app/widgets/look/theme.h"
 #include "app/widgets/numbers/quantity.h"
 #include "app/widgets/numbers/time_text.h"
+#include "app/widgets/paper/canvas_section.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
@@ -272,6 +273,8 @@ private slots:
             const QString name = field->accessibleName();
             if (name.isEmpty() || name == "Value" || field->text() == "—")
                 continue;
+            if (field == fresh.section()->widthField() || field == fresh.section()->heightField())
+                continue; // One chooses in what the sides of a new sheet are given.
             several += units.contains(name);
             if (units.contains(name))
                 QVERIFY2(units[name] == unitOf(*field), qPrintable(name + units[name] + " and" + unitOf(*field)));

@@ -1,4 +1,4 @@
-#include "app/dialogs/welcome/sheet_presets.h"
+#include "app/dialogs/sheet_presets.h"
 
 #include "app/session/editor.h"
 #include "model/painting/paper_presets.h"
@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse {
@@ -37,21 +38,21 @@ SheetPreset Sheets::screen(const QString &name, double width, double height)
     Canvas canvas = Editor::usualCanvas();
     canvas.width = width;
     canvas.height = height;
-    return {tr("Screen"), name, tr("%1 × %2 px").arg(sideText(width, 0), sideText(height, 0)), canvas};
+    return {tr("Screen"), name, tr("%1 × %2 px").arg(sideText(width, 0), sideText(height, 0)), canvas,
+            {}};
 }
 
 /// Sides in millimetres.
 SheetPreset Sheets::paper(const QString &name, double width, double height)
 {
-    constexpr double inch = 25.4, pixelsAnInch = 150;
     Canvas canvas = Editor::usualCanvas();
-    canvas.width = std::round(width / inch * pixelsAnInch);
-    canvas.height = std::round(height / inch * pixelsAnInch);
+    canvas.width = unitsOf(width, usualResolution);
+    canvas.height = unitsOf(height, usualResolution);
     const QString metric = tr("%1 × %2 mm").arg(sideText(width, 0), sideText(height, 0));
     const QString imperial = tr("%1 × %2 in").arg(sideText(width / inch, 1), sideText(height / inch, 1));
     const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
     return {tr("Paper"), name, (isMetric ? metric : imperial) + QStringLiteral(" · ") + (isMetric ? imperial : metric),
-            canvas};
+            canvas, QSizeF(width, height)};
 }
 
 /// A sheet of the usual size on a ground of its own.
@@ -60,7 +61,7 @@ SheetPreset Sheets::ground(const QString &name, const Colour &background, std::s
     Canvas canvas = Editor::usualCanvas();
     canvas.background = background;
     canvas.paper = paperOf(paperPresets()[preset]);
-    return {tr("Templates"), name, titleOf(paperPresets()[preset]), canvas};
+    return {tr("Templates"), name, titleOf(paperPresets()[preset]), canvas, {}, true};
 }
 
 std::vector<SheetPreset> Sheets::all()
@@ -83,6 +84,18 @@ std::vector<SheetPreset> Sheets::all()
 }
 
 } // namespace
+
+double unitsOf(double millimetres, double resolution)
+{
+    return std::max(1.0, std::round(millimetres / inch * resolution));
+}
+
+QSizeF SheetPreset::sides(double resolution) const
+{
+    if (paper.isEmpty())
+        return {canvas.width, canvas.height};
+    return {unitsOf(paper.width(), resolution), unitsOf(paper.height(), resolution)};
+}
 
 std::vector<SheetPreset> sheetPresets()
 {
