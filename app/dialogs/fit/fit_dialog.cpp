@@ -6,6 +6,7 @@
 #include "app/session/files/picture_file.h"
 #include "app/session/fitting/fit_layer.h"
 #include "app/widgets/asking/choose_picture.h"
+#include "app/widgets/asking/messages.h"
 #include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
@@ -143,7 +144,9 @@ void FitDialog::addPicture(QBoxLayout &row)
 
 void FitDialog::addSettings(QBoxLayout &row)
 {
-    auto *column = new QVBoxLayout;
+    auto *content = new QWidget;
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
     auto *line = new QHBoxLayout;
     line->setSpacing(8);
@@ -173,7 +176,10 @@ void FitDialog::addSettings(QBoxLayout &row)
     column->addWidget(m_hint);
     column->addStretch(1);
     m_rows->setMinimumWidth(settingsWidth);
-    row.addLayout(column);
+    auto *scroll = new PanelScroll(this); // More makes the rows higher than a low screen.
+    scroll->setWidget(content);
+    scroll->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    row.addWidget(scroll);
     connect(m_source, &QComboBox::activated, this, &FitDialog::choose);
 }
 
@@ -348,8 +354,13 @@ void FitDialog::accept()
     QDialog::accept();
 }
 
+/// What was worked out is not thrown away by a key.
 void FitDialog::reject()
 {
+    const QString keeps = m_task ? tr("Replace puts them in place of the selected ones.")
+                                 : tr("Insert puts them into the painting.");
+    if (m_job.news().strokes > 0 && !confirm(this, tr("Give up the strokes so far?"), keeps, tr("&Give Up")))
+        return;
     m_job.cancel();
     QDialog::reject();
 }

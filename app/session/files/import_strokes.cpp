@@ -127,7 +127,8 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
         stroke.visible = true, stroke.locked = false;
     Document &document = editor.document();
     const Microseconds later = latestBirthOf(strokes) - editor.clock().time();
-    const bool keepsTimes = document.painting()->strokes.empty(); // there is no time yet that they could disagree with
+    const bool isFirst = document.painting()->strokes.empty(); // there is no time yet that they could disagree with
+    const bool keepsTimes = isFirst || landing.goesOn;
     if (later > 0 && !keepsTimes)
         bringBack(strokes, later); // pasted paint is seen at once
     Edit edit;
@@ -188,8 +189,8 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
                                                     "%Ln stroke(s) cannot lie there, too far out, and were left out.",
                                                     nullptr, refused),
          comes && later > 0 && !keepsTimes
-             ? QCoreApplication::translate("Clipboard", "What came was painted later than the moment that is shown. "
-                                                        "Its times were brought back to this moment.")
+             ? QCoreApplication::translate("Clipboard", "What came was painted after the moment that you look at. "
+                                                        "It was brought back to this moment, so that you see it.")
              : QString()});
 }
 

@@ -17,6 +17,7 @@ struct Landing {
     std::optional<Point> middle; ///< where their middle is to lie; none: they lie where they were
     Rect seen;                   ///< what can be seen of the canvas; empty: they need not be seen
     bool selects = true;         ///< Whether they are selected; else nothing is.
+    bool goesOn = false;         ///< Whether they are painted from now on, and the clock goes on to when all has dried.
     Landing() = default;
     Landing(std::optional<Point> middle, const Rect &seen = {}) : middle(middle), seen(seen) {}
     Landing(Point middle) : middle(middle) {}
@@ -26,7 +27,7 @@ struct Landing {
 /// own, visible but in groups that are hidden, unlocked and, as `landing` says, selected, as one undo step. They lie where `landing` says;
 /// where they would lie wholly outside of what is seen, their middle comes to the middle of that, or, where they are to
 /// lie as they were, only the returned string says so. An empty painting takes over their times, and is then seen at
-/// its end; in others none is born after the moment that is shown: all are brought back in time together. The step also
+/// its end, and so does one that goes on; in others none is born after the moment that is shown: all are brought back in time together. The step also
 /// puts `paints` behind the painting's swatches, but for those that are among them. Returns an empty string, or which
 /// of the strokes could not be added and why, and whether they were brought back.
 QString addStrokes(Editor &editor, const Painting &added, const Landing &landing, const QString &undoText,

@@ -2,10 +2,13 @@
 
 #include "app/session/editor.h"
 #include "app/session/files/import_strokes.h"
+#include "model/formats/messages.h"
 #include "model/shaping/transform.h"
 #include "undo/underlay_edits.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -48,6 +51,76 @@ Stroke sheetOf(const Rect &area, const Colour &colour)
     fill.colour = colour;
     sheet.fill = fill;
     return sheet;
+}
+
+/// When all of a layer has dried, of which the first stroke is painted at 0, and when its last stroke begins to dry.
+struct Span {
+    Microseconds lastBorn = 0, end = 0;
+};
+
+Span spanOf(const Painting &layer)
+{
+    Span span;
+    span.end = layer.end();
+    for (const StrokePtr &stroke : layer.strokes)
+        for (const Segment &segment : stroke->segments)
+            span.lastBorn = std::max(span.lastBorn, segment.born);
+    return span;
+}
+
+/// The layer as if it were painted from a moment on, `pace` times as fast, with paint that dries `drying` times as fast and
+/// spreads as far.
+void retime(Painting &layer, Microseconds from, double pace, double drying)
+{
+    StrokeList strokes;
+    for (const StrokePtr &stroke : layer.strokes) {
+        Stroke later = *stroke;
+        for (Segment &segment : later.segments) {
+            segment.born = from + Microseconds(double(segment.born) / pace);
+            segment.maxAge = float(double(segment.maxAge) / drying);
+            segment.diffusion = float(double(segment.diffusion) * drying);
+        }
+        if (later.fill) {
+            Fill fill = *later.fill; // It does not spread.
+            fill.born = from + Microseconds(double(fill.born) / pace);
+            fill.maxAge = float(double(fill.maxAge) / drying);
+            later.fill = fill;
+        }
+        strokes.push_back(std::make_shared<const Stroke>(std::move(later)));
+    }
+    layer.strokes = std::move(strokes);
+}
+
+/// When the last paint comes that is there at a moment.
+Microseconds lastBornBefore(const Painting &painting, Microseconds moment)
+{
+    Microseconds last = 0;
+    const auto take = [&](Microseconds born) {
+        if (born <= moment)
+            last = std::max(last, born);
+    };
+    for (const StrokePtr &stroke : painting.strokes) {
+        for (const Segment &segment : stroke->segments)
+            take(segment.born);
+        if (stroke->fill)
+            take(stroke->fill->born);
+    }
+    return last;
+}
+
+/// Makes a layer one that was painted just before a moment, after all that was painted till then, and that has dried at
+/// the moment. There is as much time for it as there is.
+void paintBefore(Painting &layer, const Painting &painting, Microseconds now)
+{
+    constexpr Microseconds least = 100'000; // Whatever came so shortly before is beside the layer.
+    const Span span = spanOf(layer);
+    const Microseconds room = std::min(now, std::max(now - lastBornBefore(painting, now), least));
+    if (span.end <= room)
+        return retime(layer, now - span.end, 1, 1);
+    const auto half = double(std::max<Microseconds>(room / 2, 4));
+    const double pace = std::max(1.0, double(span.lastBorn) / half);
+    const double drying = std::max(1.0, double(span.end - span.lastBorn) / (half - 3)); // Ages are rounded up.
+    retime(layer, now - room, pace, drying);
 }
 
 bool covers(const Rect &area, const Rect &canvas)
@@ -99,10 +172,23 @@ Painting layerOfFit(const FitResult &fit, const Rect &area, const Rect &canvas)
 
 QString insertFit(Editor &editor, const FitResult &fit, const Rect &area)
 {
-    const Painting layer = layerOfFit(fit, area, editor.document().painting()->canvas.area());
+    const Painting &painting = *editor.document().painting();
+    Painting layer = layerOfFit(fit, area, painting.canvas.area());
     Landing landing;
     landing.selects = false; // Hundreds of outlines would cover the picture that one has just made.
-    return addStrokes(editor, layer, landing, FitLayer::tr("Picture to strokes"), layer.swatches);
+    const Microseconds now = editor.clock().time();
+    const bool isFirst = painting.strokes.empty();
+    landing.goesOn = now >= painting.end();
+    if (landing.goesOn && !isFirst)
+        retime(layer, now, 1, 1);
+    else if (!isFirst)
+        paintBefore(layer, painting, now);
+    const QString said = addStrokes(editor, layer, landing, FitLayer::tr("Picture to strokes"), layer.swatches);
+    return joinedSentences({FitLayer::tr("%Ln stroke(s) came in, and a ground below them.", nullptr,
+                                         int(fit.painting.strokes.size())),
+                            said, landing.goesOn ? QString()
+                                                 : FitLayer::tr("The picture was painted quickly, just before the moment "
+                                                                "that you look at. All that you painted stays as it is.")});
 }
 
 } // namespace suffuse

@@ -16,8 +16,10 @@ Rect areaForFit(const Painting &painting, QSizeF picture, bool onUnderlay);
 /// their paint would reach beyond it.
 Painting layerOfFit(const FitResult &fit, const Rect &area, const Rect &canvas);
 
-/// Puts them into the painting by `addStrokes`: in one step, selected, with their paints as swatches. Returns what is
-/// to be said of it, or an empty string.
+/// Puts them into the painting by `addStrokes`, in one step, with their paints as swatches. They are painted from now on,
+/// one after another, after all that is there, and the painting is then seen at its end. While something has yet to dry or
+/// to be painted, since a moment of the past is looked at, they were painted quickly before that moment instead, so that
+/// nothing else looks otherwise. Returns what is to be said of it, or an empty string.
 QString insertFit(Editor &editor, const FitResult &fit, const Rect &area);
 
 } // namespace suffuse

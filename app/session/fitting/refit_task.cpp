@@ -28,7 +28,8 @@ refit::RefitGoal goalOf(const EncodedImage &picture, const QString &place)
     return goal;
 }
 
-/// How far a painting is from what was wanted; empty where that cannot be drawn.
+/// How far a painting is from what was wanted, and whether what was there before came nearer; empty where that cannot be
+/// drawn.
 QString errorOf(const refit::RefitScope &scope, const refit::RefitGoal &goal, const Painting &painting,
                 const Rect &area)
 {
@@ -39,8 +40,17 @@ QString errorOf(const refit::RefitScope &scope, const refit::RefitGoal &goal, co
     const auto apart = pictures.differenceOf(painting, area);
     if (!apart)
         return {};
-    return RefitText::tr("There the picture is off by %1 of 255 (root mean square), %2 at most.")
-        .arg(QLocale().toString(apart->rootMeanSquare, 'f', 1), QLocale().toString(apart->greatest, 'f', 0));
+    const auto number = [](double value, int decimals) { return QLocale().toString(value, 'f', decimals); };
+    const QString said = RefitText::tr("There the picture is off by %1 of 255 (root mean square), %2 at most.")
+                             .arg(number(apart->rootMeanSquare, 1), number(apart->greatest, 0));
+    if (goal.isOwnLook())
+        return said;
+    const auto before = pictures.differenceOf(scope.painting(), area);
+    if (!before || before->rootMeanSquare >= apart->rootMeanSquare)
+        return said;
+    return said + QLatin1Char(' ') +
+           RefitText::tr("That is farther than before, when it was off by %1; Undo brings the former strokes back.")
+               .arg(number(before->rootMeanSquare, 1));
 }
 
 /// Gives new strokes ids of the document.

@@ -4,8 +4,12 @@
 #include "app/dialogs/fit/fit_view.h"
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/editor.h"
+#include "app/session/files/import_strokes.h"
+#include "app/session/fitting/fit_layer.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/asking/messages.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "model/shaping/transform.h"
 #include "render/backends.h"
@@ -18,6 +22,7 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,12 +60,12 @@ void setCanvas(Editor &editor, double width, double height)
     editor.newPainting(canvas);
 }
 
-/// The painting as it is seen at its end, R, G, B.
-QImage drawn(const Editor &editor, const Rect &area, QSize size)
+/// The painting as it is seen at a moment, or at its end, R, G, B.
+QImage drawn(const Editor &editor, const Rect &area, QSize size, std::optional<Microseconds> moment = {})
 {
     RenderRequest request;
     request.painting = editor.unsettled().snapshot();
-    request.time = request.painting->end();
+    request.time = moment.value_or(request.painting->end());
     request.view = View::ofArea(area, size.width(), size.height());
     Picture8 picture;
     auto renderer = makeRenderer({.backend = Backend::Cpu, .threads = 1});
@@ -71,6 +76,23 @@ QImage drawn(const Editor &editor, const Rect &area, QSize size)
         for (int x = 0; x < size.width(); ++x)
             image.setPixel(x, y, picture.argb[std::size_t(y) * std::size_t(size.width()) + std::size_t(x)]);
     return image;
+}
+
+/// A short upright stroke, painted at that second and dry after so many.
+StrokePtr strokeAt(double x, double second, float drying)
+{
+    Stroke stroke;
+    stroke.id = 1;
+    stroke.origin = {x, 30};
+    Segment segment;
+    segment.bezier = {Offset{0, 0}, Offset{0, 5}, Offset{0, 10}, Offset{0, 15}};
+    segment.colour = {0, 1, 1, 1};
+    segment.diffusion = 4;
+    segment.density = 8;
+    segment.maxAge = drying;
+    segment.born = toMicroseconds(second);
+    stroke.segments = {segment};
+    return std::make_shared<const Stroke>(std::move(stroke));
 }
 
 /// The mean difference of two pictures of one size, in 255ths.
@@ -109,7 +131,16 @@ private slots:
         settings::store().clear();
         settings::store().setValue("fit/strokes", 12);
         QVERIFY(sunset().save(pathOf("sunset.png")));
+        m_givesUp = true;
+        m_asked = 0;
+        MessageHooks hooks;
+        hooks.confirm = [this](const QString &) {
+            ++m_asked;
+            return m_givesUp;
+        };
+        setMessageHooks(hooks);
     }
+    void cleanupTestCase() { setMessageHooks({}); }
 
     void fittedInsertedUndone_data()
     {
@@ -160,6 +191,62 @@ private slots:
         QVERIFY(!editor.canUndo());
     }
 
+    /// What comes is painted after what is there, as one who paints on would paint it.
+    void insertedStrokesComeAfterWhatIsThere_data()
+    {
+        QTest::addColumn<double>("moment"); // s
+        QTest::newRow("in the present") << 1e9;
+        QTest::newRow("in the past") << 6.0;
+        QTest::newRow("while paint spreads") << 5.05;
+    }
+    void insertedStrokesComeAfterWhatIsThere()
+    {
+        QFETCH(double, moment);
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        Painting own = *editor.document().painting();
+        for (const double second : {0.0, 5.0, 20.0})
+            own.strokes.push_back(strokeAt(20 + 10 * second, second, 2));
+        editor.newPainting(own.canvas);
+        QCOMPARE(addStrokes(editor, own, {}, "Paint"), QString());
+        const Microseconds end = editor.document().painting()->end(), now = std::min(end, toMicroseconds(moment));
+        editor.clock().lookAt(now);
+        const QImage before = drawn(editor, own.canvas.area(), {60, 40}, now);
+
+        FitResult fit; // as of a picture that takes a minute to paint, in a corner that nobody painted
+        fit.name = "picture";
+        fit.painting.canvas.width = 300, fit.painting.canvas.height = 200;
+        for (int i = 0; i < 600; ++i)
+            fit.painting.strokes.push_back(strokeAt(250, 0.1 * i, 0.5));
+        const Rect corner = Rect::of(240, 160, 60, 40);
+        const QString said = insertFit(editor, fit, corner);
+        const Painting &painting = *editor.document().painting();
+        QCOMPARE(painting.strokes.size(), std::size_t(3 + 601));
+        std::vector<StrokePtr> layer; // In the past it lies below what was painted later.
+        for (const StrokePtr &stroke : painting.strokes)
+            if (stroke->group != 0)
+                layer.push_back(stroke);
+        QCOMPARE(layer.size(), std::size_t(601));
+        const Microseconds first = layer.front()->born();
+        Microseconds last = first;
+        const bool isPresent = now == end;
+        const Microseconds seen = isPresent ? painting.end() : now;
+        for (const StrokePtr &stroke : layer) {
+            QVERIFY(stroke->born() >= last && stroke->driesAt() <= seen);
+            last = stroke->born();
+        }
+        QVERIFY(last > first);
+        QVERIFY(isPresent ? first >= end : first > toMicroseconds(moment - 1.1) && first >= toMicroseconds(4.9));
+        QCOMPARE(editor.clock().time(), seen);
+        QCOMPARE(said.contains("quickly"), !isPresent);
+        QVERIFY(!said.contains("brought back"));
+        QImage after = drawn(editor, own.canvas.area(), {60, 40}, seen);
+        QCOMPARE(after.copy(0, 0, 46, 40), before.copy(0, 0, 46, 40));
+        QVERIFY(difference(after, before) > 0);
+        editor.undo();
+        QCOMPARE(editor.document().painting()->strokes.size(), std::size_t(3));
+    }
+
     void cancelLeavesAllAsItWas()
     {
         Editor editor;
@@ -176,6 +263,55 @@ private slots:
         QCOMPARE(dialog.result(), int(QDialog::Rejected));
         QCOMPARE(editor.document().snapshot(), before);
         QCOMPARE(editor.undoStack().count(), steps);
+    }
+
+    /// Minutes of work do not go by a key, and neither by a click.
+    void whatWasWorkedOutIsNotGivenUpUnasked()
+    {
+        Editor editor;
+        setCanvas(editor, 300, 200);
+        m_givesUp = false;
+        FitDialog none(editor, nullptr);
+        none.show();
+        QTest::keyClick(&none, Qt::Key_Escape); // There is nothing to lose.
+        QVERIFY(!none.isVisible());
+        QCOMPARE(m_asked, 0);
+        FitDialog dialog(editor, nullptr);
+        dialog.show();
+        QVERIFY(dialog.takeFile(pathOf("sunset.png")));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.job().isRunning(), longMs);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QCOMPARE(m_asked, 1);
+        QVERIFY(dialog.isVisible() && dialog.insertButton()->isEnabled());
+        dialog.close();
+        QCOMPARE(m_asked, 2);
+        QVERIFY(dialog.isVisible());
+        m_givesUp = true;
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QCOMPARE(m_asked, 3);
+        QVERIFY(!dialog.isVisible());
+        QVERIFY(editor.document().painting()->strokes.empty());
+    }
+
+    /// 1366 × 768 pixels at two a logical one, less title and task bar.
+    void itFitsOnALowScreenWithAllOfItsRows()
+    {
+        Editor editor;
+        FitDialog dialog(editor, nullptr);
+        dialog.rows()->more()->setChecked(true);
+        dialog.show();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QVERIFY2(dialog.minimumSizeHint().height() <= 330, qPrintable(QString::number(dialog.minimumSizeHint().height())));
+        QVERIFY(dialog.minimumSizeHint().width() <= 683);
+        dialog.resize(683, 330);
+        QCoreApplication::processEvents();
+        const auto areas = dialog.findChildren<QScrollArea *>();
+        QVERIFY(!areas.isEmpty());
+        for (QScrollArea *area : areas)
+            area->ensureWidgetVisible(dialog.rows()->seed());
+        const QPoint seed = dialog.rows()->seed()->mapTo(&dialog, dialog.rows()->seed()->rect().center());
+        QVERIFY(QRect(0, 0, 683, 330).contains(seed) && !dialog.rows()->seed()->visibleRegion().isEmpty());
+        QVERIFY(dialog.rect().contains(dialog.insertButton()->mapTo(&dialog, dialog.insertButton()->rect().center())));
     }
 
     void underlayIsTaken()
@@ -384,6 +520,8 @@ private slots:
     }
 
 private:
+    bool m_givesUp = true;
+    int m_asked = 0;
     /// A wide stroke, twelve that lie side by side and are selected, and one across them.
     static void addStripes(Editor &editor)
     {
