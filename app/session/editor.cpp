@@ -339,7 +339,7 @@ std::vector<QString> Editor::open(OpenedFile file)
     if (damaged)
         origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, said, true, true};
     else if (file.isSample)
-        origin = {{}, QFileInfo(file.path).completeBaseName(), QDir::home().filePath(QFileInfo(file.path).fileName()), {}, said};
+        origin = {{}, QFileInfo(file.path).completeBaseName(), {}, {}, said};
     else if (canBeSavedAs(document.format))
         origin = {file.path, {}, file.path, file.hash, said};
     else { // A drawing or a recording: the painting of it has its name, and would lie beside it.

@@ -1,10 +1,6 @@
 #include "app/window/files/file_choice.h"
 
-#include "app/session/editor.h"
-#include "app/session/settings/settings.h"
 #include "app/window/files/file_opening.h"
-
-#include <QFileInfo>
 
 namespace suffuse {
 
@@ -18,12 +14,6 @@ QString openFilter()
            FileOpening::tr("Pictures with layers (*.ora *.psd)") + ";;" +
            FileOpening::tr("Drawings (*.svg *.svgz *.pdf)") + ";;" + FileOpening::tr("Diffusion curves (*.xml)") +
            ";;" + FileOpening::tr("All files (*)");
-}
-
-QString folderNear(const Editor &editor)
-{
-    const QString near = editor.filePath().isEmpty() ? settings::recentFiles().value(0) : editor.filePath();
-    return near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
 }
 
 } // namespace suffuse

@@ -13,6 +13,7 @@
 #include "app/window/files/file_choice.h"
 #include "app/window/files/file_restoring.h"
 #include "app/window/files/file_saving.h"
+#include "app/window/files/save_place.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/formats/atomic_save.h"
 #include "model/journal/recovery.h"
@@ -70,9 +71,9 @@ void FileOpening::newPainting()
         begin(*canvas);
 }
 
-void FileOpening::begin(const Canvas &canvas)
+FileOpening *FileOpening::begin(const Canvas &canvas)
 {
-    show([&](OpenPainting &open) { open.editor.newPainting(canvas); });
+    return show([&](OpenPainting &open) { open.editor.newPainting(canvas); });
 }
 
 void FileOpening::chooseFiles()

@@ -37,8 +37,8 @@ public:
     /// Shows a document of an earlier run. Its journal goes when this one's is on disk.
     FileOpening *openRecovered(LostDocument document);
     void fillRecentMenu(QMenu &menu);
-    /// A new painting, here or in a window of its own.
-    void begin(const Canvas &canvas);
+    /// A new painting, here or in a window of its own. Returns whose window shows it.
+    FileOpening *begin(const Canvas &canvas);
     /// Nothing was painted, opened or saved in this window.
     bool isUntouched() const;
 

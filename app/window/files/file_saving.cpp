@@ -8,12 +8,12 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/habits/at_next_change.h"
+#include "app/window/files/save_place.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
 
 #include <QApplication>
-#include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -95,14 +95,9 @@ bool FileSaving::startSaving()
 
 bool FileSaving::startSavingAs()
 {
-    QString proposal = m_editor.suggestedPath();
-    if (proposal.isEmpty()) {
-        const QString recent = settings::recentFiles().value(0);
-        proposal = m_editor.displayName() + ".suffuse";
-        if (!recent.isEmpty())
-            proposal = QFileInfo(recent).dir().filePath(proposal);
-    }
-    const QString path = askForFile(tr("Save As"), proposal);
+    const QString suggested = QFileInfo(m_editor.suggestedPath()).fileName();
+    const QString name = suggested.isEmpty() ? m_editor.displayName() + ".suffuse" : suggested;
+    const QString path = askForFile(tr("Save As"), placeToSave(m_editor, name));
     if (path.isEmpty())
         return false;
     startSavingTo(path, true); // it was asked whether it may be replaced
@@ -116,11 +111,9 @@ void FileSaving::startSavingCopy()
     const QFileInfo origin(m_editor.suggestedPath().isEmpty() ? m_editor.displayName() + ".suffuse"
                                                               : m_editor.suggestedPath());
     //: name of the file that a copy is saved to, beside that of the painting
-    QString proposal = tr("%1 copy").arg(origin.completeBaseName()) + '.' + origin.suffix();
-    if (!m_editor.suggestedPath().isEmpty())
-        proposal = origin.dir().filePath(proposal);
+    const QString name = tr("%1 copy").arg(origin.completeBaseName()) + '.' + origin.suffix();
     const FileKind drawing{tr("SVG drawing"), {"svg"}};
-    const QString path = askForFile(tr("Save a Copy"), proposal, {drawing});
+    const QString path = askForFile(tr("Save a Copy"), placeToSave(m_editor, name), {drawing});
     if (path.isEmpty())
         return;
     if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))

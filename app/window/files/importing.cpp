@@ -11,6 +11,7 @@
 #include "app/widgets/habits/at_next_change.h"
 #include "app/widgets/look/section.h"
 #include "app/window/files/file_choice.h"
+#include "app/window/files/save_place.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -12,6 +12,7 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -52,6 +53,45 @@ private slots:
         setMessageHooks(hooks);
     }
     void cleanupTestCase() { setMessageHooks({}); }
+
+    /// Beside the painting, else where one was saved lately, else among pictures or documents; never where the program
+    /// happened to be started.
+    void savingBeginsInAFolderThatOneKnows()
+    {
+        const auto folderAsked = [&](Session &s, Command command) {
+            QString folder;
+            whenAsked<QFileDialog>(this, m_answered, [&](QFileDialog &dialog) {
+                folder = dialog.directory().canonicalPath();
+                dialog.reject();
+            });
+            s.use(command);
+            return folder;
+        };
+        const auto made = [&](const QString &name) {
+            return QDir(path({})).mkpath(name) ? QFileInfo(path(name)).canonicalFilePath() : QString();
+        };
+        const auto write = [](const QString &file) { return QFile(file).open(QIODevice::WriteOnly); };
+        const QString own = made("own"), recent = made("recent"), gone = made("gone");
+        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+        QVERIFY(QDir().mkpath(documents) && QDir().mkpath(pictures));
+        for (const Command command : {Command::SaveAs, Command::SaveCopy}) {
+            settings::clearRecentFiles();
+            Session s;
+            s.paintLine({100, 100}, {200, 100});
+            QCOMPARE(folderAsked(s, command), QFileInfo(pictures).canonicalFilePath());
+            QVERIFY(write(recent + "/a.suffuse") && write(gone + "/b.suffuse"));
+            settings::addRecentFile(recent + "/a.suffuse");
+            QCOMPARE(folderAsked(s, command), recent);
+            settings::addRecentFile(gone + "/b.suffuse");
+            QVERIFY(QDir(gone).removeRecursively());
+            QCOMPARE(folderAsked(s, command), recent);
+            QVERIFY(s.window.saveTo(own + "/c.suffuse"));
+            settings::addRecentFile(recent + "/a.suffuse");
+            QCOMPARE(folderAsked(s, command), own);
+            QCOMPARE(made("gone"), gone);
+        }
+    }
 
     /// Size, type and date of files are shown as a whole; names get the room that is left.
     void fileDialogsShowTheirColumns()
