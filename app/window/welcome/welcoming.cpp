@@ -45,12 +45,20 @@ WelcomeDialog *Welcoming::show()
         connect(m_dialog, &WelcomeDialog::otherSheetWanted, this, [this] { m_place.commands[Command::New].trigger(); });
         connect(m_dialog, &WelcomeDialog::openWanted, this, [this] { m_place.commands[Command::Open].trigger(); });
         connect(m_dialog, &WelcomeDialog::fileChosen, this, [this](const QString &path) { m_opening.open(path); });
-        connect(m_dialog, &WelcomeDialog::lessonChosen, this, &Welcoming::begin);
+        connect(m_dialog, &WelcomeDialog::lessonChosen, this, &Welcoming::practise);
     }
     m_dialog->show();
     m_dialog->raise();
     m_dialog->activateWindow();
     return m_dialog;
+}
+
+void Welcoming::practise(LessonKind kind)
+{
+    if (m_opening.isUntouched())
+        return begin(kind);
+    const FileOpening *other = m_opening.begin(Editor::usualCanvas());
+    other->window().findChild<Welcoming *>()->begin(kind);
 }
 
 void Welcoming::begin(LessonKind kind)

@@ -30,6 +30,9 @@ public:
     WelcomeDialog *show();
     /// Begins a lesson in this window. Another one that goes on is left.
     void begin(LessonKind kind);
+    /// Begins a lesson on an empty sheet: in this window if nothing was begun here, else in a new one, so that one's own
+    /// painting is left alone.
+    void practise(LessonKind kind);
     /// The card of the lesson that goes on; null: there is none.
     LessonCard *card() const { return m_card.get(); }
 

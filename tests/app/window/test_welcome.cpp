@@ -175,6 +175,40 @@ private slots:
         QVERIFY(!welcoming.card());
     }
 
+    /// Whoever has begun a painting of his own practises on another sheet.
+    void aLessonLeavesOnesOwnPaintingAlone()
+    {
+        Session s;
+        const auto choose = [&](int number) {
+            s.use(Command::Welcome);
+            const QString title = titleOf(lessonKinds[number]);
+            for (QPushButton *button : pageOf(s)->findChildren<QPushButton *>())
+                if (button->text().remove('&') == title)
+                    return button->click();
+            QFAIL(qPrintable(title));
+        };
+        const auto others = [&] {
+            QList<MainWindow *> found;
+            for (QWidget *widget : QApplication::topLevelWidgets())
+                if (auto *window = qobject_cast<MainWindow *>(widget); window && window != &s.window)
+                    found.append(window);
+            return found;
+        };
+        choose(0);
+        QVERIFY(welcomingOf(s).card()); // Nothing was begun: here.
+        QVERIFY(others().isEmpty());
+        s.paintLine({100, 100}, {400, 160});
+        const PaintingPtr own = s.editor().document().snapshot();
+        choose(1);
+        QCOMPARE(others().size(), 1);
+        MainWindow &practice = *others().front();
+        QVERIFY(practice.isVisible() && practice.findChild<Welcoming *>()->card());
+        QVERIFY(practice.editor().document().painting()->strokes.empty());
+        QVERIFY(practice.editor().filePath().isEmpty());
+        QCOMPARE(*s.editor().document().painting(), *own);
+        delete &practice;
+    }
+
 private:
     QTemporaryDir m_folder;
 };
