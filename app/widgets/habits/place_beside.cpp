@@ -1,5 +1,6 @@
 #include "app/widgets/habits/place_beside.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QGuiApplication>
 #include <QScreen>
@@ -7,6 +8,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace suffuse {
 
@@ -133,13 +135,41 @@ void keepOnScreen(QWidget &window)
         window.setGeometry(place.marginsRemoved(frame));
 }
 
+QRect placeCascaded(const QRect &from, const QRect &screen, QSize least, const QList<QRect> &taken)
+{
+    constexpr int step = 28, most = 100; // logical pixels, and tries
+    const auto isFree = [&](QPoint corner) {
+        return std::ranges::none_of(taken, [&](const QRect &other) {
+            const QPoint apart = other.topLeft() - corner;
+            return std::abs(apart.x()) < step / 2 && std::abs(apart.y()) < step / 2;
+        });
+    };
+    QPoint corner = from.topLeft();
+    int rounds = 0;
+    for (int i = 0; i < most; ++i) {
+        corner += QPoint(step, step);
+        QRect place = QRect(corner, from.size()) & screen;
+        if (place.width() < least.width() || place.height() < least.height()) {
+            corner = screen.topLeft() + QPoint(step * rounds++, 0);
+            place = QRect(corner, from.size()) & screen;
+        }
+        if (isFree(corner) && place.width() >= least.width() && place.height() >= least.height())
+            return place;
+    }
+    return placeWithin(from.translated(step, step), screen);
+}
+
 void showLike(QWidget &window, const QWidget &other)
 {
-    constexpr int step = 28;
     const QRect normal = other.isMaximized() || other.isFullScreen() ? other.normalGeometry() : other.geometry();
     const QMargins frame = frameOf(other);
-    const QRect wish = (normal.isEmpty() ? other.geometry() : normal).translated(step, step).marginsAdded(frame);
-    window.setGeometry(placeWithin(wish, other.screen()->availableGeometry()).marginsRemoved(frame));
+    const QRect from = (normal.isEmpty() ? other.geometry() : normal).marginsAdded(frame);
+    QList<QRect> taken = {from};
+    for (const QWidget *shown : QApplication::topLevelWidgets())
+        if (shown != &window && shown->isVisible() && shown->windowType() == Qt::Window)
+            taken.append(shown->geometry().marginsAdded(frame));
+    const QSize least = (window.minimumSizeHint().grownBy(frame)).expandedTo(from.size() * 3 / 5).boundedTo(from.size());
+    window.setGeometry(placeCascaded(from, other.screen()->availableGeometry(), least, taken).marginsRemoved(frame));
     if (other.isMaximized())
         window.showMaximized();
     else

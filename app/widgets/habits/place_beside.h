@@ -1,6 +1,7 @@
 // Places windows so that they do not cover what they are about.
 #pragma once
 
+#include <QList>
 #include <QPoint>
 #include <QRect>
 #include <QSize>
@@ -37,8 +38,13 @@ void placeDialog(QDialog &dialog);
 /// moves it there. The frame is known from a window that is shown; else a title and a border are assumed.
 void keepOnScreen(QWidget &window);
 
-/// Shows a window for the first time: as large as another window and a little off it, on the same screen; maximised if
-/// the other one is.
+/// The place of a window that opens from another one, frames included: as large and a little to the right and below, or
+/// further, where its title would lie on that of a window in `taken`. A window that would reach beyond the screen gets
+/// smaller, and where it would get smaller than `least`, windows begin again in the screen's corner.
+QRect placeCascaded(const QRect &from, const QRect &screen, QSize least, const QList<QRect> &taken);
+
+/// Shows a window for the first time: as large as another window and off it and all others, on the same screen; maximised
+/// if the other one is.
 void showLike(QWidget &window, const QWidget &other);
 
 } // namespace suffuse

@@ -58,6 +58,32 @@ private slots:
         QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
     }
 
+    /// No window opens exactly over another one, however many there are and however large they are.
+    void windowsAreCascaded()
+    {
+        const QRect screen(0, 20, 1366, 748);
+        QCOMPARE(placeCascaded({100, 100, 600, 400}, screen, {300, 200}, {}), QRect(128, 128, 600, 400));
+        QCOMPARE(placeCascaded({100, 100, 600, 400}, screen, {300, 200}, {{128, 130, 9, 9}}), QRect(156, 156, 600, 400));
+        for (const QRect &first : {QRect(100, 100, 600, 400), screen, QRect(0, 20, 1300, 700)}) {
+            QList<QRect> windows = {first};
+            for (int i = 0; i < 12; ++i) {
+                const QRect next = placeCascaded(windows.back(), screen, {400, 300}, windows);
+                QVERIFY(screen.contains(next));
+                for (const QRect &other : windows)
+                    QVERIFY((next.topLeft() - other.topLeft()).manhattanLength() >= 14);
+                windows.append(next);
+            }
+        }
+        Session s; // and as it is seen
+        s.window.setGeometry(s.window.screen()->availableGeometry());
+        s.paintLine({100, 100}, {300, 100});
+        QWidget second, third;
+        showLike(second, s.window);
+        showLike(third, s.window);
+        QVERIFY(second.pos() != s.window.pos() && third.pos() != s.window.pos() && second.pos() != third.pos());
+        QVERIFY(s.window.screen()->availableGeometry().contains(third.frameGeometry()));
+    }
+
     /// Half of 1920 pixels, which is what a screen of twice the usual density has.
     void everyLanguageFitsAScreenOf960()
     {
