@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace suffuse::fitting {
 
@@ -37,19 +38,39 @@ std::vector<int> countsOf(int have, int strokes, bool byError)
     return out;
 }
 
+/// Gives phases their steps by their shares of all of them. Rounding adds up to no difference.
+void shareSteps(std::vector<FitPhase> &phases, const std::vector<double> &shares, double all, int steps, int least)
+{
+    double passed = 0;
+    int given = 0;
+    for (std::size_t k = 0; k < phases.size(); ++k) {
+        passed += shares[k] / all;
+        const int upTo = int(std::lround(steps * passed));
+        phases[k].steps = std::max(least, upTo - given);
+        given = upTo;
+    }
+}
+
 } // namespace
 
 std::vector<FitPhase> planOf(int have, int strokes, bool byError, int steps, int width, int height)
 {
     std::vector<FitPhase> out;
-    const auto part = [steps](double share) { return std::max(1, int(std::lround(steps * share))); };
+    std::vector<double> shares;
+    const auto add = [&](const FitPhase &phase, double share) {
+        out.push_back(phase);
+        shares.push_back(share);
+    };
     const std::vector<int> counts = countsOf(have, strokes, byError);
     for (const int count : counts)
-        out.push_back({count, true, halvingsFor(2, width, height),
-                       part(growingShare / (byError ? 3 : double(counts.size()))), 0, 1, byError ? 0.1 : 0.3});
+        add({count, true, halvingsFor(2, width, height), 0, 0, 1, byError ? 0.1 : 0.3},
+            growingShare / (byError ? 3 : double(counts.size())));
     for (int k = 0; k < moves; ++k)
-        out.push_back({strokes, false, halvingsFor(1, width, height), part(movingShare / moves), movedShare, 1, 0.3});
-    out.push_back({strokes, false, 0, part(1 - growingShare - movingShare), 0, 0.6, 0.03});
+        add({strokes, false, halvingsFor(1, width, height), 0, movedShare, 1, 0.3}, movingShare / moves);
+    add({strokes, false, 0, 0, 0, 0.6, 0.03}, 1 - growingShare - movingShare);
+    // How often strokes grow until an error is reached is not known before, so that does not shorten what follows.
+    const double all = byError ? 1 : std::accumulate(shares.begin(), shares.end(), 0.0);
+    shareSteps(out, shares, all, steps, byError ? 1 : 0);
     return out;
 }
 

@@ -17,8 +17,9 @@ struct FitPhase {
     double firstRate = 1, lastRate = 1; ///< of the sizes of steps; between them it falls evenly in its logarithm
 };
 
-/// The phases of a fit that has `have` strokes and is to have `strokes`, with about so many steps in all. With
-/// `byError` the number grows in small steps, until the fit says that it is enough.
+/// The phases of a fit that has `have` strokes and is to have `strokes`, with so many steps in all, of which
+/// a phase may have none. With `byError` the number of strokes grows little by little, until the fit says that it is enough,
+/// so that there are fewer steps in all, or more.
 std::vector<FitPhase> planOf(int have, int strokes, bool byError, int steps, int width, int height);
 
 /// So many steps a fit takes, unless the caller says otherwise.
