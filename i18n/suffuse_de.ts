@@ -6034,6 +6034,118 @@ Auch die Pfeiltasten wirken.</translation>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
     </message>
+    <message>
+        <source>Nothing is selected: click paint with Select first.</source>
+        <translation>Nichts ist ausgewählt: Klicken Sie zuerst mit Auswählen auf Farbe.</translation>
+    </message>
+    <message>
+        <source>Nothing is painted yet.</source>
+        <translation>Noch ist nichts gemalt.</translation>
+    </message>
+    <message>
+        <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
+        <translation>Wählen Sie zwei Striche oder mehr aus; an der Leinwand lässt sich auch einer ausrichten.</translation>
+    </message>
+    <message>
+        <source>No layer is chosen: click one in the Strokes dock, or begin one with New Layer.</source>
+        <translation>Keine Ebene ist gewählt: Klicken Sie in der Leiste Striche auf eine, oder beginnen Sie eine mit Neue Ebene.</translation>
+    </message>
+    <message>
+        <source>The painting has no layers yet: New Layer begins one.</source>
+        <translation>Das Bild hat noch keine Ebenen: Neue Ebene beginnt eine.</translation>
+    </message>
+    <message>
+        <source>Select a group that this can be.</source>
+        <translation>Wählen Sie eine Gruppe aus, die das sein kann.</translation>
+    </message>
+    <message>
+        <source>Select strokes of a group.</source>
+        <translation>Wählen Sie Striche einer Gruppe aus.</translation>
+    </message>
+    <message>
+        <source>Select a text.</source>
+        <translation>Wählen Sie einen Text aus.</translation>
+    </message>
+    <message>
+        <source>Select strokes without a fill.</source>
+        <translation>Wählen Sie Striche ohne Füllung aus.</translation>
+    </message>
+    <message>
+        <source>Select a fill of one colour.</source>
+        <translation>Wählen Sie eine einfarbige Füllung aus.</translation>
+    </message>
+    <message>
+        <source>Select a fill with a gradient.</source>
+        <translation>Wählen Sie eine Füllung mit einem Verlauf aus.</translation>
+    </message>
+    <message>
+        <source>Select two strokes or more.</source>
+        <translation>Wählen Sie zwei Striche oder mehr aus.</translation>
+    </message>
+    <message>
+        <source>Select a stroke that was combined or cut into parts.</source>
+        <translation>Wählen Sie einen Strich aus, der verbunden oder zerteilt wurde.</translation>
+    </message>
+    <message>
+        <source>Select a stroke from which something was erased softly.</source>
+        <translation>Wählen Sie einen Strich aus, von dem etwas weich radiert wurde.</translation>
+    </message>
+    <message>
+        <source>The painting has no underlay.</source>
+        <translation>Das Bild hat keine Vorlage.</translation>
+    </message>
+    <message>
+        <source>Select paint that was wetted again.</source>
+        <translation>Wählen Sie Farbe aus, die wieder befeuchtet wurde.</translation>
+    </message>
+    <message>
+        <source>Copy an appearance first.</source>
+        <translation>Kopieren Sie zuerst ein Aussehen.</translation>
+    </message>
+    <message>
+        <source>The painting has no swatches.</source>
+        <translation>Das Bild hat keine Farbfelder.</translation>
+    </message>
+    <message>
+        <source>The painting has no file yet: save it first.</source>
+        <translation>Das Bild hat noch keine Datei: Speichern Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The clipboard has nothing that can be painted.</source>
+        <translation>Die Zwischenablage enthält nichts, was sich malen lässt.</translation>
+    </message>
+    <message>
+        <source>An export is still under way.</source>
+        <translation>Ein Export läuft noch.</translation>
+    </message>
+    <message>
+        <source>Search in the Strokes dock first.</source>
+        <translation>Suchen Sie zuerst in der Leiste Striche.</translation>
+    </message>
+    <message>
+        <source>Switch the soft proof on first.</source>
+        <translation>Schalten Sie zuerst die Farbprüfung ein.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>Select nodes with Segments first.</source>
+        <translation>Wählen Sie zuerst mit Segmente Knoten aus.</translation>
+    </message>
+    <message>
+        <source>Select segments, or the nodes at their ends, with Segments first.</source>
+        <translation>Wählen Sie zuerst mit Segmente Segmente oder die Knoten an ihren Enden aus.</translation>
+    </message>
+    <message>
+        <source>Select two end nodes with Segments first.</source>
+        <translation>Wählen Sie zuerst mit Segmente zwei Endknoten aus.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

@@ -6010,6 +6010,118 @@ Arrow keys work too.</source>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>新画作、最近的画作、示例和短课程</translation>
     </message>
+    <message>
+        <source>Nothing is selected: click paint with Select first.</source>
+        <translation>没有选中任何内容：请先用“选择”点击颜料。</translation>
+    </message>
+    <message>
+        <source>Nothing is painted yet.</source>
+        <translation>还没有画任何内容。</translation>
+    </message>
+    <message>
+        <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
+        <translation>请选择两条或更多笔画；对齐到画布时一条也可以。</translation>
+    </message>
+    <message>
+        <source>No layer is chosen: click one in the Strokes dock, or begin one with New Layer.</source>
+        <translation>没有选定图层：请在“笔画”面板中点击一个，或用“新建图层”开始一个。</translation>
+    </message>
+    <message>
+        <source>The painting has no layers yet: New Layer begins one.</source>
+        <translation>画作还没有图层：用“新建图层”开始一个。</translation>
+    </message>
+    <message>
+        <source>Select a group that this can be.</source>
+        <translation>请选择一个可以这样设置的组。</translation>
+    </message>
+    <message>
+        <source>Select strokes of a group.</source>
+        <translation>请选择某个组里的笔画。</translation>
+    </message>
+    <message>
+        <source>Select a text.</source>
+        <translation>请选择一段文字。</translation>
+    </message>
+    <message>
+        <source>Select strokes without a fill.</source>
+        <translation>请选择没有填充的笔画。</translation>
+    </message>
+    <message>
+        <source>Select a fill of one colour.</source>
+        <translation>请选择单色的填充。</translation>
+    </message>
+    <message>
+        <source>Select a fill with a gradient.</source>
+        <translation>请选择带渐变的填充。</translation>
+    </message>
+    <message>
+        <source>Select two strokes or more.</source>
+        <translation>请选择两条或更多笔画。</translation>
+    </message>
+    <message>
+        <source>Select a stroke that was combined or cut into parts.</source>
+        <translation>请选择一条合并过或被切开的笔画。</translation>
+    </message>
+    <message>
+        <source>Select a stroke from which something was erased softly.</source>
+        <translation>请选择一条被柔和擦除过的笔画。</translation>
+    </message>
+    <message>
+        <source>The painting has no underlay.</source>
+        <translation>画作没有底图。</translation>
+    </message>
+    <message>
+        <source>Select paint that was wetted again.</source>
+        <translation>请选择重新弄湿过的颜料。</translation>
+    </message>
+    <message>
+        <source>Copy an appearance first.</source>
+        <translation>请先复制外观。</translation>
+    </message>
+    <message>
+        <source>The painting has no swatches.</source>
+        <translation>画作没有色板。</translation>
+    </message>
+    <message>
+        <source>The painting has no file yet: save it first.</source>
+        <translation>画作还没有文件：请先保存。</translation>
+    </message>
+    <message>
+        <source>The clipboard has nothing that can be painted.</source>
+        <translation>剪贴板里没有可以画出的内容。</translation>
+    </message>
+    <message>
+        <source>An export is still under way.</source>
+        <translation>仍在导出。</translation>
+    </message>
+    <message>
+        <source>Search in the Strokes dock first.</source>
+        <translation>请先在“笔画”面板中搜索。</translation>
+    </message>
+    <message>
+        <source>Switch the soft proof on first.</source>
+        <translation>请先打开色彩校样。</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>没有可撤销的操作。</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>没有可重做的操作。</translation>
+    </message>
+    <message>
+        <source>Select nodes with Segments first.</source>
+        <translation>请先用“线段”选择节点。</translation>
+    </message>
+    <message>
+        <source>Select segments, or the nodes at their ends, with Segments first.</source>
+        <translation>请先用“线段”选择线段，或它们两端的节点。</translation>
+    </message>
+    <message>
+        <source>Select two end nodes with Segments first.</source>
+        <translation>请先用“线段”选择两个端点。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>

@@ -184,6 +184,8 @@ int diffCommand(const QStringList &arguments)
         return failUsage("diff", Cli::tr("only one of the two can be standard input"));
     if (const Result<void> usable = checkDiffPictureOptions(line); !usable)
         return failUsage("diff", usable.error());
+    if (const QString problem = line.isSet("output") ? problemOfPictureFile(line.value("output")) : QString(); !problem.isEmpty())
+        return fail(problem, ExitCode(Trouble));
     const Result<Comparison> comparison = compare(line.argument(0), line.argument(1));
     if (!comparison)
         return fail(comparison.error(), ExitCode(Trouble));

@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 
 #include "model/formats/files.h"
+#include "render/image_io/file_replacement.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -155,6 +156,15 @@ bool isSameFile(const QString &in, const QString &out)
 QString inputWouldBeLost(const QString &out)
 {
     return QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name").arg(out);
+}
+
+QString problemOfPictureFile(const QString &out)
+{
+    if (out == QLatin1String("-"))
+        return {};
+    FileReplacement file(out); // which leaves nothing behind
+    const Result<void> opened = file.open();
+    return opened ? QString() : opened.error();
 }
 
 void warn(const QString &message)

@@ -80,6 +80,9 @@ bool isSameFile(const QString &in, const QString &out);
 /// What to say then.
 QString inputWouldBeLost(const QString &out);
 
+/// Why a picture cannot be written to OUT, found before it is drawn; empty: it can, or OUT is "-".
+QString problemOfPictureFile(const QString &out);
+
 /// Prints "suffuse-cli: MESSAGE" on stderr.
 void warn(const QString &message);
 /// The same, and returns the code.

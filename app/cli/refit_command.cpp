@@ -180,7 +180,27 @@ struct RefitReport {
     int steps = 0;
     std::uint64_t seed = 0;
     double seconds = 0;
+    QString goal = {};         ///< the file that the strokes are to look like; empty: as they looked
+    double wanted = 0, fitted = 0; ///< root mean square errors, 255ths: asked for (0: none was), and of the fit
+
+    bool isWorse() const { return !goal.isEmpty() && is.rootMeanSquare > was.rootMeanSquare; }
+    bool isTooFar() const { return wanted > 0 && fitted > wanted; }
 };
+
+/// Says where the result falls short of what was there or what was asked for.
+void warnOf(const RefitReport &report)
+{
+    if (report.isWorse())
+        warn(QCoreApplication::translate("Cli", "the new strokes are farther from %1 than those before: %2 of 255, and "
+                                                "before it was %3. Give more --strokes or --iterations.")
+                 .arg(report.goal)
+                 .arg(report.is.rootMeanSquare, 0, 'f', 2)
+                 .arg(report.was.rootMeanSquare, 0, 'f', 2));
+    if (report.isTooFar())
+        warn(QCoreApplication::translate("Cli", "--error %1 was not reached: it is %2. Give more --strokes or --iterations.")
+                 .arg(report.wanted)
+                 .arg(report.fitted, 0, 'f', 2));
+}
 
 int sayReport(const RefitReport &report, bool asJson)
 {
@@ -197,6 +217,7 @@ int sayReport(const RefitReport &report, bool asJson)
              {"errorBefore", numbers(report.was)},
              {"error", numbers(report.is)},
              {"iterations", report.steps},
+             {"worse", report.isWorse()},
              {"seed", qint64(report.seed)},
              {"seconds", report.seconds}});
     QString text =
@@ -286,7 +307,10 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
                        {},
                        fit->steps(),
                        options.seed,
-                       0};
+                       0,
+                       goal->name,
+                       255 * options.error,
+                       255 * std::sqrt(fit->meanSquareError())};
     const Result<RefitPictures::Difference> was = pictures.differenceOf(*painting, report.area),
                                             is = pictures.differenceOf(result, report.area);
     if (!was || !is)
@@ -295,6 +319,7 @@ int refitPainting(const CommandLine &line, const RefitRequest &request)
     if (const Result<void> saved = saveDocument(result, {}, out); !saved)
         return fail(saved.error());
     report.seconds = double(clock.elapsed()) * 1e-3;
+    warnOf(report);
     return sayReport(report, line.isSet("json"));
 }
 

@@ -320,9 +320,12 @@ int renderCommand(const QStringList &arguments)
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
     if (isSameFile(line.argument(0), line.value("output")))
         return failUsage("render", inputWouldBeLost(line.value("output")));
+    const QString problem = problemOfPictureFile(line.value("output"));
     if (layeredFormatFor(line.value("output")) != LayeredFormat::None) {
         const Result<RendererOptions> renderer = rendererOptions(line);
-        return renderer ? renderLayers(line, *renderer) : failUsage("render", renderer.error());
+        if (!renderer)
+            return failUsage("render", renderer.error());
+        return problem.isEmpty() ? renderLayers(line, *renderer) : fail(problem);
     }
     const Result<ImageFormat> format = formatOf(line);
     if (!format)
@@ -333,7 +336,7 @@ int renderCommand(const QStringList &arguments)
     const Result<RendererOptions> renderer = rendererOptions(line);
     if (!renderer)
         return failUsage("render", renderer.error());
-    return render(line, *format, *image, *renderer);
+    return problem.isEmpty() ? render(line, *format, *image, *renderer) : fail(problem);
 }
 
 } // namespace suffuse::cli

@@ -321,6 +321,13 @@ void TestCliPictures::unwritableTargets()
     QVERIFY(filesIn(path("folder.png")).isEmpty());
     QCOMPARE(::mkfifo(QFile::encodeName(path("pipe.png")).constData(), 0600), 0);
     fails(path("pipe.png"), "not a plain file");
+    // That is said before anything is read or drawn.
+    for (const char *ending : {"png", "ora"}) {
+        const CliOutcome early = runCli({"render", path("missing.json"), "-o", path("nowhere/a.") + ending});
+        QVERIFY2(early.code == 1 && early.err.contains("nowhere"), qPrintable(early.text()));
+    }
+    const CliOutcome compared = runCli({"diff", path("missing.json"), path("a.json"), "-o", path("nowhere/a.png")});
+    QVERIFY2(compared.code == 2 && compared.err.contains("nowhere"), qPrintable(compared.text()));
     QCOMPARE(runCli({"convert", path("a.json"), path("nowhere/a.suffuse")}).code, 1);
     if (::geteuid() != 0) {
         QTemporaryDir closed;
