@@ -86,13 +86,14 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
     const bool wasMixed = m_mixed;
     setSliderDown(true);
     qApp->installEventFilter(this);
-    // A press on the handle takes hold of it without a jump; a press elsewhere jumps there.
+    // A press on the handle takes hold of it without a jump; a press elsewhere jumps there. What stands for a change of mixed
+    // values never jumps: a touch of the bar's end would be a tenth of each of them.
     const QRectF bar = track();
     const double handle = bar.left() + bar.width() * sliderPosition() / steps;
     const int position = positionAt(event->position().x());
     if (wasMixed && m_makesOne && position == sliderPosition())
         emit valueChanged(position); // the handle stood there for something else
-    else if ((wasMixed && m_makesOne) || std::abs(event->position().x() - handle) > sliderHandleRadius)
+    else if (wasMixed ? m_makesOne : std::abs(event->position().x() - handle) > sliderHandleRadius)
         setSliderPosition(position);
     else
         m_grip = event->position().x() - handle;

@@ -6,8 +6,9 @@
 
 namespace suffuse {
 
-/// A slim horizontal slider. A press on the handle takes hold of it where it is; one elsewhere jumps there and drags on. The bar is filled up to the handle or shows a
-/// gradient. Positions are 0 … steps. Esc gives a drag up.
+/// A slim horizontal slider. A press on the handle takes hold of it where it is; one elsewhere jumps there and drags on, but
+/// where values are mixed it takes hold of the handle from there, so that a touch changes nothing. The bar is filled up to
+/// the handle or shows a gradient. Positions are 0 … steps. Esc gives a drag up.
 class BarSlider : public QSlider {
     Q_OBJECT
 

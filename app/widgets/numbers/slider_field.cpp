@@ -79,10 +79,11 @@ void SliderField::showMixed(bool mixed)
     const QString says = mixed ? changeKind() == ValueChange::Scale ? scales : shifts : QString();
     m_slider->setStatusTip(says);
     m_slider->setToolTip(mixed ? m_toolTip + '\n' + says : m_toolTip);
-    m_number->setToolTip(mixed || m_isOneOfSeveral
-                             ? m_toolTip + '\n' +
-                                   tr("The values differ. A number makes them one; *1.2 or +2 changes each of them.")
-                             : m_toolTip);
+    const QString typed = mixed || m_isOneOfSeveral
+                              ? tr("The values differ. A number makes them one; *1.2 or +2 changes each of them.")
+                              : QString();
+    m_number->setStatusTip(typed);
+    m_number->setToolTip(typed.isEmpty() ? m_toolTip : m_toolTip + '\n' + typed);
 }
 
 ValueChange::Kind SliderField::changeKind() const

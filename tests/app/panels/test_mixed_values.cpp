@@ -93,6 +93,34 @@ private slots:
         QVERIFY(bench.pen() == before);
     }
 
+    /// Wherever it is, and a slight drag changes slightly; nothing is thinned out of sight unless one drags far.
+    void aTouchOfTheBarChangesNothing()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        SliderField *density = panel.segmentSection()->density();
+        BarSlider *slider = density->slider();
+        QVERIFY(slider->toolTip().contains("multiplies each of them"));
+        QVERIFY(!slider->statusTip().isEmpty() && !density->number()->statusTip().isEmpty());
+        for (const double share : {0.02, 0.3, 0.98}) {
+            const QPoint at = sliderPoint(*slider, share);
+            QTest::mousePress(slider, Qt::LeftButton, {}, at);
+            QVERIFY(bench.pen() == before);
+            QTest::mouseMove(slider, at - QPoint(2, 0));
+            QVERIFY(density->change() && density->change()->amount > 0.8 && density->change()->amount < 1);
+            QTest::mouseMove(slider, at);
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, at);
+            QVERIFY(bench.pen() == before);
+            QCOMPARE(bench.steps(), 0);
+        }
+        QTest::mouseClick(slider, Qt::LeftButton, Qt::ControlModifier, sliderPoint(*slider, 0.3)); // one value for all
+        QVERIFY(!slider->isMixed());
+        bench.editor.undo();
+        QVERIFY(bench.pen() == before);
+    }
+
     /// A drag is about what was selected at the press: what comes to be selected meanwhile keeps its values.
     void anotherSelectionEndsTheDrag()
     {
