@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/brush/brush.h"
+#include "model/brush/brush_dynamics.h"
 #include "model/painting/segment.h"
 
 namespace suffuse {
@@ -10,6 +11,12 @@ namespace suffuse {
 /// profile pk·e^(−v²/s²) has fallen to the density at which the style is half opaque (for edge darkening: at which it
 /// ends). It is 0 if the profile never has so much density.
 double halfWidthOf(const Brush &brush);
+
+/// The same where the pen is at another pressure, tilt, speed and distance from the start. What is random is in the middle
+/// of its range, and nothing tapers.
+double halfWidthOf(const Brush &brush, const PenState &pen);
+/// The spread s there, units.
+double spreadOf(const Brush &brush, const PenState &pen);
 
 /// The values of a segment that is painted with the brush at full pressure, in its colour; it has no shape yet.
 Segment valuesAtFullPressure(const Brush &brush);

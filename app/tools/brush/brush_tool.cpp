@@ -125,11 +125,11 @@ void BrushTool::press(const PointerEvent &event)
                      : std::nullopt;
     if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
         m_sizing.begin(event.pixel);
-        showOutlineAt(event.pixel);
+        showOutlineAt(event);
         return;
     }
     if (!m_extended && !m_editor.layer().takesPaint())
-        return showOutlineAt(event.pixel);
+        return showOutlineAt(event);
     if (m_extended)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     say({});
@@ -143,7 +143,7 @@ void BrushTool::press(const PointerEvent &event)
     m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
     m_builder->add(sampleOf(first));
     m_editor.document().setDraft(m_builder->stroke());
-    showOutlineAt(event.pixel);
+    showOutlineAt(event);
 }
 
 PenSample BrushTool::sampleOf(const PointerEvent &event) const
@@ -174,7 +174,7 @@ void BrushTool::move(const PointerEvent &event)
         return m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
     if (m_builder)
         add(event);
-    showOutlineAt(event.pixel);
+    showOutlineAt(event);
 }
 
 void BrushTool::release(const PointerEvent &event)
@@ -198,7 +198,7 @@ void BrushTool::release(const PointerEvent &event)
         tellAbout(*stroke);
     }
     m_editor.clock().hold(false);
-    showOutlineAt(event.pixel);
+    showOutlineAt(event);
 }
 
 void BrushTool::pushStroke(const StrokePtr &stroke)
@@ -234,7 +234,7 @@ void BrushTool::cancel()
 
 void BrushTool::hover(const PointerEvent &event)
 {
-    showOutlineAt(event.pixel);
+    showOutlineAt(event);
     if (const std::optional<NodeRef> end = selectedEndAt(m_canvas, *m_editor.document().painting(), event.pixel);
         end != m_nearEnd) {
         m_nearEnd = end;
@@ -256,13 +256,30 @@ QRectF BrushTool::outlineBox() const
     return QRectF(m_pixel.x - r, m_pixel.y - r, 2 * r, 2 * r);
 }
 
-void BrushTool::showOutlineAt(Point pixel)
+void BrushTool::showOutlineAt(const PointerEvent &event)
 {
     if (m_hovering)
         m_canvas.updateOverlay(outlineBox());
-    m_pixel = pixel;
+    m_pixel = event.pixel;
+    m_device = event.device;
     m_hovering = true;
     m_canvas.updateOverlay(outlineBox());
+}
+
+/// What a mouse says while it paints; none where that is not known before, or where the brush itself is looked at.
+std::optional<PenState> BrushTool::usualPen(const View &view, double dpr) const
+{
+    constexpr double usualSpeed = 700; // logical pixels a second
+    const double spread = m_editor.brush().spread();
+    if (m_device != PointerDevice::Mouse || m_sizing.isActive() || !(view.scale * spread > 0))
+        return std::nullopt;
+    return PenState{.speed = usualSpeed * dpr / (view.scale * spread)};
+}
+
+double BrushTool::circle(const View &view, double dpr) const
+{
+    const std::optional<PenState> pen = usualPen(view, dpr);
+    return pen ? halfWidthOf(m_editor.brush(), *pen) : halfWidthOf(m_editor.brush());
 }
 
 void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
@@ -294,8 +311,9 @@ void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) co
         painter.drawEllipse(QPointF(m_pixel.x, m_pixel.y), r, r);
     };
     const Brush &brush = m_editor.brush();
-    ring(brush.spread(), Qt::DotLine, 110);
-    ring(halfWidthOf(brush), Qt::SolidLine, 200);
+    const std::optional<PenState> pen = usualPen(view, dpr);
+    ring(pen ? spreadOf(brush, *pen) : brush.spread(), Qt::DotLine, 110);
+    ring(circle(view, dpr), Qt::SolidLine, 200);
 }
 
 void BrushTool::paintNote(QPainter &painter, double dpr) const

@@ -5,6 +5,7 @@
 #include "app/tools/brush/eyedropper_tool.h"
 #include "app/tools/canvas_tool.h"
 #include "model/brush/brush.h"
+#include "model/brush/brush_dynamics.h"
 #include "model/brush/stroke_builder.h"
 #include "model/shaping/nodes/reshape.h"
 
@@ -43,6 +44,10 @@ public:
 
     /// What stands beside the pointer about the brush at the moment; empty where nothing does.
     const QString &note() const { return m_sizing.note(); }
+    /// The radius of the circle at the pointer, canvas units: half of what is painted in a long line. A mouse presses fully
+    /// and is moved as hands usually move it; for a pen it is that of full pressure, which is the most that it paints. `dpr`
+    /// is that of the canvas.
+    double circle(const View &view, double dpr) const;
 
 private:
     void add(const PointerEvent &event);
@@ -54,7 +59,8 @@ private:
     /// Says it where nothing of a new stroke can be seen, and, until a stroke was ever selected, how that is done;
     /// until something else is done.
     void tellAbout(const Stroke &stroke);
-    void showOutlineAt(Point pixel);
+    void showOutlineAt(const PointerEvent &event);
+    std::optional<PenState> usualPen(const View &view, double dpr) const;
     QRectF outlineBox() const;
 
     std::unique_ptr<StrokeBuilder> m_builder;
@@ -66,6 +72,7 @@ private:
     ColourPicker m_picker;
     bool m_hovering = false;
     Point m_pixel; ///< where the outline of the brush is
+    PointerDevice m_device = PointerDevice::Mouse; ///< that is there
     QPointer<QWidget> m_options;
 };
 

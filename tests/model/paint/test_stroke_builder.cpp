@@ -1,6 +1,8 @@
 // Pen samples to strokes.
+#include "model/brush/brush_width.h"
 #include "model/brush/spline_fit.h"
 #include "model/brush/stroke_builder.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 
 #include <QFile>
@@ -378,6 +380,42 @@ private slots:
         QVERIFY2(distances.back() < 5, qPrintable(QString::number(distances.back())));
         const double usual = distances[distances.size() * 9 / 10];
         QVERIFY2(usual < 0.5, qPrintable(QString::number(usual)));
+    }
+
+    /// What is said of a brush beforehand is what it paints.
+    void widthsArePainted()
+    {
+        for (const char *name : {"round-wash", "gouache", "pen", "dry-brush", "flat-wash"}) {
+            const Brush *found = findBrush(name);
+            if (!found)
+                continue;
+            Brush brush = *found;
+            brush.setSpread(20);
+            brush.taper = {};
+            brush.tip = {};
+            for (const double speed : {0.0, 20.0, 60.0}) { // spreads a second
+                constexpr int samples = 200;
+                constexpr double interval = 0.008;
+                const double length = std::max(speed, 1.0) * 20 * samples * interval;
+                const StrokePtr stroke = buildStroke(brush, 1, line(length, samples, interval));
+                double sum = 0, least = 1e9, most = 0;
+                for (const Segment &s : stroke->segments) {
+                    const double half = halfWidth(double(s.diffusion), double(s.density), double(s.maxAge),
+                                                  visibleCut(stroke->style));
+                    sum += half, least = std::min(least, half), most = std::max(most, half);
+                }
+                const double mean = sum / double(stroke->segments.size());
+                const double said = halfWidthOf(brush, {.speed = std::max(speed, 1.0)});
+                QVERIFY2(std::abs(said - mean) < 0.25 * mean + (most - least),
+                         qPrintable(QStringLiteral("%1 at %2: %3, painted %4").arg(name).arg(speed).arg(said).arg(mean)));
+            }
+        }
+        const Brush &first = firstBrush();
+        QVERIFY(halfWidthOf(first, {.speed = 0.5 * double(first.fullSpeed)}) < 0.8 * halfWidthOf(first));
+        QCOMPARE(halfWidthOf(first, {}), halfWidthOf(first));
+        Brush random = first;
+        random.setCurve(BrushQuantity::Size, BrushInput::StrokeRandom, {{{0, 0.2f}, {1, 1}}});
+        QVERIFY(std::abs(spreadOf(random, {}) - 0.6 * spreadOf(first, {})) < 1e-3 * first.spread());
     }
 
     void deepZoomKeepsItsShape()
