@@ -58,7 +58,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
     const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
     const auto inHand = [&canvas, &editor] { return editor.document().draft() || isBusy(canvas); };
     table.add(Undo, "undo", Commands::tr("&Undo"), "undo", keys(QKeySequence::Undo))
-        .when([inHand, &editor] { return inHand() || editor.canUndo(); })
+        .when([inHand, &editor] { return inHand() || editor.canUndo(); }, Commands::tr("There is nothing to undo."))
         .named([&editor] {
             const bool strokeInHand = editor.document().draft() != nullptr;
             const QString step = strokeInHand ? QString() : editor.undoText();
@@ -71,7 +71,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
     table
         .add(Redo, "redo", Commands::tr("&Redo"), "redo",
              {QKeySequence(Commands::tr("Ctrl+Shift+Z")), QKeySequence(Commands::tr("Ctrl+Y"))})
-        .when([inHand, &editor] { return editor.canRedo() && !inHand(); })
+        .when([inHand, &editor] { return editor.canRedo() && !inHand(); }, Commands::tr("There is nothing to redo."))
         .named([&editor] {
             const QString step = editor.redoText();
             return step.isEmpty() ? Commands::tr("&Redo") : Commands::tr("&Redo: %1").arg(step);
@@ -79,7 +79,8 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
         .runs([&editor] { editor.redo(); });
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
-        .when([&canvas, &editor] { return isBusy(canvas) || commands::canDelete(editor); })
+        .when([&canvas, &editor] { return isBusy(canvas) || commands::canDelete(editor); },
+              Commands::tr("Nothing is selected: click paint with Select first."))
         .runs([&canvas, &editor, &table] {
             if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
                                            : givesUp(canvas) || canvas.tool()->deleteSelected())

@@ -1,6 +1,8 @@
 #include "app/dialogs/command_palette.h"
 
 #include "app/widgets/habits/help_page.h"
+#include "model/formats/messages.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
@@ -133,7 +135,8 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     m_nothing->setAlignment(Qt::AlignCenter);
     column->addWidget(m_nothing);
     m_state = new QLabel(this);
-    m_state->setMinimumHeight(m_state->fontMetrics().height()); // The list keeps its size when something is said.
+    m_state->setWordWrap(true);
+    m_state->setMinimumHeight(2 * m_state->fontMetrics().lineSpacing()); // The list keeps its size when something is said.
     column->addWidget(m_state);
     connect(m_list, &QListWidget::currentRowChanged, this, &CommandPalette::showState);
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
@@ -192,7 +195,7 @@ void CommandPalette::fill()
         if (!entry.keys.isEmpty())
             spoken << entry.keys;
         if (!entry.enabled) {
-            spoken << tr("It cannot be used now.");
+            spoken << joinedSentences({tr("It cannot be used now."), entry.whyNot});
             item->setToolTip(spoken.last());
         }
         item->setData(Qt::AccessibleTextRole, spoken.join(QStringLiteral(", ")));
@@ -207,7 +210,8 @@ void CommandPalette::showState()
     const PaletteEntry *entry = current();
     m_state->setText(!entry || entry->enabled
                          ? QString()
-                         : tr("“%1” cannot be used now.").arg(entry->title.section(QStringLiteral(" ▸ "), -1)));
+                         : joinedSentences({tr("“%1” cannot be used now.").arg(entry->title.section(QStringLiteral(" ▸ "), -1)),
+                                            entry->whyNot}));
 }
 
 void CommandPalette::choose()

@@ -22,6 +22,7 @@ struct PaletteEntry {
     QIcon icon;          ///< may be null
     bool enabled = true; ///< an entry that is not enabled is shown, but not run
     std::function<void()> run;
+    QString whyNot = {}; ///< where it is not enabled, why; may be empty
 };
 
 /// How well an entry matches the typed text: 0 is best, and nothing means not at all. Each word of the text must stand

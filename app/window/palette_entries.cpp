@@ -35,7 +35,8 @@ PaletteEntry entryOf(QAction &action)
             [kept] {
                 if (kept)
                     kept->trigger();
-            }};
+            },
+            action.isEnabled() ? QString() : action.statusTip()};
 }
 
 } // namespace

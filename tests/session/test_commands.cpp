@@ -412,6 +412,34 @@ private slots:
         QCOMPARE(told, 1);
     }
 
+    /// A command that cannot be used says why, in its tool tip and where menus say it, until it can.
+    void greyCommandsSayWhy()
+    {
+        OpenPainting open;
+        Commands table;
+        addSessionRows(table, open);
+        table.update();
+        int grey = 0;
+        for (const QAction *action : table.all()) {
+            if (action->isEnabled()) {
+                QVERIFY2(action->statusTip().isEmpty(), qPrintable(action->objectName()));
+                continue;
+            }
+            ++grey;
+            QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->objectName()));
+            QVERIFY2(action->toolTip().endsWith('\n' + action->statusTip()), qPrintable(action->objectName()));
+        }
+        QVERIFY2(grey > 40, qPrintable(QString::number(grey)));
+        QAction &group = table[Command::GroupStrokes], &left = table[Command::AlignLeft];
+        QVERIFY(group.toolTip().contains("Nothing is selected"));
+        QVERIFY(left.toolTip().contains("two strokes"));
+        addStroke(open.editor);
+        open.editor.document().setSelection({{open.editor.document().painting()->strokes.back()->id}, {}});
+        table.update();
+        QVERIFY(group.isEnabled() && group.statusTip().isEmpty() && !group.toolTip().contains('\n'));
+        QVERIFY(!left.isEnabled() && left.toolTip().contains("two strokes"));
+    }
+
     /// Whoever hears of a file's painting finds its path and hash with it.
     void aFileIsKnownAtOnce()
     {

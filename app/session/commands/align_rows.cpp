@@ -30,6 +30,11 @@ void align(Commands &table, OpenPainting &open, Align how)
     sayIfAny(table, commands::alignSelected(open.editor, how, to, is(AlignToFirst) ? order.first() : order.last()));
 }
 
+QString needsTwo()
+{
+    return Commands::tr("Select two strokes or more; to the canvas one can be aligned, too.");
+}
+
 void addDistributeRows(Commands &table, OpenPainting &open)
 {
     using enum Command;
@@ -37,26 +42,26 @@ void addDistributeRows(Commands &table, OpenPainting &open)
     // Of two it says what it lacks, as aligning does of a single group.
     const auto canDistribute = [&open] { return countSelected(open) > 1; };
     table.add(DistributeGapsAcross, "distributeGapsAcross", Commands::tr("Even Gaps, &Horizontally"), "gaps-across", {})
-        .when(canDistribute)
+        .when(canDistribute, needsTwo())
         .runs([&table, &editor] {
             sayIfAny(table, commands::distributeSelected(editor, Axis::Horizontal, Spacing::Gaps));
         });
     table.add(DistributeGapsDown, "distributeGapsDown", Commands::tr("Even Gaps, &Vertically"), "gaps-down", {})
-        .when(canDistribute)
+        .when(canDistribute, needsTwo())
         .runs([&table, &editor] {
             sayIfAny(table, commands::distributeSelected(editor, Axis::Vertical, Spacing::Gaps));
         });
     table
         .add(DistributeCentresAcross, "distributeCentresAcross", Commands::tr("Even &Centres, Horizontally"),
              "centres-across", {})
-        .when(canDistribute)
+        .when(canDistribute, needsTwo())
         .runs([&table, &editor] {
             sayIfAny(table, commands::distributeSelected(editor, Axis::Horizontal, Spacing::Centres));
         });
     table
         .add(DistributeCentresDown, "distributeCentresDown", Commands::tr("Even C&entres, Vertically"), "centres-down",
              {})
-        .when(canDistribute)
+        .when(canDistribute, needsTwo())
         .runs([&table, &editor] {
             sayIfAny(table, commands::distributeSelected(editor, Axis::Vertical, Spacing::Centres));
         });
@@ -72,22 +77,22 @@ void addAlignRows(Commands &table, OpenPainting &open)
         return countSelected(open) > 1 || (countSelected(open) > 0 && table[AlignToCanvas].isChecked());
     };
     table.add(AlignLeft, "alignLeft", Commands::tr("&Left Edges"), "align-left", {})
-        .when(canAlign)
+        .when(canAlign, needsTwo())
         .runs([&open, &table] { align(table, open, Align::Left); });
     table.add(AlignCentre, "alignCentre", Commands::tr("&Centres, Horizontally"), "align-centre", {})
-        .when(canAlign)
+        .when(canAlign, needsTwo())
         .runs([&open, &table] { align(table, open, Align::Centre); });
     table.add(AlignRight, "alignRight", Commands::tr("&Right Edges"), "align-right", {})
-        .when(canAlign)
+        .when(canAlign, needsTwo())
         .runs([&open, &table] { align(table, open, Align::Right); });
-    table.add(AlignTop, "alignTop", Commands::tr("&Top Edges"), "align-top", {}).when(canAlign).runs([&open, &table] {
+    table.add(AlignTop, "alignTop", Commands::tr("&Top Edges"), "align-top", {}).when(canAlign, needsTwo()).runs([&open, &table] {
         align(table, open, Align::Top);
     });
     table.add(AlignMiddle, "alignMiddle", Commands::tr("&Middles, Vertically"), "align-middle", {})
-        .when(canAlign)
+        .when(canAlign, needsTwo())
         .runs([&open, &table] { align(table, open, Align::Middle); });
     table.add(AlignBottom, "alignBottom", Commands::tr("&Bottom Edges"), "align-bottom", {})
-        .when(canAlign)
+        .when(canAlign, needsTwo())
         .runs([&open, &table] { align(table, open, Align::Bottom); });
     table.add(AlignToSelection, "alignToSelection", Commands::tr("Relative to the &Selection"), "", {}).switches(true);
     table.add(AlignToLast, "alignToLast", Commands::tr("Relative to the Last Select&ed"), "", {}).switches();

@@ -41,7 +41,8 @@ void addAreaRows(Commands &table, OpenPainting &open)
     const auto addSet = [&](Command command, const char *id, const QString &text, const char *icon,
                             const QString &key, const QString &tip, AreaSet how) {
         table.add(command, QString::fromLatin1(id), text, icon, {QKeySequence(key)}, tip)
-            .when([&editor] { return hasSelectedAreas(editor.unsettled(), 2); })
+            .when([&editor] { return hasSelectedAreas(editor.unsettled(), 2); },
+                  Commands::tr("Select two or more filled strokes."))
             .runs([&table, &editor, how, text] {
                 AreaProblem problem = AreaProblem::None;
                 Edit edit = combineAreas(editor.document(), how, &problem);
@@ -62,7 +63,8 @@ void addAreaRows(Commands &table, OpenPainting &open)
     const auto addOffset = [&](Command command, const char *id, const QString &text, const char *icon,
                                const QString &key, const QString &tip, double sign) {
         table.add(command, QString::fromLatin1(id), text, icon, {QKeySequence(key)}, tip)
-            .when([&editor] { return hasSelectedAreas(editor.unsettled(), 1); })
+            .when([&editor] { return hasSelectedAreas(editor.unsettled(), 1); },
+                  Commands::tr("Select a filled stroke."))
             .runs([&table, &editor, sign, text] {
                 AreaProblem problem = AreaProblem::None;
                 const double by = sign * std::abs(ReshapeAmounts::stored().aside);

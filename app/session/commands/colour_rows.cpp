@@ -11,8 +11,8 @@ void addColourRows(Commands &table, OpenPainting &open)
     table
         .add(Command::MapToSwatches, "mapToSwatches", Commands::tr("Map Colours to S&watches"), "", {},
              Commands::tr("Give what is selected, or else all of the painting, the swatches that look nearest"))
-        .when([strokes = anyStrokes(editor), &editor] {
-            return strokes() && !editor.unsettled().painting()->swatches.empty();
+        .when([strokes = anyStrokes(editor), &editor, whyNot = Commands::tr("The painting has no swatches.")] {
+            return editor.unsettled().painting()->swatches.empty() ? Usability(false, whyNot) : strokes();
         })
         .runs([&table, &editor] {
             if (const QString why = mapToSwatches(editor); !why.isEmpty())

@@ -21,14 +21,27 @@ enum class CommandScope {
     Canvas,   ///< on the canvas only: it follows the keys themselves, from when they are pressed until they are let go
 };
 
+/// Whether a command can be used, and if not, why, in a sentence that says what to do.
+struct Usability {
+    bool isUsable = true;
+    QString whyNot = {}; ///< empty: it goes without saying
+
+    Usability(bool usable) : isUsable(usable) {}
+    /// Usable, or else that is why not.
+    Usability(bool usable, const QString &whyNot) : isUsable(usable), whyNot(usable ? QString() : whyNot) {}
+    explicit operator bool() const { return isUsable; }
+};
+
 /// Parts may be absent (null), but every row does something: it runs, it is a switch, or its keys are held.
 struct CommandRow {
     using Predicate = std::function<bool()>;
+    using Condition = std::function<Usability()>;
     using Words = std::function<QString()>;
 
     QAction *action = nullptr; ///< that stands for the row in menus and tool bars
     CommandScope scope = CommandScope::Window;
-    Predicate enabled;
+    Condition enabled;
+    QString whyNot; ///< of the moment; empty where it is enabled, or where nothing is to be said
     Predicate checked;
     Predicate shown;
     Words text; ///< where it changes, as that of Undo
@@ -44,7 +57,12 @@ struct CommandRow {
     bool doesSomething() const { return run || toggled || isSwitch || isHeld(); }
 
     CommandRow &in(CommandScope where) { return scope = where, *this; }
-    CommandRow &when(Predicate predicate) { return enabled = std::move(predicate), *this; }
+    CommandRow &when(Condition condition) { return enabled = std::move(condition), *this; }
+    /// The same, and else that is why not: a sentence that says what to do.
+    CommandRow &when(Predicate predicate, const QString &whyNot)
+    {
+        return when([predicate = std::move(predicate), whyNot] { return Usability(predicate(), whyNot); });
+    }
     CommandRow &checkedWhen(Predicate predicate) { return checked = std::move(predicate), checkable(); }
     CommandRow &shownWhen(Predicate predicate) { return shown = std::move(predicate), *this; }
     CommandRow &named(Words words) { return text = std::move(words), *this; }

@@ -50,10 +50,11 @@ CommandRow &Commands::add(Command command, const QString &id, const QString &tex
     action->setObjectName(id);
     action->setIconText(plainTitle(text)); // stays when the text names the step that is undone
     action->setShortcuts(keys);
-    const auto showKey = [action, tip] {
+    const auto showKey = [action, tip, &row] {
         const QString key = action->shortcut().toString(QKeySequence::NativeText);
         const QString what = tip.isEmpty() ? plainTitle(action->text()) : tip;
-        action->setToolTip(key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key));
+        const QString all = key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key);
+        action->setToolTip(row.whyNot.isEmpty() ? all : all + '\n' + row.whyNot);
     };
     showKey();
     connect(action, &QAction::changed, this, [&row, showKey] {
@@ -134,8 +135,12 @@ void Commands::update(Command command)
 
 void Commands::follow(CommandRow &row)
 {
-    if (row.enabled)
-        row.action->setEnabled(row.enabled());
+    if (row.enabled) {
+        const Usability now = row.enabled();
+        row.whyNot = now.whyNot;
+        row.action->setStatusTip(now.whyNot); // which tells the tool tip
+        row.action->setEnabled(now.isUsable);
+    }
     if (row.checked)
         row.action->setChecked(row.checked());
     if (row.shown)

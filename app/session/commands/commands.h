@@ -44,7 +44,8 @@ public:
     QList<QAction *> runnable() const;
     QList<QAction *> of(CommandScope scope) const;
 
-    /// Enables, checks, shows and names all commands by their rows. To be called when something that they look at has
+    /// Enables, checks, shows and names all commands by their rows. Tool tips and status tips of those that cannot be used
+    /// say why. To be called when something that they look at has
     /// changed; after a command has run it is done anyway, unless `updatesComeBy` says that it is about to be called.
     void update();
     void update(Command command);

@@ -102,6 +102,7 @@ void addLayerRows(Commands &table, OpenPainting &open)
     using enum Command;
     Editor &editor = open.editor;
     const auto isThere = [&editor] { return layerOf(editor) != nullptr; };
+    const QString noLayer = Commands::tr("No layer is chosen: click one in the Strokes dock, or begin one with New Layer.");
     const auto says = [&table](const QString &text) {
         if (!text.isEmpty())
             emit table.said(text, saidMs);
@@ -118,44 +119,44 @@ void addLayerRows(Commands &table, OpenPainting &open)
         .add(NewClippedLayer, "newClippedLayer", Commands::tr("New &Clipped Layer"), "",
              key(Commands::tr("Ctrl+Alt+N")),
              Commands::tr("Paint on a new layer that shows only where the layer below has paint: a clipping mask"))
-        .when([&editor] { return editor.layer().group() != 0; })
+        .when([&editor] { return editor.layer().group() != 0; }, noLayer)
         .runs([&editor] { editor.layer().beginClipped(); });
     table.add(DuplicateLayer, "duplicateLayer", Commands::tr("&Duplicate Layer"), "", key(Commands::tr("Ctrl+J")))
-        .when(isThere)
+        .when(isThere, noLayer)
         .runs([&editor] { duplicateLayer(editor); });
     table
         .add(MergeLayerDown, "mergeLayerDown", Commands::tr("&Merge Down"), "", key(Commands::tr("Ctrl+M")),
              Commands::tr("Put the layer onto the one just below it; the picture stays"))
-        .when(isThere)
+        .when(isThere, noLayer)
         .runs([&editor, says] { says(mergeLayerDown(editor)); });
     table
         .add(RaiseLayer, "raiseLayer", Commands::tr("&Raise Layer"), "",
              page(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_PageUp))
-        .when(isThere)
+        .when(isThere, noLayer)
         .runs([&editor, says] { says(moveLayer(editor, true)); });
     table
         .add(LowerLayer, "lowerLayer", Commands::tr("&Lower Layer"), "",
              page(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_PageDown))
-        .when(isThere)
+        .when(isThere, noLayer)
         .runs([&editor, says] { says(moveLayer(editor, false)); });
     const auto anyLayers = [&editor] { return !editor.unsettled().painting()->groups.empty(); };
     table
         .add(LayerAbove, "layerAbove", Commands::tr("Layer &Above"), "", page(Qt::ControlModifier, Qt::Key_PageUp),
              Commands::tr("Paint on the next layer above; above all of them there is none"))
-        .when(anyLayers)
+        .when(anyLayers, Commands::tr("The painting has no layers yet: New Layer begins one."))
         .runs([&editor] { stepLayer(editor, true); });
     table
         .add(LayerBelow, "layerBelow", Commands::tr("Layer &Below"), "", page(Qt::ControlModifier, Qt::Key_PageDown),
              Commands::tr("Paint on the next layer below"))
-        .when(anyLayers)
+        .when(anyLayers, Commands::tr("The painting has no layers yet: New Layer begins one."))
         .runs([&editor] { stepLayer(editor, false); });
     table.add(NoLayer, "noLayer", Commands::tr("N&o Layer"), "", {}, Commands::tr("Paint on top of all again"))
-        .when([&editor] { return editor.layer().group() != 0; })
+        .when([&editor] { return editor.layer().group() != 0; }, noLayer)
         .runs([&editor] { editor.layer().choose(0); });
     table
         .add(HideOtherLayers, "hideOtherLayers", Commands::tr("&Hide Others"), "", key(Commands::tr("Ctrl+Shift+H")),
              Commands::tr("Show only this layer, or all again"))
-        .when(isThere)
+        .when(isThere, noLayer)
         .checkedWhen([&editor] { return isOnlySolo(editor); })
         .runs([&editor, says] {
             const bool shows = isOnlySolo(editor);

@@ -125,7 +125,7 @@ void addRoleRows(Commands &table, Editor &editor)
     using enum Command;
     const auto roles = std::make_shared<SelectedRoles>(editor);
     const auto add = [&](GroupRole role, CommandRow &row) {
-        row.when([roles, role] { return !(*roles)(role).possible.empty(); })
+        row.when([roles, role] { return !(*roles)(role).possible.empty(); }, Commands::tr("Select a group that this can be."))
             .checkedWhen([roles, role] { return (*roles)(role).all(); })
             .runs([&editor, role] { commands::toggleSelectedRole(editor, role); });
     };
@@ -157,7 +157,7 @@ void addGroupRows(Commands &table, Editor &editor)
         .when(selected)
         .runs([&editor] { commands::groupSelected(editor); });
     table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
-        .when([&editor] { return canUngroup(editor.unsettled()); })
+        .when([&editor] { return canUngroup(editor.unsettled()); }, Commands::tr("Select strokes of a group."))
         .runs([&table, &editor] {
             const auto before = actingGroups(*editor.unsettled().painting());
             commands::ungroupSelected(editor);
@@ -170,7 +170,7 @@ void addGroupRows(Commands &table, Editor &editor)
     table
         .add(TextToStrokes, "textToStrokes", Commands::tr("Text to Strokes"), "", {},
              Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))
-        .when([&editor] { return canTurnTexts(editor.unsettled()); })
+        .when([&editor] { return canTurnTexts(editor.unsettled()); }, Commands::tr("Select a text."))
         .runs([&editor] { editor.push(textsToStrokes(editor.document()), Commands::tr("Text to strokes")); });
     table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
         .when(selected)
@@ -208,7 +208,7 @@ void addFillRows(Commands &table, Editor &editor)
              Commands::tr("Wet what the selected strokes enclose; the inspector has its values"))
         .when([&editor] {
             return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return !stroke.fill; });
-        })
+        }, Commands::tr("Select strokes without a fill."))
         .runs([&editor] {
             editor.push(addFills(editor.document(), editor.document().selection().strokes), Commands::tr("Fill"));
         });
@@ -217,7 +217,7 @@ void addFillRows(Commands &table, Editor &editor)
              Commands::tr("Leave of the selected strokes their outlines"))
         .when([&editor] {
             return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return bool(stroke.fill); });
-        })
+        }, Commands::tr("Select a filled stroke."))
         .runs([&editor] {
             editor.push(removeFills(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Remove fill"));
@@ -228,7 +228,7 @@ void addFillRows(Commands &table, Editor &editor)
         .when([&editor] {
             return anySelectedStroke(editor.unsettled(),
                                      [](const Stroke &stroke) { return stroke.fill && !stroke.fill->gradient; });
-        })
+        }, Commands::tr("Select a fill of one colour."))
         .runs([&editor] {
             editor.push(addGradients(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Add gradient"));
@@ -239,7 +239,7 @@ void addFillRows(Commands &table, Editor &editor)
         .when([&editor] {
             return anySelectedStroke(editor.unsettled(),
                                      [](const Stroke &stroke) { return stroke.fill && stroke.fill->gradient; });
-        })
+        }, Commands::tr("Select a fill with a gradient."))
         .runs([&editor] {
             editor.push(removeGradients(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Remove gradient"));
@@ -252,7 +252,7 @@ void addChainRows(Commands &table, Editor &editor)
     table
         .add(CombineStrokes, "combine", Commands::tr("&Combine"), "", key(Commands::tr("Ctrl+Alt+K")),
              Commands::tr("Make one stroke of the selected ones, whose paint adds up"))
-        .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; })
+        .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; }, Commands::tr("Select two strokes or more."))
         .runs([&editor, &table] {
             if (const QString why = commands::combineSelected(editor); !why.isEmpty())
                 emit table.said(why, 8000);
@@ -260,12 +260,14 @@ void addChainRows(Commands &table, Editor &editor)
     table
         .add(BreakApart, "breakApart", Commands::tr("Break Apart"), "", key(Commands::tr("Ctrl+Shift+K")),
              Commands::tr("Make strokes of the parts of the selected ones"))
-        .when([&editor] { return anySelectedStroke(editor.unsettled(), hasChains); })
+        .when([&editor] { return anySelectedStroke(editor.unsettled(), hasChains); },
+              Commands::tr("Select a stroke that was combined or cut into parts."))
         .runs([&editor] { commands::breakSelectedApart(editor); });
     table
         .add(RemoveErasures, "removeErasures", Commands::tr("Remove Erasures"), "", {},
              Commands::tr("Bring back what was erased softly from the selected strokes, or by the selected segments"))
-        .when([&editor] { return anySelectedStroke(editor.unsettled(), &Stroke::hasLift); })
+        .when([&editor] { return anySelectedStroke(editor.unsettled(), &Stroke::hasLift); },
+              Commands::tr("Select a stroke from which something was erased softly."))
         .runs([&editor] { commands::removeSelectedErasures(editor); });
 }
 
@@ -317,7 +319,8 @@ void addObjectRows(Commands &table, OpenPainting &open)
     table
         .add(ShowUnderlay, "showUnderlay", Commands::tr("Show the Underl&ay"), "",
              {QKeySequence(Commands::tr("Shift+U"))})
-        .when([&editor] { return bool(editor.document().painting()->underlay); })
+        .when([&editor] { return bool(editor.document().painting()->underlay); },
+              Commands::tr("The painting has no underlay."))
         .checkedWhen([&editor] {
             const auto &underlay = editor.document().painting()->underlay;
             return underlay && underlay->visible;
@@ -326,7 +329,8 @@ void addObjectRows(Commands &table, OpenPainting &open)
     table
         .add(UnderlayToLayer, "underlayToLayer", Commands::tr("Underlay to Layer"), "", {},
              Commands::tr("Make an image layer below all of the underlay, where it lies; it is exported then"))
-        .when([&editor] { return bool(editor.document().painting()->underlay); })
+        .when([&editor] { return bool(editor.document().painting()->underlay); },
+              Commands::tr("The painting has no underlay."))
         .runs([&editor] { image_layer::takeUnderlay(editor); });
 }
 

@@ -36,7 +36,9 @@ void addRestyleRows(Commands &table, OpenPainting &open)
     const auto paste = [&](Command command, const char *id, const QString &text, const QList<QKeySequence> &keys,
                            const QString &tip, Variation variation) {
         table.add(command, QString::fromLatin1(id), text, "", keys, tip)
-            .when([&editor, selected = anySelected(editor)] { return commands::copiedAppearance() && selected(); })
+            .when([selected = anySelected(editor), whyNot = Commands::tr("Copy an appearance first.")] {
+                return commands::copiedAppearance() ? selected() : Usability(false, whyNot);
+            })
             .runs([&editor, variation, say] { say(commands::pasteAppearance(editor, variation)); });
     };
     paste(PasteAppearance, "pasteAppearance", Commands::tr("Paste Appeara&nce"),

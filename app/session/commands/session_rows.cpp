@@ -2,14 +2,16 @@
 
 namespace suffuse {
 
-CommandRow::Predicate anySelected(Editor &editor)
+CommandRow::Condition anySelected(Editor &editor)
 {
-    return [&editor] { return !editor.document().selection().isEmpty(); };
+    const QString whyNot = Commands::tr("Nothing is selected: click paint with Select first.");
+    return [&editor, whyNot] { return Usability(!editor.document().selection().isEmpty(), whyNot); };
 }
 
-CommandRow::Predicate anyStrokes(Editor &editor)
+CommandRow::Condition anyStrokes(Editor &editor)
 {
-    return [&editor] { return !editor.document().painting()->strokes.empty(); };
+    const QString whyNot = Commands::tr("Nothing is painted yet.");
+    return [&editor, whyNot] { return Usability(!editor.document().painting()->strokes.empty(), whyNot); };
 }
 
 void addSessionRows(Commands &table, OpenPainting &open)

@@ -24,8 +24,8 @@ void addBrushRows(Commands &table, OpenPainting &open);
 void takeToPaint(const Commands &table, Editor &editor);
 
 /// Something is selected.
-CommandRow::Predicate anySelected(Editor &editor);
+CommandRow::Condition anySelected(Editor &editor);
 /// The painting has a stroke.
-CommandRow::Predicate anyStrokes(Editor &editor);
+CommandRow::Condition anyStrokes(Editor &editor);
 
 } // namespace suffuse

@@ -95,7 +95,8 @@ void addWetRows(Commands &table, OpenPainting &open)
     table
         .add(RemoveRewetting, "removeRewetting", Commands::tr("Remove Re-we&tting"), "", {},
              Commands::tr("The selected paint dries once and for all"))
-        .when([&editor] { return canRemoveRewetting(editor.unsettled()); })
+        .when([&editor] { return canRemoveRewetting(editor.unsettled()); },
+              Commands::tr("Select paint that was wetted again."))
         .runs([&editor] { editor.push(removeRewetting(editor.document()), Commands::tr("Remove re-wetting")); });
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
@@ -68,20 +69,26 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
 {
     using enum Command;
     const auto add = [this](Command command, const char *id, const QString &text, const char *icon,
-                            const QKeySequence &key, const QString &tip, CommandRow::Predicate predicate,
+                            const QKeySequence &key, const QString &tip, CommandRow::Condition condition,
                             std::function<void()> perform) {
         m_table.add(command, QString::fromLatin1(id), text, icon, {key}, tip)
             .in(CommandScope::Nodes)
-            .when(std::move(predicate))
+            .when(std::move(condition))
             .runs([this, perform = std::move(perform)] {
                 if (!m_tool.isBusy())
                     perform();
             });
     };
-    const auto anyNodes = [this] { return !m_nodes.empty(); };
-    const auto anySegments = [this] { return !chosenSegments().empty(); };
-    const auto strokesInHand = [this] { return m_canvas.tool() == &m_tool && !m_editor.selection().isEmpty(); };
-    const auto anyStrokes = [this] { return !m_editor.selection().isEmpty(); };
+    const auto anyNodes = [this, whyNot = Commands::tr("Select nodes with Segments first.")] {
+        return Usability(!m_nodes.empty(), whyNot);
+    };
+    const auto anySegments = [this, whyNot = Commands::tr("Select segments, or the nodes at their ends, with Segments first.")] {
+        return Usability(!chosenSegments().empty(), whyNot);
+    };
+    const auto strokesInHand = [this, whyNot = Commands::tr("Select two end nodes with Segments first.")] {
+        return Usability(m_canvas.tool() == &m_tool && !m_editor.selection().isEmpty(), whyNot);
+    };
+    const auto anyStrokes = anySelected(m_editor);
     add(InsertNodes, "insertNodes", Commands::tr("&Insert Nodes"), "node-insert", Qt::Key_Insert,
         Commands::tr("Insert a node into each selected segment"), anySegments, [this] { insertBetween(); });
     add(NodeCorner, "nodeCorner", Commands::tr("&Corner"), "node-corner", Commands::tr("Shift+C"),

@@ -35,7 +35,7 @@ void Exporting::addRows()
     table
         .add(ExportAgain, "exportAgain", Commands::tr("Export A&gain"), "", {QKeySequence(Commands::tr("Ctrl+E"))},
              Commands::tr("To the same file, with the same settings"))
-        .when([this] { return !m_job->isRunning(); })
+        .when([this] { return !m_job->isRunning(); }, Commands::tr("An export is still under way."))
         .runs([this] { exportAgain(); });
     table
         .add(ExportDrawing, "exportDrawing", Commands::tr("Export &Drawing…"), "", {},

@@ -23,12 +23,12 @@ FileRestoring::FileRestoring(const Workplace &place, FileSaving &saving, QObject
     place.commands
         .add(Revert, "revert", Commands::tr("Re&vert…"), "", {},
              Commands::tr("Back to what the file holds; Undo takes it back"))
-        .when(hasFile)
+        .when(hasFile, Commands::tr("The painting has no file yet: save it first."))
         .runs([this] { revert(); });
     place.commands
         .add(RestoreBackup, "restoreBackup", Commands::tr("Restore &Backup…"), "", {},
              Commands::tr("Back to an earlier version of the file"))
-        .when(hasFile)
+        .when(hasFile, Commands::tr("The painting has no file yet: save it first."))
         .runs([this] { chooseBackup(); });
 }
 

@@ -41,12 +41,12 @@ Pasting::Pasting(const Workplace &place, QObject *parent) : QObject(parent), m_p
     place.commands
         .add(Command::Paste, "paste", Commands::tr("&Paste"), "paste", QKeySequence::keyBindings(QKeySequence::Paste),
              Commands::tr("Paste strokes, SVG paths or a picture at the pointer; a colour becomes the current one"))
-        .when([this] { return m_canPaste; })
+        .when([this] { return m_canPaste; }, Commands::tr("The clipboard has nothing that can be painted."))
         .runs([this] { pasteAt(pointer()); });
     place.commands
         .add(Command::PasteInPlace, "pasteInPlace", Commands::tr("Paste &in Place"), "",
              {QKeySequence(Commands::tr("Ctrl+Alt+V"))}, Commands::tr("Paste strokes where they were"))
-        .when([this] { return m_canPaste; })
+        .when([this] { return m_canPaste; }, Commands::tr("The clipboard has nothing that can be painted."))
         .runs([this] { pasteAt({}); });
     connect(new CanvasDrops(place.canvas), &CanvasDrops::leftOut, this,
             [this](const QString &problem) { emit m_place.commands.said(problem, pastedShownMs); });

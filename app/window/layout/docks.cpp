@@ -284,7 +284,7 @@ void Docks::addSelectingRows()
     table
         .add(SelectFound, "selectFound", Commands::tr("Select &Found"), "", {},
              Commands::tr("Select what the search in the Strokes dock has found"))
-        .when([this] { return m_strokes->isSearching(); })
+        .when([this] { return m_strokes->isSearching(); }, Commands::tr("Search in the Strokes dock first."))
         .runs([this] { m_strokes->selectFound(); });
     table
         .add(SearchStrokes, "searchStrokes", Commands::tr("Find Strokes"), "",

@@ -43,7 +43,7 @@ void Proofing::addRows()
     table
         .add(Command::GamutWarning, "gamutWarning", Commands::tr("Gamut &Warning"), "", {},
              Commands::tr("Marks the colours that the device of the soft proof does not have"))
-        .when([] { return settings::colours().proofs; })
+        .when([] { return settings::colours().proofs; }, Commands::tr("Switch the soft proof on first."))
         .checkedWhen([] { return settings::colours().marksGamut; })
         .runs([this] { switchWarning(); });
     table
