@@ -2,6 +2,8 @@
 
 #include "undo/history/back_edit.h"
 
+#include <stdexcept>
+
 namespace suffuse::python {
 
 EditedPainting::EditedPainting(PaintingPtr painting, std::shared_ptr<const DocumentExtras> extras)
@@ -13,6 +15,7 @@ EditedPainting::EditedPainting(PaintingPtr painting, std::shared_ptr<const Docum
 bool EditedPainting::push(const QString &name, const std::function<Edit(Document &)> &make)
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     Edit edit = make(m_document);
     if (edit.isEmpty())
         return false;
@@ -30,6 +33,14 @@ bool EditedPainting::push(const QString &name, const std::function<Edit(Document
     return true;
 }
 
+/// To be called with the lock.
+void EditedPainting::checkThread() const
+{
+    if (m_open > 0 && m_owner != std::this_thread::get_id())
+        throw std::runtime_error("another thread has begun a step of this document, which is still open; let threads that "
+                                 "edit one document take a lock around their steps, or give each a Document of its own");
+}
+
 void EditedPainting::exchange(Step &step)
 {
     m_document.exchange(step.back);
@@ -38,6 +49,7 @@ void EditedPainting::exchange(Step &step)
 bool EditedPainting::undo()
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     if (m_done == 0 || m_open > 0)
         return false;
     exchange(m_steps[--m_done]);
@@ -47,6 +59,7 @@ bool EditedPainting::undo()
 bool EditedPainting::redo()
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     if (m_done == m_steps.size() || m_open > 0)
         return false;
     exchange(m_steps[m_done++]);
@@ -56,8 +69,10 @@ bool EditedPainting::redo()
 void EditedPainting::beginStep(const QString &name)
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     if (m_open++ > 0)
         return;
+    m_owner = std::this_thread::get_id();
     m_openName = name;
     m_isBegun = false;
 }
@@ -65,6 +80,7 @@ void EditedPainting::beginStep(const QString &name)
 void EditedPainting::endStep(bool keep)
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     if (m_open == 0 || --m_open > 0 || !m_isBegun)
         return;
     m_isBegun = false;
@@ -90,6 +106,7 @@ Selection EditedPainting::selection() const
 void EditedPainting::select(const Selection &selection)
 {
     const std::lock_guard lock(m_mutex);
+    checkThread();
     m_document.setSelection(selection);
 }
 

@@ -6,13 +6,15 @@
 
 #include <functional>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace suffuse::python {
 
 /// Holds the painting and the steps that were done. Each step is a swap, so that undoing it leaves what redoes it
 /// (model/document/edit.h). It is the program's undo stack without Qt's, which links Qt Gui. Several threads may use
-/// it.
+/// it. A step that is open belongs to the thread that began it: whatever else changes something meanwhile throws
+/// `std::runtime_error`, since it would become a part of that step, and go with it.
 class EditedPainting {
 public:
     /// `extras`: what lay beside the painting in its file.
@@ -48,6 +50,7 @@ private:
         Edit back; ///< leads to the state before, or, where it was undone, to the one after
     };
     void exchange(Step &step);
+    void checkThread() const;
 
     const PaintingPtr m_begun;
     const std::shared_ptr<const DocumentExtras> m_extras;
@@ -58,6 +61,7 @@ private:
     int m_open = 0;         ///< how many steps are open within each other
     bool m_isBegun = false; ///< whether the open step has an edit
     QString m_openName;
+    std::thread::id m_owner; ///< of the step that is open
 };
 
 } // namespace suffuse::python

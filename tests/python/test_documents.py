@@ -216,6 +216,28 @@ class Documents(unittest.TestCase):
             pass
         self.assertEqual(self.document.painting, self.painting)
 
+    def test_a_step_belongs_to_its_thread(self):
+        self.document.select_all()
+
+        def elsewhere(act):
+            with concurrent.futures.ThreadPoolExecutor(1) as pool:
+                return pool.submit(act).result()
+
+        acts = [lambda: self.document.change_segments(density=9), self.document.undo, self.document.redo,
+                lambda: self.document.begin_step("Other"), self.document.end_step, self.document.select_all]
+        with self.document.step("Mine"):
+            self.assertTrue(self.document.change_segments(density=2))
+            for act in acts:
+                with self.assertRaisesRegex(RuntimeError, "another thread"):
+                    elsewhere(act)
+            self.assertEqual(elsewhere(lambda: self.document.steps), ("Mine",))  # Looking is no harm.
+            self.assertTrue(self.document.change_segments(density=3))
+        self.assertEqual(self.document.steps, ("Mine",))
+        self.assertTrue(elsewhere(acts[0]))
+        self.assertEqual(len(self.document.steps), 2)
+        self.assertTrue(self.document.undo() and self.document.undo())
+        self.assertEqual(self.document.painting, self.painting)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -100,7 +100,9 @@ class Document(_Document):
     """A painting that is edited, with its undo steps.
 
     Edits act on what is selected, leave locked strokes alone, and return whether they changed something. Each is one step,
-    which `undo` takes back and `redo` does again. Several threads may use one document: each edit is done as a whole.
+    which `undo` takes back and `redo` does again. Several threads may use one document: each edit is done as a whole. What is
+    selected belongs to the document. A step that is open belongs to the thread that began it: until it ends, edits, undo and
+    selecting by others raise RuntimeError.
     """
 
     def step(self, name):
