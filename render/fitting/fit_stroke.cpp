@@ -8,6 +8,8 @@ namespace suffuse::fitting {
 
 namespace {
 
+constexpr double spreadsBeyond = 1; ///< that a stroke may lie beyond the picture
+
 /// ξ2 from … to …, and the greatest peak, for each kind of style.
 struct StyleRange {
     double leastSteepness, greatestSteepness, leastPeak, greatestPeak;
@@ -52,6 +54,13 @@ void keepWithin(FitStroke &stroke, const FitLimits &limits)
     else if (width < limits.leastWidth)
         stroke[LogSpread] += std::log(limits.leastWidth / width);
     stroke[LogSpread] = std::clamp(stroke[LogSpread], std::log(limits.leastSpread), std::log(limits.greatestSpread));
+    if (limits.width <= 0)
+        return;
+    const double beyond = spreadsBeyond * std::exp(stroke[LogSpread]);
+    for (std::size_t k = 0; k < std::size_t(2 * strokePoints); k += 2) {
+        stroke[k] = std::clamp(stroke[k], -beyond, limits.width + beyond);
+        stroke[k + 1] = std::clamp(stroke[k + 1], -beyond, limits.height + beyond);
+    }
 }
 
 gradient::FlatScene sceneOf(const std::vector<FitStroke> &strokes, StyleKind style, const Colour &background,

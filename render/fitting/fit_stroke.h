@@ -42,6 +42,9 @@ struct FitLimits {
     double greatestWidth = 0; ///< pixels; 0: none
     double leastSpread = 1;   ///< pixels; below 1, a renderer takes more samples than a fit does
     double greatestSpread = 1e4;
+    /// Size of the picture, pixels. Control points lie no farther beyond it than paint beside it is seen in it, so that what is
+    /// fitted can be taken hold of; 0: anywhere.
+    double width = 0, height = 0;
 };
 
 /// Where F is half of what it is at the middle, or ½ where it saturates: the width of what is seen, pixels.

@@ -94,6 +94,7 @@ Fitting::Fitting(FitTarget target, const FitOptions &options, FittedStrokes star
 {
     m_options.limits.style = m_fitted.style;
     m_options.limits.greatestSpread = std::max(m_target.picture.width, m_target.picture.height);
+    m_options.limits.width = m_target.picture.width, m_options.limits.height = m_target.picture.height;
     m_fitted.births.clear(); // They are found at the end.
     m_adam.grow(m_fitted.strokes.size());
 }

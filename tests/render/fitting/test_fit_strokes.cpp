@@ -133,6 +133,16 @@ void TestFitStrokes::numbersStayInTheirDomains()
         keepWithin(stroke, limits);
         for (std::size_t k = 0; k < strokeNumbers; ++k)
             QVERIFY(std::abs(stroke[k] - once[k]) < 1e-12);
+        // Nobody could take hold of what lies far beyond the sheet.
+        stroke[FirstPoint] = -500, stroke[FirstPoint + 1] = 7, stroke[FirstPoint + 19] = 900;
+        FitStroke kept = stroke;
+        keepWithin(kept, limits);
+        QCOMPARE(kept[FirstPoint], -500.0);
+        limits.width = 40, limits.height = 30;
+        keepWithin(kept, limits);
+        const double beyond = std::exp(kept[LogSpread]);
+        QVERIFY(kept[FirstPoint] >= -2 * beyond && kept[FirstPoint] < 0 && kept[FirstPoint + 1] == 7);
+        QVERIFY(kept[FirstPoint + 19] <= 30 + 2 * beyond && kept[FirstPoint + 19] >= 30);
     }
 }
 
