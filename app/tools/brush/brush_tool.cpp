@@ -269,7 +269,7 @@ void BrushTool::showOutlineAt(const PointerEvent &event)
 /// What a mouse says while it paints; none where that is not known before, or where the brush itself is looked at.
 std::optional<PenState> BrushTool::usualPen(const View &view, double dpr) const
 {
-    constexpr double usualSpeed = 700; // logical pixels a second
+    constexpr double usualSpeed = 300; // logical pixels a second
     const double spread = m_editor.brush().spread();
     if (m_device != PointerDevice::Mouse || m_sizing.isActive() || !(view.scale * spread > 0))
         return std::nullopt;

@@ -8,7 +8,9 @@
 #include "app/tools/brush/brush_tool.h"
 #include "app/widgets/curves/response_editor.h"
 #include "app/widgets/numbers/slider_field.h"
+#include "model/brush/brush_width.h"
 #include "model/formats/files.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
@@ -182,6 +184,28 @@ private slots:
             s.dry();
             QVERIFY2(s.canvas().picture() == live, name);
         }
+    }
+
+    /// The circle is what a mouse paints at the usual speed of a hand, not what a slow, full line would be.
+    void theCircleIsAsWideAsAMousePaints()
+    {
+        Session s;
+        Brush brush = firstBrush();
+        brush.setSpread(12);
+        brush.taper = {};
+        s.editor().setBrush(brush);
+        QTest::mouseMove(&s.canvas(), s.at({100, 200}));
+        const auto &tool = *static_cast<const BrushTool *>(s.canvas().tool());
+        const double dpr = s.canvas().devicePixelRatioF(), circle = tool.circle(s.canvas().view(), dpr);
+        QVERIFY(circle < 0.95 * halfWidthOf(brush));
+        const double length = 300 * toSeconds(20 * interval) * dpr / s.canvas().view().scale;
+        s.paintLine({100, 200}, {100 + length, 200});
+        const Stroke &stroke = *s.painting().strokes.back();
+        const Segment &middle = stroke.segments[stroke.segments.size() / 2];
+        const double painted = halfWidth(double(middle.diffusion), double(middle.density), double(middle.maxAge),
+                                         visibleCut(stroke.style));
+        QVERIFY2(std::abs(circle - painted) < 0.15 * painted,
+                 qPrintable(QStringLiteral("%1, painted %2").arg(circle).arg(painted)));
     }
 
     void keysAndShiftDragChangeSizeAndOpacity()
