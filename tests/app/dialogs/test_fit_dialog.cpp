@@ -5,6 +5,7 @@
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/editor.h"
 #include "app/session/files/import_strokes.h"
+#include "app/session/files/picture_file.h"
 #include "app/session/fitting/fit_layer.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/messages.h"
@@ -460,6 +461,27 @@ private slots:
         QCOMPARE(settings::store().value("fit/strokes").toInt(), 12); // that of pictures
         editor.undo();
         QCOMPARE(*editor.document().painting(), before);
+    }
+
+    /// Strokes that take the picture farther from what was wanted are not put there without a word.
+    void worseStrokesAreTold()
+    {
+        Editor editor;
+        addStripes(editor);
+        const Rect sheet = editor.document().painting()->canvas.area();
+        QVERIFY(drawn(editor, sheet, {90, 60}).save(pathOf("wanted.png")));
+        const Result<EncodedImage> wanted = readPictureFile(pathOf("wanted.png"));
+        QVERIFY(wanted);
+        const Result<RefitTask> task = RefitTask::ofSelection(editor);
+        QVERIFY(task);
+        FitResult fit;
+        fit.painting.canvas.width = 20, fit.painting.canvas.height = 20;
+        fit.painting.strokes.push_back(strokeAt(10, 0, 1));
+        const QString said = task->apply(editor, fit, *wanted, "wanted.png");
+        QVERIFY2(said.contains("farther than before"), qPrintable(said));
+        editor.undo();
+        const QString own = task->apply(editor, fit, {}, {}); // Nothing is nearer to how it looks than it is itself.
+        QVERIFY2(!own.contains("farther than before") && own.contains("off by"), qPrintable(own));
     }
 
     /// Or they are made to look like a picture, which must have the shape of the sheet; cancelled, nothing changes.
