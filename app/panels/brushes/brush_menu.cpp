@@ -6,6 +6,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
+#include "app/widgets/asking/usual_folder.h"
 
 #include <QFileDialog>
 #include <QInputDialog>
@@ -134,9 +135,11 @@ void BrushMenu::remove()
 
 void BrushMenu::import()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(m_panel, tr("Import Brushes"), {},
+    const QStringList paths = QFileDialog::getOpenFileNames(m_panel, tr("Import Brushes"), usualFolder(brushFileEnding),
                                                             tr("Brushes (*.suffuse-brush *.myb);;All files (*)"));
     QStringList notes;
+    if (!paths.isEmpty())
+        keepUsualFolder(brushFileEnding, paths.front());
     for (const QString &path : paths) {
         QStringList left;
         Result<QString> added = BrushLibrary::instance().import(path, &left);

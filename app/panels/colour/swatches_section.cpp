@@ -5,6 +5,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
+#include "app/widgets/asking/usual_folder.h"
 #include "app/widgets/colour/swatch_grid.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
@@ -91,8 +92,12 @@ void SwatchesSection::addMenu()
     auto *menu = new QMenu(m_menu);
     const QString filter = tr("GIMP palettes") + QStringLiteral(" (*.gpl)");
     menu->addAction(tr("Import Palette…"), this, [=, this] {
-        if (const QString path = QFileDialog::getOpenFileName(this, tr("Import palette"), {}, filter); !path.isEmpty())
-            importPalette(path);
+        const QString kind = QStringLiteral("gpl");
+        const QString path = QFileDialog::getOpenFileName(this, tr("Import palette"), usualFolder(kind), filter);
+        if (path.isEmpty())
+            return;
+        keepUsualFolder(kind, path);
+        importPalette(path);
     });
     m_export = menu->addAction(tr("Export Palette…"), this, [=, this] {
         const QString path =

@@ -1,5 +1,7 @@
 #include "app/widgets/asking/choose_picture.h"
 
+#include "app/widgets/asking/usual_folder.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 
@@ -13,19 +15,27 @@ struct ChoosePicture {
 
 constexpr QLatin1String pictureEndings("*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr");
 
+/// Among the files of a filter, in the folder of the picture that was chosen last.
+QString choose(QWidget *parent, const QString &title, const QString &filter)
+{
+    const QString kind = QStringLiteral("picture");
+    const QString path = QFileDialog::getOpenFileName(parent, title, usualFolder(kind), filter);
+    if (!path.isEmpty())
+        keepUsualFolder(kind, path);
+    return path;
+}
+
 } // namespace
 
 QString choosePicture(QWidget *parent, const QString &title)
 {
-    return QFileDialog::getOpenFileName(parent, title, QString(),
-                                        ChoosePicture::tr("Pictures") + QStringLiteral(" (%1)").arg(pictureEndings));
+    return choose(parent, title, ChoosePicture::tr("Pictures") + QStringLiteral(" (%1)").arg(pictureEndings));
 }
 
 QString choosePictureToFit(QWidget *parent, const QString &title)
 {
-    return QFileDialog::getOpenFileName(
-        parent, title, QString(),
-        ChoosePicture::tr("Pictures and diffusion curves") + QStringLiteral(" (%1 *.xml)").arg(pictureEndings));
+    return choose(parent, title,
+                  ChoosePicture::tr("Pictures and diffusion curves") + QStringLiteral(" (%1 *.xml)").arg(pictureEndings));
 }
 
 } // namespace suffuse

@@ -1,6 +1,7 @@
 #include "app/widgets/asking/save_name.h"
 
 #include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/usual_folder.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -68,9 +69,11 @@ QString withEnding(const QString &path, const QList<FileKind> &kinds, const QStr
 
 QString chooseFileToSave(QWidget *parent, const QString &title, const QString &proposal, const QList<FileKind> &kinds)
 {
-    QString path = proposal;
+    const bool hasFolder = proposal.contains('/');
+    const QString kind = kinds.front().endings.front();
+    QString path = hasFolder ? proposal : usualFolder(kind) + '/' + proposal;
     for (;;) {
-        NameDialog dialog(parent, title, path.contains('/') ? QFileInfo(path).absolutePath() : QString());
+        NameDialog dialog(parent, title, QFileInfo(path).absolutePath());
         dialog.setAcceptMode(QFileDialog::AcceptSave);
         QStringList filters;
         for (const FileKind &kind : kinds)
@@ -91,8 +94,11 @@ QString chooseFileToSave(QWidget *parent, const QString &title, const QString &p
         if (path == chosen || !QFileInfo::exists(path) ||
             confirm(parent,
                     QCoreApplication::translate("Messages", "“%1” exists. Replace it?").arg(QFileInfo(path).fileName()),
-                    {}, QCoreApplication::translate("Messages", "&Replace")))
+                    {}, QCoreApplication::translate("Messages", "&Replace"))) {
+            if (!hasFolder)
+                keepUsualFolder(kind, path);
             return path;
+        }
     }
 }
 

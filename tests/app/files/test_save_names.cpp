@@ -1,6 +1,7 @@
 // Names that users give to files: what stands behind a dot may be part of one.
 #include "app/session/colour_convert.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/asking/choose_picture.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
 #include "model/formats/files.h"
@@ -11,6 +12,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QHeaderView>
+#include <QImage>
 #include <QLineEdit>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -91,6 +93,29 @@ private slots:
             QCOMPARE(folderAsked(s, command), own);
             QCOMPARE(made("gone"), gone);
         }
+    }
+
+    /// So do pictures, brushes and palettes: where one was chosen last.
+    void otherFilesHaveAFolderOfTheirOwn()
+    {
+        const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+        QVERIFY(QDir().mkpath(pictures) && QDir(path({})).mkpath("sunsets"));
+        QVERIFY(QImage(2, 2, QImage::Format_RGB32).save(path("sunsets/a.png")));
+        QStringList folders;
+        const auto chosen = [&](const QString &name) {
+            whenAsked<QFileDialog>(this, m_answered, [&, name](QFileDialog &dialog) {
+                folders << dialog.directory().canonicalPath();
+                dialog.reject();
+            });
+            return name.isEmpty() ? choosePicture(nullptr, "Picture")
+                                  : chooseFileToSave(nullptr, "Palette", name, {{"GIMP palettes", {"gpl"}}});
+        };
+        QVERIFY(chosen({}).isEmpty() && chosen("a.gpl").isEmpty());
+        whenAskedForFile(this, m_answered, path("sunsets/a.png"));
+        QCOMPARE(choosePicture(nullptr, "Picture"), path("sunsets/a.png"));
+        QVERIFY(chosen({}).isEmpty() && chosen("a.gpl").isEmpty());
+        const QString usual = QFileInfo(pictures).canonicalFilePath();
+        QCOMPARE(folders, QStringList({usual, usual, QFileInfo(path("sunsets")).canonicalFilePath(), usual}));
     }
 
     /// Size, type and date of files are shown as a whole; names get the room that is left.
