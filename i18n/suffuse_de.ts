@@ -1998,6 +1998,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Export draft again</source>
         <translation>Entwurf wieder exportieren</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) now. Where their paint meets it mixes, and no longer adds up.</source>
+        <translation>
+            <numerusform>Jetzt %Ln Strich. Wo sich Farbe berührt, mischt sie sich und addiert sich nicht mehr.</numerusform>
+            <numerusform>Jetzt %Ln Striche. Wo sich ihre Farbe berührt, mischt sie sich und addiert sich nicht mehr.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -8918,6 +8925,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Roughen strokes</source>
         <translation>Striche aufrauen</translation>
+    </message>
+    <message>
+        <source>Letters are left alone while nothing is selected. Select the text to change its letters.</source>
+        <translation>Buchstaben bleiben, wie sie sind, solange nichts ausgewählt ist. Wählen Sie den Text aus, um seine Buchstaben zu verändern.</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,13 @@
             <numerusform>%Ln strokes deleted; Undo brings them back.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) now. Where their paint meets it mixes, and no longer adds up.</source>
+        <translation>
+            <numerusform>%Ln stroke now. Where its paint meets other paint it mixes, and no longer adds up.</numerusform>
+            <numerusform>%Ln strokes now. Where their paint meets it mixes, and no longer adds up.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>

@@ -1981,6 +1981,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Export draft again</source>
         <translation>重新导出草稿</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) now. Where their paint meets it mixes, and no longer adds up.</source>
+        <translation>
+            <numerusform>现在是 %Ln 条笔画。颜料相接之处互相混合，不再叠加。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -8855,6 +8861,10 @@ Arrow keys work too.</source>
     <message>
         <source>Roughen strokes</source>
         <translation>粗糙化笔画</translation>
+    </message>
+    <message>
+        <source>Letters are left alone while nothing is selected. Select the text to change its letters.</source>
+        <translation>未选择任何内容时，文字中的字形保持不变。要改变它们，请先选择该文字。</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,8 @@ public:
     virtual ~Target() = default;
     /// Unlike an address it is never used twice in a process, so a renderer can tell by it which target it drew last.
     std::uint64_t serial() const { return m_serial; }
-    /// Called before the first `store` of a picture of another size.
+    /// Called before the first `store` of a picture of another size, or of another renderer. What is there already may
+    /// stay where the size does: all of it is stored again.
     virtual void resize(int width, int height) = 0;
     /// Moves the picture's pixels to the right and down (or left and up), if it can; those that come into view are
     /// stored afterwards. Returns false where it cannot.
@@ -49,6 +50,8 @@ public:
 
     void resize(int w, int h) override
     {
+        if (w == width && h == height && rgba.size() == std::size_t(w) * h * 4)
+            return;
         width = w, height = h;
         rgba = {}; // Two pictures need not fit into memory.
         rgba = Pixels<float>(std::size_t(w) * h * 4);
@@ -64,12 +67,15 @@ class Picture8 : public Target {
 public:
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> argb;
+    Pixels<std::uint32_t> argb; ///< width·height
 
     void resize(int w, int h) override
     {
+        if (w == width && h == height && argb.size() == std::size_t(w) * h)
+            return;
         width = w, height = h;
-        argb.assign(std::size_t(w) * h, 0);
+        argb = {}; // Two pictures need not fit into memory.
+        argb = Pixels<std::uint32_t>(std::size_t(w) * h);
     }
     bool move(int dx, int dy) override;
     void store(const PixelRect &rect, const float *pixels, int stride) override;

@@ -27,6 +27,9 @@ public:
         ::setenv("HOME", folder.c_str(), 1);
         ::setenv("SUFFUSE_SETTINGS", (folder + "/settings.ini").c_str(), 1);
         ::setenv("SUFFUSE_JOURNALS", (folder + "/journals").c_str(), 1);
+        // Qt Test stops a function after five minutes, which says nothing about it where a machine does other work, too.
+        // What hangs is stopped by ctest.
+        ::setenv("QTEST_FUNCTION_TIMEOUT", "36000000", 0);
         for (const char *name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
             ::unsetenv(name); // they follow HOME
     }

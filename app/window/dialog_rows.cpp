@@ -153,7 +153,12 @@ void recolourArtwork(const Workplace &place)
     }
     dialog.setStepKeys(place.commands[Command::Undo].shortcuts(), place.commands[Command::Redo].shortcuts());
     moveBesideSelected(dialog, place);
+    const CanvasAids aids = place.canvas.aids();
+    CanvasAids bare = aids;
+    bare.showOutlines = false; // Outlines over the paint would hide the colours that are judged.
+    place.canvas.setAids(bare);
     dialog.exec();
+    place.canvas.setAids(aids);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ inline RenderRequest request(float density, int pictureWidth = width)
 }
 
 /// What the CPU draws of it.
-inline std::vector<std::uint32_t> pixelsOf(const RenderRequest &r)
+inline Pixels<std::uint32_t> pixelsOf(const RenderRequest &r)
 {
     auto renderer = makeRenderer({.backend = Backend::Cpu});
     Picture8 picture;
@@ -58,14 +58,14 @@ inline FrameInfo draw(FrameThread &worker, const RenderRequest &r)
 }
 
 /// Of a picture without padding.
-inline std::vector<std::uint32_t> argbOf(const QImage &image)
+inline Pixels<std::uint32_t> argbOf(const QImage &image)
 {
     const auto *argb = reinterpret_cast<const std::uint32_t *>(image.constBits());
     return {argb, argb + std::size_t(image.width()) * std::size_t(image.height())};
 }
 
 /// Of all channels, in levels of 8 bits; 256 where the sizes differ.
-inline int greatestDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
+inline int greatestDifference(const Pixels<std::uint32_t> &a, const Pixels<std::uint32_t> &b)
 {
     int greatest = a.size() == b.size() ? 0 : 256;
     for (std::size_t i = 0; i < a.size() && greatest < 256; ++i)
@@ -75,7 +75,7 @@ inline int greatestDifference(const std::vector<std::uint32_t> &a, const std::ve
 }
 
 /// Of red, green and blue, in levels of 8 bits.
-inline double meanDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
+inline double meanDifference(const Pixels<std::uint32_t> &a, const Pixels<std::uint32_t> &b)
 {
     if (a.size() != b.size())
         return 256;

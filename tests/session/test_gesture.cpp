@@ -8,7 +8,7 @@ using namespace suffuse;
 
 namespace {
 
-std::vector<std::uint32_t> pictureOf(PaintingPtr painting)
+Pixels<std::uint32_t> pictureOf(PaintingPtr painting)
 {
     RenderRequest request;
     request.painting = std::move(painting);

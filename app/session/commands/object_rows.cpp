@@ -262,7 +262,7 @@ void addChainRows(Commands &table, Editor &editor)
              Commands::tr("Make strokes of the parts of the selected ones"))
         .when([&editor] { return anySelectedStroke(editor.unsettled(), hasChains); },
               Commands::tr("Select a stroke that was combined or cut into parts."))
-        .runs([&editor] { commands::breakSelectedApart(editor); });
+        .runs([&editor, &table] { emit table.said(commands::breakSelectedApart(editor), 8000); });
     table
         .add(RemoveErasures, "removeErasures", Commands::tr("Remove Erasures"), "", {},
              Commands::tr("Bring back what was erased softly from the selected strokes, or by the selected segments"))

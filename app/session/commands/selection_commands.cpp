@@ -227,9 +227,12 @@ QString combineSelected(Editor &editor)
     return {};
 }
 
-void breakSelectedApart(Editor &editor)
+QString breakSelectedApart(Editor &editor)
 {
     editor.push(breakApart(editor.document()), QCoreApplication::translate("Commands", "Break apart"));
+    return QCoreApplication::translate("Commands",
+                                       "%Ln stroke(s) now. Where their paint meets it mixes, and no longer adds up.",
+                                       nullptr, int(editor.document().selection().strokes.size()));
 }
 
 void removeSelectedErasures(Editor &editor)

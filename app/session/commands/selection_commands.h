@@ -42,7 +42,8 @@ void ungroupSelected(Editor &editor);
 void toggleSelectedRole(Editor &editor, GroupRole role);
 /// Returns why nothing was done, or nothing.
 QString combineSelected(Editor &editor);
-void breakSelectedApart(Editor &editor);
+/// Returns what has become of the strokes.
+QString breakSelectedApart(Editor &editor);
 /// Of the selected segments, or of the selected strokes without any.
 void removeSelectedErasures(Editor &editor);
 /// Both deselect the strokes that they lock or hide.

@@ -6,6 +6,7 @@
 #include "app/tools/tool_fields.h"
 #include "app/widgets/numbers/quantity.h"
 #include "undo/run_edits.h"
+#include "undo/text_edits.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -28,6 +29,8 @@ PushTool::PushTool(CanvasWidget &canvas, QObject *parent) : SizedTool("push", 40
 
 QString PushTool::hint() const
 {
+    if (!said().isEmpty())
+        return said();
     const bool all = m_editor.document().selection().isEmpty();
     switch (m_kind) {
     case TweakKind::Push:
@@ -86,8 +89,10 @@ void PushTool::setStrength(double strength)
 void PushTool::press(const PointerEvent &event)
 {
     const QString names[] = {tr("Push strokes"), tr("Comb strokes"), tr("Pinch strokes"), tr("Roughen strokes")};
+    say({});
     m_last = event;
     m_touches = 0;
+    m_touched = m_sparedLetters = false;
     m_gesture = m_editor.begin(names[int(m_kind)]);
     if (m_kind == TweakKind::Pinch || m_kind == TweakKind::Roughen) {
         show({touchAt(event.point, {})});
@@ -139,7 +144,9 @@ void PushTool::move(const PointerEvent &event)
 
 void PushTool::show(const std::vector<Tweak> &touches)
 {
-    m_gesture.show(tweakStrokes(m_editor.document(), targets(touches), touches));
+    const std::vector<StrokePtr> strokes = targets(touches);
+    m_touched |= !strokes.empty();
+    m_gesture.show(tweakStrokes(m_editor.document(), strokes, touches));
 }
 
 std::vector<StrokePtr> PushTool::targets(const std::vector<Tweak> &touches)
@@ -153,10 +160,16 @@ std::vector<StrokePtr> PushTool::targets(const std::vector<Tweak> &touches)
         way.include(touch.centre);
     way = way.grown(2 * radius()); // Strokes that are moved may come into the circle from beside the way.
     std::vector<StrokePtr> result;
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (m_boxes[i].intersects(way) && (selected.empty() || selected.contains(strokes[i]->id)) &&
-            strokes[i]->born() <= m_editor.clock().time())
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const Stroke &stroke = *strokes[i];
+        if (!m_boxes[i].intersects(way) || (!selected.empty() && !selected.contains(stroke.id)) ||
+            stroke.born() > m_editor.clock().time())
+            continue;
+        if (selected.empty() && textOf(*reached, stroke.group))
+            m_sparedLetters = true;
+        else
             result.push_back(strokes[i]);
+    }
     return result;
 }
 
@@ -177,6 +190,8 @@ void PushTool::release(const PointerEvent &event)
         move(last);
     }
     finish();
+    if (!m_touched && m_sparedLetters)
+        say(tr("Letters are left alone while nothing is selected. Select the text to change its letters."));
 }
 
 void PushTool::cancel()

@@ -39,7 +39,8 @@ protected:
 private:
     Tweak touchAt(Point centre, Point by) const;
     void show(const std::vector<Tweak> &touches);
-    /// The strokes that the touches may change.
+    /// The strokes that the touches may change. While nothing is selected, letters of texts are none of them: whoever
+    /// combs hair over a title means the hair.
     std::vector<StrokePtr> targets(const std::vector<Tweak> &touches);
     void finish();
 
@@ -49,7 +50,9 @@ private:
     double m_strength = 0.6;
     Gesture m_gesture;
     PointerEvent m_last;
-    unsigned m_touches = 0; ///< Counts the touches of this drag, each of which roughens in another way.
+    bool m_touched = false;       ///< whether a stroke lay in the way of this drag
+    bool m_sparedLetters = false; ///< whether letters did, which it left alone
+    unsigned m_touches = 0;       ///< Counts the touches of this drag, each of which roughens in another way.
     StrokeBoxes m_boxes;
     QBasicTimer m_timer; ///< goes on touching while the pointer stays
 };

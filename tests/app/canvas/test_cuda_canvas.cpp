@@ -30,7 +30,7 @@ MakeRenderer makerWith(cuda::PlannedFault fault, std::weak_ptr<cuda::FailingDevi
 enum Place { Nowhere, InMemory, OnDevice };
 
 /// Where the shown frame is, if it is the picture but for a level a channel.
-Place placeOf(FrameThread &worker, const std::vector<std::uint32_t> &pixels)
+Place placeOf(FrameThread &worker, const Pixels<std::uint32_t> &pixels)
 {
     Place place = Nowhere;
     worker.withFrame([&](ShownFrame &frame) {
@@ -83,7 +83,7 @@ private slots:
     {
         QFETCH(int, kind);
         const RenderRequest requests[] = {request(30), request(50), request(50, width + 40)};
-        std::vector<std::vector<std::uint32_t>> pictures;
+        std::vector<Pixels<std::uint32_t>> pictures;
         for (const RenderRequest &r : requests)
             pictures.push_back(pixelsOf(r));
         int call = 1;

@@ -15,7 +15,7 @@ namespace {
 enum Place { Nowhere, InMemory, OnDevice };
 
 /// Where the shown frame is, if it has exactly these pixels.
-Place placeOf(FrameThread &worker, const std::vector<std::uint32_t> &pixels)
+Place placeOf(FrameThread &worker, const Pixels<std::uint32_t> &pixels)
 {
     Place place = Nowhere;
     worker.withFrame([&](ShownFrame &frame) {

@@ -68,7 +68,7 @@ struct Floats : Selecting {
         if (!QTest::qWaitFor([&] { return canvas().isUpToDate() && !editor().isDragging(); }, waitMs))
             return false;
         const QImage shown = canvas().picture();
-        const std::vector<std::uint32_t> wanted = pixelsOf(shownRequest());
+        const Pixels<std::uint32_t> wanted = pixelsOf(shownRequest());
         return std::equal(wanted.begin(), wanted.end(), reinterpret_cast<const std::uint32_t *>(shown.constBits()));
     }
 

@@ -56,7 +56,7 @@ private slots:
                 QVERIFY(area <= double(width) * height);
 
                 r.painting = all;
-                const std::vector<std::uint32_t> wanted = pixelsOf(r);
+                const Pixels<std::uint32_t> wanted = pixelsOf(r);
                 const QImage shown(reinterpret_cast<const uchar *>(fresh.argb.data()), width, height, 4 * width,
                                    QImage::Format_RGB32);
                 const double mean = meanDifference(argbOf(shown), wanted);

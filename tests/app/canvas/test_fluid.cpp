@@ -73,9 +73,9 @@ RenderRequest movedBy(double units, bool interactive)
     return r;
 }
 
-std::vector<std::uint32_t> shownBy(FrameThread &worker)
+Pixels<std::uint32_t> shownBy(FrameThread &worker)
 {
-    std::vector<std::uint32_t> argb;
+    Pixels<std::uint32_t> argb;
     worker.withFrame([&](ShownFrame &frame) { argb = frame.picture.argb; });
     return argb;
 }

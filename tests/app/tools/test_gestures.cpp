@@ -126,7 +126,7 @@ struct Dragging : WaveSession {
         }
         return kind == "timeline" ? onTimeline() : inDialog();
     }
-    std::vector<std::uint32_t> pixels(PaintingPtr painting)
+    Pixels<std::uint32_t> pixels(PaintingPtr painting)
     {
         return pixelsOf({std::move(painting), editor().clock().time(), View::ofArea(Rect::of(0, 0, 900, 600), 90, 60),
                          false, false});

@@ -219,6 +219,34 @@ private slots:
         }
     }
 
+    void lettersAreLeftAloneUnlessSelected()
+    {
+        for (const TweakKind kind : {TweakKind::Push, TweakKind::Comb, TweakKind::Pinch, TweakKind::Roughen}) {
+            PushSession s(kind, 80);
+            // The wave is the one letter of a text.
+            Painting painting = s.painting();
+            Group title;
+            title.id = 1;
+            title.text = SharedText(Text{});
+            painting.groups.push_back(title);
+            StrokePtr &letter =
+                *std::ranges::find_if(painting.strokes, [&](const StrokePtr &p) { return p->id == s.id; });
+            Stroke member = *letter;
+            member.group = 1;
+            letter = std::make_shared<const Stroke>(member);
+            s.editor().document().reset(std::make_shared<const Painting>(painting));
+            s.editor().document().setSelection({});
+            const Stroke wave = s.stroke();
+            s.drag({600, 300}, {640, 330});
+            QVERIFY(s.stroke() == wave);
+            QVERIFY2(s.tool().hint().startsWith("Letters"), qPrintable(s.tool().hint()));
+            s.editor().document().setSelection({{s.id}, {}});
+            s.drag({600, 300}, {640, 330});
+            QVERIFY(!(s.stroke() == wave));
+            QVERIFY(!s.tool().hint().startsWith("Letters"));
+        }
+    }
+
     void pushKeepsToWhatMayBeChanged()
     {
         PushSession s(TweakKind::Push, 80);

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(s.painting() == *before);
     }
 
-    /// What the dialog changes is seen.
+    /// What the dialog changes is seen; where colours are judged no outline lies over them.
     void theDialogsOpenBesideTheSelection()
     {
         TrunkSession s;
@@ -103,15 +103,19 @@ private slots:
         for (const Command command :
              {Command::SimplifyStrokes, Command::VaryStrokes, Command::OffsetStrokes, Command::RecolourArtwork}) {
             QRect placed;
+            bool outlines = false;
             QTimer::singleShot(200, &s.window, [&] {
                 QWidget *dialog = QApplication::activeModalWidget();
                 placed = dialog->frameGeometry();
+                outlines = s.canvas().aids().showOutlines;
                 QTest::keyClick(dialog, Qt::Key_Escape);
             });
             s.use(command);
             const QRect selected = s.canvas().selectionOnScreen();
             QVERIFY(!selected.isEmpty() && all.contains(placed));
             QVERIFY2(!placed.intersects(selected), qPrintable(s.window.action(command).text()));
+            QCOMPARE(outlines, command != Command::RecolourArtwork);
+            QVERIFY(s.canvas().aids().showOutlines);
         }
     }
 

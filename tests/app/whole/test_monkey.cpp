@@ -141,8 +141,6 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
 
 int main(int argc, char **argv)
 {
-    if (wantedEvents() > 5'000 && qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT"))
-        qputenv("QTEST_FUNCTION_TIMEOUT", "36000000"); // five minutes are not enough for long walks
     QApplication app(argc, argv);
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);

@@ -117,8 +117,6 @@ private:
 
 int main(int argc, char **argv)
 {
-    if (qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT"))
-        qputenv("QTEST_FUNCTION_TIMEOUT", "36000000");
     QApplication app(argc, argv);
     TestSoak test;
     return QTest::qExec(&test, argc, argv);

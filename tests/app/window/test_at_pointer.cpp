@@ -6,6 +6,7 @@
 
 #include <QMenu>
 #include <QMenuBar>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -165,6 +166,10 @@ private slots:
         s.menu().hide();
         s.askAt({250, 300});
         QVERIFY(s.entry("Combine and Break", "Break Apart"));
+        s.entry("Combine and Break", "Break Apart")->trigger(); // which changes the picture where the parts cross
+        const QString said = s.window.statusBar()->currentMessage();
+        QVERIFY2(said.startsWith("2 ") && said.contains("mixes"), qPrintable(said));
+        s.use(Command::Undo);
         s.menu().hide();
         s.use(Command::Segments);
         s.editor().document().setSelection({{s.painting().strokes.front()->id}, {}});

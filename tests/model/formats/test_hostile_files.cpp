@@ -35,10 +35,10 @@ void readAsAnything(const QByteArray &bytes, const QString &name)
         QVERIFY(palette.error().contains(name));
 }
 
-/// Sanitizers look at every step: there, what is made here is a twentieth as large. They also keep what is freed, so
+/// Sanitizers look at every step: there, what is made here is a hundredth as large. They also keep what is freed, so
 /// that memory is measured without them alone.
 #ifdef SUFFUSE_SANITIZED
-constexpr int shrink = 20;
+constexpr int shrink = 100;
 constexpr qint64 mostMemory = std::numeric_limits<qint64>::max();
 #else
 constexpr int shrink = 1;

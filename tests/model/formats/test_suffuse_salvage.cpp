@@ -11,6 +11,13 @@ using namespace suffuse;
 
 namespace {
 
+/// Of the damaged files sanitizers, to which each is ten times the work, see one in so many. Fuzzers are theirs alone.
+#ifdef SUFFUSE_SANITIZED
+constexpr int step = 13;
+#else
+constexpr int step = 1;
+#endif
+
 Result<LoadedDocument> opened(const QByteArray &bytes)
 {
     return readDocument(bytes, QStringLiteral("a.suffuse"));
@@ -373,10 +380,10 @@ private slots:
         const QByteArray bytes = smallFile();
         const auto whole = opened(bytes);
         int salvaged = 0;
-        for (qsizetype size = 0; size < bytes.size(); ++size)
+        for (qsizetype size = 0; size < bytes.size(); size += step)
             salvaged += checkDamaged(bytes.left(size), &whole->painting);
-        qInfo("%d of %lld cut files gave something", salvaged, static_cast<long long>(bytes.size()));
-        QVERIFY(salvaged > bytes.size() / 2);
+        qInfo("%d of %lld cut files gave something", salvaged, static_cast<long long>(bytes.size() / step));
+        QVERIFY(salvaged > bytes.size() / step / 2);
     }
 
     void everyBitOfASmallFile_data()
@@ -390,14 +397,15 @@ private slots:
         QFETCH(int, bit);
         const QByteArray bytes = smallFile();
         const auto whole = opened(bytes);
-        int salvaged = 0;
-        for (qsizetype at = 0; at < bytes.size(); ++at) {
+        int salvaged = 0, tried = 0;
+        for (qsizetype at = bit % step; at < bytes.size(); at += step, ++tried) {
             QByteArray damaged = bytes;
             damaged[at] = char(damaged[at] ^ (1 << bit));
             salvaged += checkDamaged(damaged, &whole->painting);
         }
-        qInfo("%d of %lld damaged files gave something", salvaged, static_cast<long long>(bytes.size()));
-        QCOMPARE(salvaged, int(bytes.size()));
+        qInfo("%d of %d damaged files gave something", salvaged, tried);
+        QVERIFY(tried >= bytes.size() / step);
+        QCOMPARE(salvaged, tried);
     }
 
     /// SUFFUSE_LONG=1: as many as before a release, 201,000.
@@ -411,7 +419,7 @@ private slots:
     void randomDamage()
     {
         QFETCH(quint32, seed);
-        constexpr int trials = 3'000;
+        constexpr int trials = 3'000 / step;
         test::RandomPaintings random(seed);
         std::vector<QByteArray> files;
         for (int k = 0; k < 20; ++k)

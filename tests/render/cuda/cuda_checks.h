@@ -500,7 +500,7 @@ inline void checkDeviceFrames(const OpenDevice &open)
         QVERIFY(stats && stats->frame);
         const auto frame = std::dynamic_pointer_cast<CudaFrame>(stats->frame);
         QVERIFY(frame);
-        std::vector<std::uint32_t> argb(70 * 50);
+        Pixels<std::uint32_t> argb(70 * 50);
         QVERIFY(!device->download(argb.data(), frame->picture(), argb.size() * sizeof(argb[0])));
         QVERIFY(!device->finish(nullptr));
         Picture8 expected;
