@@ -81,12 +81,25 @@ Result<TileEncoding> encodingOf(const CommandLine &line, const QString &out)
     return encoding;
 }
 
-/// The build id that the linker put into this program; without one, its version has to do.
+/// Whether code lies in a program or a library that is loaded.
+bool holds(const dl_phdr_info &file, ElfW(Addr) code)
+{
+    for (int i = 0; i < file.dlpi_phnum; ++i)
+        if (const auto &part = file.dlpi_phdr[i];
+            part.p_type == PT_LOAD && code - (file.dlpi_addr + part.p_vaddr) < part.p_memsz)
+            return true;
+    return false;
+}
+
+/// The build id that the linker put into the file with this code, the program or Python's module; without one, its version
+/// has to do.
 QByteArray buildId()
 {
     QByteArray id;
     dl_iterate_phdr(
         [](dl_phdr_info *info, std::size_t, void *to) {
+            if (!holds(*info, reinterpret_cast<ElfW(Addr)>(&buildId)))
+                return 0;
             for (int i = 0; i < info->dlpi_phnum; ++i) {
                 if (info->dlpi_phdr[i].p_type != PT_NOTE)
                     continue;
@@ -101,7 +114,7 @@ QByteArray buildId()
                     note = value + (head.n_descsz + 3) / 4 * 4;
                 }
             }
-            return 1; // The program comes first.
+            return 1;
         },
         &id);
     return id;
