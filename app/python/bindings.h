@@ -51,7 +51,32 @@ void warnLeftOut(const QString &message);
 
 /// Does work that may take long, without Python's lock, so that other threads go on. Where the caller is Python's main
 /// thread, Ctrl+C sets the flag that `work` gets, and raises KeyboardInterrupt when the work has ended.
-void withoutLock(const std::function<void(std::atomic<bool> &cancel)> &work);
+/// `tell` is called meanwhile, with the lock and on the caller's thread, about twenty times a second, and when the work is
+/// done; what it raises ends the work like Ctrl+C.
+void withoutLock(const std::function<void(std::atomic<bool> &cancel)> &work, const std::function<void()> &tell = {});
+
+/// How far work is that other threads do, told to a function of Python by `withoutLock`.
+class WorkShare {
+public:
+    /// `progress`: a function, or None.
+    explicit WorkShare(py::object progress) : m_progress(std::move(progress)) {}
+    void set(double share) { m_share = share; } ///< [0, 1]; any thread
+    /// What `withoutLock` calls; empty where nobody is to be told.
+    std::function<void()> teller()
+    {
+        if (m_progress.is_none())
+            return {};
+        return [this] {
+            if (const double share = m_share; share != m_told)
+                m_progress(m_told = share);
+        };
+    }
+
+private:
+    py::object m_progress;
+    std::atomic<double> m_share{0};
+    double m_told = -1;
+};
 
 /// A path from str, bytes or os.PathLike.
 QString pathOf(const py::object &path);
@@ -62,5 +87,8 @@ void addPictures(py::module_ &module);
 void addProbes(py::module_ &module);
 void addGradients(py::module_ &module);
 void addFits(py::module_ &module);
+void addRefits(py::module_ &module);
+void addTiles(py::module_ &module);
+void addFilms(py::module_ &module);
 
 } // namespace suffuse::python

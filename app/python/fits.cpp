@@ -68,7 +68,10 @@ FitTarget targetOf(const py::object &picture, const py::object &weight, int pixe
         QFile file(name);
         if (!file.open(QIODevice::ReadOnly))
             raise(Raised::File, QStringLiteral("%1: %2").arg(name, file.errorString()));
-        target = valueOf(readFitTarget(file.readAll(), name, pixels), Raised::Value);
+        const QByteArray bytes = file.readAll();
+        Result<FitTarget> read = Error{};
+        withoutLock([&](std::atomic<bool> &cancel) { read = readFitTarget(bytes, name, pixels, &cancel); });
+        target = valueOf(std::move(read), Raised::Value);
     }
     if (!weight.is_none()) {
         target.weight = fitPictureOf(weight.cast<py::array>(), 1, "weight");
@@ -108,15 +111,34 @@ void run(Fitting &fit, const py::object &progress)
 {
     bool goesOn = true;
     while (goesOn) {
-        {
-            const py::gil_scoped_release released;
+        withoutLock([&](std::atomic<bool> &cancel) {
+            fit.stopWith(&cancel);
             goesOn = fit.step();
-        }
+            fit.stopWith(nullptr);
+        });
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
         if (!progress.is_none())
             progress(fit.progress());
     }
+}
+
+PaintingValue valueOfFit(const Fitting &fit)
+{
+    return {std::make_shared<const Painting>(fit.painting()), std::make_shared<const DocumentExtras>(), {}};
+}
+
+/// Gives an exception that ended a fit the strokes so far, as its attribute `painting`: None where there are none, and the
+/// start where they are no nearer than that.
+void keepIn(const py::error_already_set &stopped, Fitting &fit, const py::object &start, double startError)
+{
+    py::object reached = py::none();
+    if (!start.is_none() && fit.meanSquareError() > startError)
+        reached = start;
+    else if (!fit.strokes().strokes.empty())
+        reached = py::cast(valueOfFit(fit));
+    if (PyObject_SetAttrString(stopped.value().ptr(), "painting", reached.ptr()) != 0)
+        PyErr_Clear(); // An exception of others may have no room for it.
 }
 
 } // namespace
@@ -153,9 +175,18 @@ void addFits(py::module_ &module)
                     valueOf(fittedStrokesOf(*start.cast<const PaintingValue &>().painting, target), Raised::Value);
                 fit = std::make_unique<Fitting>(std::move(target), options, std::move(begun));
             }
-            run(*fit, progress);
-            return PaintingValue{
-                std::make_shared<const Painting>(fit->painting()), std::make_shared<const DocumentExtras>(), {}};
+            double startError = 0;
+            if (!start.is_none()) {
+                const py::gil_scoped_release released;
+                startError = fit->meanSquareError();
+            }
+            try {
+                run(*fit, progress);
+            } catch (const py::error_already_set &stopped) {
+                keepIn(stopped, *fit, start, startError);
+                throw;
+            }
+            return valueOfFit(*fit);
         },
         "picture"_a, py::kw_only(), "strokes"_a = 512, "error"_a = 0.0, "steps"_a = usualFitSteps, "palette"_a = 0,
         "perceptual"_a = 0.0, "style"_a = "feathering", "least_width"_a = 0.0, "greatest_width"_a = 0.0,

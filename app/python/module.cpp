@@ -141,26 +141,40 @@ void warnLeftOut(const QString &message)
         throw py::error_already_set();
 }
 
-void withoutLock(const std::function<void(std::atomic<bool> &cancel)> &work)
+void withoutLock(const std::function<void(std::atomic<bool> &cancel)> &work, const std::function<void()> &tell)
 {
     std::atomic<bool> cancel{false};
-    if (!isMainThread()) {
+    const bool listens = isMainThread();
+    if (!listens && !tell) {
         const py::gil_scoped_release released;
         work(cancel);
         return;
     }
-    bool isInterrupted = false;
+    bool isStopped = false;
+    const auto look = [&] {
+        try {
+            if (listens && PyErr_CheckSignals() != 0)
+                throw py::error_already_set();
+            if (tell)
+                tell();
+        } catch (py::error_already_set &error) {
+            error.restore(); // until the work has ended
+            cancel = isStopped = true;
+        }
+    };
     {
         const py::gil_scoped_release released;
         AsideWork aside(work, cancel);
         while (!aside.waitFor(std::chrono::milliseconds(50))) {
             const py::gil_scoped_acquire locked;
-            if (!isInterrupted && PyErr_CheckSignals() != 0)
-                cancel = isInterrupted = true;
+            if (!isStopped)
+                look();
         }
         aside.end();
     }
-    if (isInterrupted)
+    if (!isStopped && tell)
+        look();
+    if (isStopped)
         throw py::error_already_set();
 }
 
@@ -188,4 +202,7 @@ PYBIND11_MODULE(_suffuse, module)
     addProbes(module);
     addGradients(module);
     addFits(module);
+    addRefits(module);
+    addTiles(module);
+    addFilms(module);
 }

@@ -1,4 +1,6 @@
 // Pictures as arrays: rendered, written and read.
+#include "app/python/pictures.h"
+
 #include "app/python/pixels.h"
 #include "app/python/views.h"
 
@@ -8,27 +10,10 @@
 #include <QFile>
 
 #include <map>
-#include <mutex>
 
 namespace suffuse::python {
 
 namespace {
-
-enum class Depth { Bits8, Bits16, Float };
-
-Depth depthOf(const py::object &type)
-{
-    const auto wanted = py::dtype::from_args(type);
-    const auto is = [&](const char *name) { return wanted.equal(py::dtype(std::string(name))); };
-    if (is("uint8"))
-        return Depth::Bits8;
-    if (is("uint16"))
-        return Depth::Bits16;
-    if (is("float32"))
-        return Depth::Float;
-    raise(Raised::Value,
-          QStringLiteral("dtype %1: give uint8, uint16 or float32").arg(py::str(py::object(wanted)).cast<QString>()));
-}
 
 /// As image files have it: rounded to nearest, and what is no colour becomes the nearest one.
 template <class Whole>
@@ -62,6 +47,22 @@ py::array floatArray(std::shared_ptr<const FloatPicture> picture, int channels)
                               {item * 4 * p.width, item * 4, item}, p.rgba.data(), owner);
 }
 
+} // namespace
+
+Depth depthOf(const py::object &type)
+{
+    const auto wanted = py::dtype::from_args(type);
+    const auto is = [&](const char *name) { return wanted.equal(py::dtype(std::string(name))); };
+    if (is("uint8"))
+        return Depth::Bits8;
+    if (is("uint16"))
+        return Depth::Bits16;
+    if (is("float32"))
+        return Depth::Float;
+    raise(Raised::Value,
+          QStringLiteral("dtype %1: give uint8, uint16 or float32").arg(py::str(py::object(wanted)).cast<QString>()));
+}
+
 py::array arrayOfPicture(const std::shared_ptr<const FloatPicture> &picture, Depth depth, bool alpha)
 {
     const int channels = alpha ? 4 : 3;
@@ -75,6 +76,8 @@ py::array arrayOfPicture(const std::shared_ptr<const FloatPicture> &picture, Dep
     }
     return floatArray(picture, channels);
 }
+
+namespace {
 
 /// What is drawn.
 RenderRequest requestOf(const PaintingValue &value, const ViewWish &wish, bool transparent, bool drafts)
@@ -124,36 +127,44 @@ py::array render(const PaintingValue &value, const ViewWish &wish, bool transpar
     return arrayOfPicture(picture, depth, transparent);
 }
 
+} // namespace
+
+KeptRenderer::KeptRenderer(const RendererOptions &options) : m_renderer(valueOf(makeRenderer(options), Raised::Plain)) {}
+
+py::array KeptRenderer::render(const RenderRequest &request, Depth depth)
+{
+    auto copy = std::make_shared<FloatPicture>();
+    Result<RenderStats> stats = Error{};
+    withoutLock([&](std::atomic<bool> &cancel) {
+        const std::lock_guard lock(m_mutex);
+        stats = drawn(*m_renderer, request, m_picture, cancel);
+        if (!stats)
+            return;
+        copy->resize(m_picture.width, m_picture.height);
+        std::copy(m_picture.rgba.begin(), m_picture.rgba.end(), copy->rgba.begin());
+    });
+    checkDrawn(stats);
+    return arrayOfPicture(copy, depth, request.transparent);
+}
+
+namespace {
+
 /// Draws again and again, and evaluates only what differs: for films and for what is being changed.
 class PictureMaker {
 public:
-    explicit PictureMaker(const RendererOptions &options) : m_renderer(valueOf(makeRenderer(options), Raised::Plain)) {}
+    explicit PictureMaker(const RendererOptions &options) : m_renderer(options) {}
 
     py::array render(const PaintingValue &value, const ViewWish &wish, bool transparent, bool drafts,
                      const py::object &type)
     {
         const Depth depth = depthOf(type);
-        const RenderRequest request = requestOf(value, wish, transparent, drafts);
-        auto copy = std::make_shared<FloatPicture>();
-        Result<RenderStats> stats = Error{};
-        withoutLock([&](std::atomic<bool> &cancel) {
-            const std::lock_guard lock(m_mutex);
-            stats = drawn(*m_renderer, request, m_picture, cancel);
-            if (!stats)
-                return;
-            copy->resize(m_picture.width, m_picture.height);
-            std::copy(m_picture.rgba.begin(), m_picture.rgba.end(), copy->rgba.begin());
-        });
-        checkDrawn(stats);
-        return arrayOfPicture(copy, depth, transparent);
+        return m_renderer.render(requestOf(value, wish, transparent, drafts), depth);
     }
-    QString backend() const { return nameOf(m_renderer->backend()); }
-    QString device() const { return m_renderer->deviceName(); }
+    QString backend() const { return nameOf(m_renderer.renderer().backend()); }
+    QString device() const { return m_renderer.renderer().deviceName(); }
 
 private:
-    std::mutex m_mutex; ///< several threads may ask
-    std::unique_ptr<Renderer> m_renderer;
-    FloatPicture m_picture;
+    KeptRenderer m_renderer;
 };
 
 /// How an array is to be written.
@@ -183,7 +194,8 @@ ImageOptions imageOptionsOf(const WriteWish &wish, const py::array &pixels, Imag
     return options;
 }
 
-/// The numbers of an array as floats, RGBA; white is 1.
+} // namespace
+
 FloatPicture pictureOf(const py::array &pixels)
 {
     const float most = whiteOf(pixels, "pixels");
@@ -201,6 +213,8 @@ FloatPicture pictureOf(const py::array &pixels)
     }
     return picture;
 }
+
+namespace {
 
 void writePicture(const py::object &path, const py::array &pixels, const WriteWish &wish)
 {

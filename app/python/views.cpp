@@ -4,32 +4,8 @@ namespace suffuse::python {
 
 namespace {
 
-/// The command line that asks for the same: so the same is understood, and refused in the same words.
-class Asked {
-public:
-    Asked()
-    {
-        for (const char *option : {"size", "scale", "area", "time", "backend", "threads", "devices"})
-            m_line.add({QLatin1String(option)}, {}, QStringLiteral("VALUE"));
-    }
-    void set(const char *option, const QString &value)
-    {
-        m_arguments.append(QStringLiteral("--%1=%2").arg(QLatin1String(option), value));
-    }
-    void set(const char *option, double value) { set(option, text(value)); }
-    const cli::CommandLine &line()
-    {
-        if (m_line.parse(m_arguments))
-            raise(Raised::Plain, QStringLiteral("the options could not be understood"));
-        return m_line;
-    }
-    /// The shortest text that reads back to the same number.
-    static QString text(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
-
-private:
-    cli::CommandLine m_line{QStringLiteral("render"), {}, {}};
-    QStringList m_arguments{QStringLiteral("suffuse"), QStringLiteral("render")};
-};
+const std::vector<const char *> viewOptions{"size", "scale", "area", "time"},
+    rendererOptionNames{"backend", "threads", "devices"};
 
 QString sizeText(const py::object &size)
 {
@@ -44,40 +20,83 @@ QString sizeText(const py::object &size)
 
 } // namespace
 
-cli::PictureOptions pictureOptionsOf(const ViewWish &wish, const Painting &painting)
+Asked::Asked(const char *command, const std::vector<const char *> &options) : m_line(QLatin1String(command), {}, {})
 {
-    Asked asked;
+    m_arguments << QStringLiteral("suffuse") << QLatin1String(command);
+    for (const char *option : options)
+        m_line.add({QLatin1String(option)}, {}, QStringLiteral("VALUE"));
+}
+
+void Asked::set(const char *option, const QString &value)
+{
+    m_arguments.append(QStringLiteral("--%1=%2").arg(QLatin1String(option), value));
+}
+
+void Asked::set(const char *option, const py::object &value)
+{
+    if (value.is_none())
+        return;
+    // The shortest text that reads back to the same number.
+    set(option, py::isinstance<py::float_>(value)
+                    ? QString::number(value.cast<double>(), 'g', QLocale::FloatingPointShortest)
+                    : py::str(value).cast<QString>());
+}
+
+void Asked::set(const char *option)
+{
+    m_line.add({QLatin1String(option)}, {});
+    m_arguments.append(QStringLiteral("--%1").arg(QLatin1String(option)));
+}
+
+void Asked::set(const ViewWish &wish)
+{
     if (!wish.size.is_none())
-        asked.set("size", sizeText(wish.size));
+        set("size", sizeText(wish.size));
     if (wish.scale)
-        asked.set("scale", *wish.scale);
+        set("scale", py::object(py::float_(*wish.scale)));
     if (wish.area) {
         QStringList parts;
         for (const double v : *wish.area)
-            parts.append(Asked::text(v));
-        asked.set("area", parts.join(QLatin1Char(',')));
+            parts.append(QString::number(v, 'g', QLocale::FloatingPointShortest));
+        set("area", parts.join(QLatin1Char(',')));
     }
     if (wish.time)
-        asked.set("time", *wish.time);
+        set("time", py::object(py::float_(*wish.time)));
+}
+
+void Asked::set(const QString &backend, int threads, const py::object &devices)
+{
+    set("backend", backend);
+    if (threads != 0)
+        set("threads", QString::number(threads));
+    set("devices", devices);
+}
+
+const cli::CommandLine &Asked::line()
+{
+    if (m_line.parse(m_arguments))
+        raise(Raised::Plain, QStringLiteral("the options could not be understood"));
+    return m_line;
+}
+
+cli::PictureOptions pictureOptionsOf(const ViewWish &wish, const Painting &painting)
+{
+    Asked asked("render", viewOptions);
+    asked.set(wish);
     return valueOf(cli::pictureOptions(asked.line(), painting), Raised::Value);
 }
 
 Microseconds momentOf(std::optional<double> time, const Painting &painting)
 {
-    Asked asked;
-    if (time)
-        asked.set("time", *time);
+    Asked asked("render", viewOptions);
+    asked.set({py::none(), {}, {}, time});
     return valueOf(cli::timeOption(asked.line(), painting), Raised::Value);
 }
 
 RendererOptions rendererOptionsOf(const QString &backend, int threads, const py::object &devices)
 {
-    Asked asked;
-    asked.set("backend", backend);
-    if (threads != 0)
-        asked.set("threads", QString::number(threads));
-    if (!devices.is_none())
-        asked.set("devices", py::str(devices).cast<QString>());
+    Asked asked("render", rendererOptionNames);
+    asked.set(backend, threads, devices);
     return valueOf(cli::rendererOptions(asked.line()), Raised::Value);
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace suffuse::python {
 
@@ -15,6 +16,26 @@ struct ViewWish {
     std::optional<double> scale;               ///< pixels a unit
     std::optional<std::array<double, 4>> area; ///< x, y, width, height, units
     std::optional<double> time;                ///< seconds
+};
+
+/// The command line that asks for the same as a call from Python: so the same is understood, and refused in the same words.
+class Asked {
+public:
+    /// `options`: those with a value.
+    Asked(const char *command, const std::vector<const char *> &options);
+    void set(const char *option, const QString &value);
+    /// A number, or what is a word as text; None: it is not given.
+    void set(const char *option, const py::object &value);
+    /// A switch.
+    void set(const char *option);
+    /// Whatever of them is given.
+    void set(const ViewWish &wish);
+    void set(const QString &backend, int threads, const py::object &devices);
+    const cli::CommandLine &line();
+
+private:
+    cli::CommandLine m_line;
+    QStringList m_arguments;
 };
 
 /// Raises DataError.

@@ -51,6 +51,12 @@ class Examples(unittest.TestCase):
         self.assertEqual([frame.shape for frame in frames], [(48, 64, 4)] * 5)
         self.assertFalse((frames[1] == frames[4]).all())
 
+    def test_film_strip(self):
+        self.assertIn("frame 4: ", run("film_strip.py", self.small, self.path / "a.png", 4, 40))
+        picture = suffuse.read_picture(self.path / "a.png")
+        self.assertEqual(picture.shape, (30, 160, 4))
+        self.assertFalse((picture[:, :40] == picture[:, 120:]).all())
+
     def test_density_over_time(self):
         run("density_over_time.py", self.small, 2, self.path / "phi.csv")
         table = np.loadtxt(self.path / "phi.csv", delimiter=",", skiprows=1)

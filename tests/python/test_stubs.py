@@ -30,7 +30,7 @@ def members(name):
     return found
 
 
-CLASSES = ("Painting", "Renderer", "DifferentiablePicture", "Step", "Document")
+CLASSES = ("Painting", "Renderer", "Frames", "DifferentiablePicture", "Step", "Document")
 
 
 class Stubs(unittest.TestCase):

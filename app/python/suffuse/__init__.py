@@ -16,6 +16,7 @@ from ._suffuse import (
     Document as _Document,
     Error,
     FileError,
+    Frames,
     LeftOutWarning,
     Painting,
     Renderer,
@@ -31,8 +32,11 @@ from ._suffuse import (
     open,
     probe,
     read_picture,
+    refit,
     render,
+    render_tiles,
     table_names,
+    timelapse,
     write_picture,
 )
 from ._documented import document as _document
@@ -43,6 +47,7 @@ __all__ = [
     "Document",
     "Error",
     "FileError",
+    "Frames",
     "LeftOutWarning",
     "Painting",
     "Renderer",
@@ -59,8 +64,11 @@ __all__ = [
     "open",
     "probe",
     "read_picture",
+    "refit",
     "render",
+    "render_tiles",
     "table_names",
+    "timelapse",
     "write_picture",
 ]
 

@@ -1,5 +1,5 @@
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from types import TracebackType
 from typing import Any, Literal, Union
 
@@ -134,6 +134,29 @@ class Renderer:
     @property
     def device(self) -> str: ...
 
+class Frames:
+    def __init__(
+        self,
+        painting: Painting,
+        *,
+        fps: float = 25.0,
+        duration: float = 10.0,
+        idle: float = 0.5,
+        size: _Size = None,
+        scale: float | None = None,
+        area: _Area = None,
+        transparent: bool = False,
+        backend: _Backend = "auto",
+        threads: int = 0,
+        devices: int | Literal["all"] | None = None,
+        dtype: _Type = "uint8",
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, frame: int) -> npt.NDArray[Any]: ...
+    def __iter__(self) -> Iterator[npt.NDArray[Any]]: ...
+    @property
+    def times(self) -> npt.NDArray[np.float64]: ...
+
 class DifferentiablePicture:
     def __init__(
         self,
@@ -246,6 +269,44 @@ def render(
     devices: int | Literal["all"] | None = None,
     dtype: _Type = "uint8",
 ) -> npt.NDArray[Any]: ...
+def render_tiles(
+    painting: Painting,
+    path: _Path,
+    *,
+    size: _Size = None,
+    scale: float | None = None,
+    area: _Area = None,
+    time: float | None = None,
+    transparent: bool = False,
+    drafts: bool = False,
+    tile: int | None = None,
+    overlap: int | None = None,
+    sheet: int | None = None,
+    format: Literal["jpg", "png"] | None = None,
+    quality: int | None = None,
+    depth: Literal["8", "16"] | None = None,
+    backend: _Backend = "auto",
+    threads: int = 0,
+    devices: int | Literal["all"] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> dict[str, Any]: ...
+def timelapse(
+    painting: Painting,
+    path: _Path,
+    *,
+    fps: float = 25.0,
+    duration: float = 10.0,
+    idle: float = 0.5,
+    size: _Size = None,
+    scale: float | None = None,
+    area: _Area = None,
+    transparent: bool = False,
+    once: bool = False,
+    backend: _Backend = "auto",
+    threads: int = 0,
+    devices: int | Literal["all"] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> dict[str, Any]: ...
 def write_picture(
     path: _Path,
     pixels: npt.NDArray[Any],
@@ -288,3 +349,18 @@ def fit(
     threads: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> Painting: ...
+def refit(
+    painting: Painting,
+    *,
+    select: Sequence[int] | None = None,
+    layer: str | None = None,
+    to: Painting | npt.NDArray[Any] | _Path | None = None,
+    strokes: int | None = None,
+    error: float | None = None,
+    steps: int = 1200,
+    style: Literal["feathering", "uniform", "edge"] = "feathering",
+    pixels: int = 600_000,
+    seed: int = 1,
+    threads: int = 0,
+    progress: Callable[[float], object] | None = None,
+) -> tuple[Painting, dict[str, Any]]: ...

@@ -159,7 +159,52 @@ TEXTS = {
     palette: so many paints, 0: as many as strokes. perceptual: the share of the error as people see it. style: "feathering",
     "uniform" or "edge". least_width, greatest_width: pixels of the picture, 0: any. weight: how much pixels count, (height,
     width), [0, 1]. start: a painting that was fitted before. pixels: the picture is averaged down to so many. progress: is
-    called with [0, 1] after each step; an exception that it raises ends the fit.""",
+    called with [0, 1] after each step; an exception that it raises ends the fit.
+
+    Ctrl+C ends it, too. The exception, KeyboardInterrupt or another, then has the strokes so far as its attribute `painting`,
+    with which `start` goes on: None where there are none yet, and the start itself where they are no nearer than that.""",
+    "refit": """Makes fewer strokes that look like those of a painting, as `suffuse-cli refit` does; returns the painting and a report.
+
+    select: ids of the strokes to make anew, or layer: the name of a group (default: all strokes). to: what the whole is to look
+    like, a Painting, an array (height, width, 3 or 4), sRGB-encoded, or the path of either (default: as it does). strokes: at
+    most so many (default: a quarter of those before). error: as many as this root mean square error needs, 255ths. style:
+    "feathering", "uniform" or "edge". steps: how many. pixels: what the strokes reach is fitted at so many. seed: other numbers
+    give other strokes. progress: is called now and then with [0, 1], again from 0 for each number of strokes that is tried;
+    what it raises ends the refit, as Ctrl+C does, and nothing is made.
+
+    The report has "strokes_before", "strokes", "between" (other strokes that lay between them and lie below now), "area" (x, y,
+    width, height, units, over which errors are measured), "error_before" and "error", each a "root_mean_square" and the
+    "greatest" difference in 255ths, "steps", "worse" (farther from `to` than before) and "reached" (whether `error` was).
+    Raises DataError where such strokes cannot be replaced, FileError where `to` cannot be read.""",
+    "render_tiles": """Draws a picture of any size in tiles, as `suffuse-cli render --tiles` does: path ends in .dzi (Deep Zoom) or .tif
+    (BigTIFF), or is a folder for a web server.
+""" + _VIEW + """
+    transparent: no background. drafts: groups that are drafts, too. tile: pixels a side (254; 512 in a TIFF). overlap: pixels
+    that tiles show of their neighbours (1; 0). sheet: pixels a side of what is drawn at once. format: "jpg" or "png" of Deep
+    Zoom. quality: 1 to 100. depth: "8" or "16" bits. backend, threads, devices: as in `render`. progress: is called now and
+    then with [0, 1].
+
+    Ctrl+C, or what `progress` raises, ends it soon; what is finished stays on the disk, and the same call goes on with it: tiles
+    that are whole are kept, others drawn. Returns the "path" that was written, "backend", "device", "devices", "width" and
+    "height" (pixels), "levels", "tiles", "sheets" (drawn now), "kept" (sheets that were there), "pixels" (drawn now), "bytes"
+    (written) and "ms" (milliseconds). Raises DataError for what cannot be drawn, FileError where it cannot be written or
+    something else is there.""",
+    "timelapse": """Writes a painting being painted, as `suffuse-cli timelapse` does: path is film/%05d.png, or film.webp, .webm or .mp4.
+
+    fps: frames a second. duration, idle: seconds, of the film and of what is kept of a pause. size, scale, area: as in `render`.
+    transparent: no background. once: a WebP plays once. backend, threads, devices: as in `render`. progress: is called now and
+    then with [0, 1]; what it raises ends the film, as Ctrl+C does, and nothing is written. Returns "backend", "device",
+    "devices", "frames", "tiles" and "tiles_evaluated". Raises DataError for a film that cannot be, FileError where it cannot be
+    written.""",
+    "Frames": """The frames of `timelapse` as arrays, each drawn when it is asked for: a sequence, with `len`, indices and `for`.
+
+    Frames that follow each other are quick, since only what differs is drawn. Threads may share it; they wait for each other.""",
+    "Frames.__init__": """fps: frames a second. duration, idle: seconds, of the film and of what is kept of a pause. size, scale, area,
+    transparent, backend, threads, devices, dtype: as in `render`.""",
+    "Frames.__len__": "The number of frames.",
+    "Frames.__getitem__": "Draws a frame; returns an array (height, width, 3), or 4 channels where it is transparent.",
+    "Frames.__iter__": "The frames one after another.",
+    "Frames.times": "The moment of each frame, (frames,), seconds of document time, ascending.",
 }
 
 
