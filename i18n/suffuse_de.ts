@@ -1374,6 +1374,28 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: Die Bögen %2 fehlen</translation>
     </message>
     <message>
+        <source>%1: is damaged</source>
+        <translation>%1: ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: is missing</source>
+        <translation>%1: fehlt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
+        <translation>
+            <numerusform>%n weitere Datei fehlt oder ist beschädigt; farm verify --json nennt alle.</numerusform>
+            <numerusform>%n weitere Dateien fehlen oder sind beschädigt; farm verify --json nennt alle.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
+        <translation>
+            <numerusform>%1: %n Zeile dieses Journals ist beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
+            <numerusform>%1: %n Zeilen dieses Journals sind beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
         <translation>%1: Zwei Arbeiter haben aus Stück %2 verschiedene Bits gemacht. Einer der Rechner ist fehlerhaft: Finden Sie ihn anhand der Namen in %3, entfernen Sie dort sein Journal und führen Sie die Aufgaben noch einmal aus.</translation>
     </message>

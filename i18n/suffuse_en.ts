@@ -93,6 +93,20 @@
             <numerusform>%1: %2 pieces of %n paintings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
+        <translation>
+            <numerusform>%n more file is missing or damaged; farm verify --json names all.</numerusform>
+            <numerusform>%n more files are missing or damaged; farm verify --json names all.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
+        <translation>
+            <numerusform>%1: %n line of this journal is damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</numerusform>
+            <numerusform>%1: %n lines of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>

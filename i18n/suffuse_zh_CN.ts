@@ -1366,6 +1366,26 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：缺少第 %2 张</translation>
     </message>
     <message>
+        <source>%1: is damaged</source>
+        <translation>%1：已损坏</translation>
+    </message>
+    <message>
+        <source>%1: is missing</source>
+        <translation>%1：缺失</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
+        <translation>
+            <numerusform>另有 %n 个文件缺失或损坏；farm verify --json 会列出全部。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
+        <translation>
+            <numerusform>%1：该日志有 %n 行已损坏，因此无法得知哪些已完成。请再次运行任务：它们会绘制缺失的部分。</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
         <translation>%1：两个工作进程对第 %2 份算出的比特不同。其中一台机器有故障：请按 %3 中的名称找出它，删除它在那里的日志，然后重新运行任务。</translation>
     </message>

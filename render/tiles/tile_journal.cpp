@@ -53,9 +53,11 @@ quint64 tileHash(QByteArrayView bytes)
     return qFromBigEndian<quint64>(hash.result().constData());
 }
 
-Result<std::vector<SheetRecord>> TileJournal::read(const QString &path, const QByteArray &picture)
+Result<std::vector<SheetRecord>> TileJournal::read(const QString &path, const QByteArray &picture,
+                                                          int *damaged)
 {
     std::vector<SheetRecord> records;
+    int lost = 0;
     QFile file(path);
     if (!file.exists())
         return records;
@@ -63,9 +65,11 @@ Result<std::vector<SheetRecord>> TileJournal::read(const QString &path, const QB
         return Error{QCoreApplication::translate("Tiles", "%1: cannot be read (%2)").arg(path, file.errorString())};
     bool isKnown = false;
     while (!file.atEnd()) {
-        const QByteArray text = textOf(file.readLine().chopped(1));
-        if (text.isEmpty())
+        const QByteArray line = file.readLine(), text = textOf(line.chopped(1));
+        if (text.isEmpty()) {
+            lost += line.size() > 1 && line.endsWith('\n');
             continue;
+        }
         if (text.startsWith("of ")) {
             if (text.mid(3) != picture)
                 return Error{QCoreApplication::translate(
@@ -75,8 +79,12 @@ Result<std::vector<SheetRecord>> TileJournal::read(const QString &path, const QB
             isKnown = true;
         } else if (auto record = recordOf(text); record && isKnown) {
             records.push_back(std::move(*record));
+        } else {
+            ++lost;
         }
     }
+    if (damaged)
+        *damaged = lost;
     return records;
 }
 

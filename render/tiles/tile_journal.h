@@ -29,7 +29,9 @@ struct SheetRecord {
 class TileJournal {
 public:
     /// The records of a file; none if there is no file. It fails if the file is of another picture than `picture`.
-    static Result<std::vector<SheetRecord>> read(const QString &path, const QByteArray &picture);
+    /// `damaged`: how many lines are not whole, but for one at the end that was cut off.
+    static Result<std::vector<SheetRecord>> read(const QString &path, const QByteArray &picture,
+                                                 int *damaged = nullptr);
 
     /// Opens the file to go on with it, or makes it. It fails while another process has it open so: two of them would
     /// write over each other. The lock goes with the process.

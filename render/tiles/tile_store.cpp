@@ -43,6 +43,15 @@ QString endingOf(TileFormat format)
 
 } // namespace
 
+std::optional<LostFile> lostFile(const QString &path, const std::function<bool(const QByteArray &)> &isGood)
+{
+    QFile file(path);
+    const bool isThere = file.open(QIODevice::ReadOnly);
+    if (isThere && isGood(file.readAll()))
+        return {};
+    return LostFile{path, isThere};
+}
+
 bool isWhole(const SheetRecord &record, QByteArrayView tiles)
 {
     qsizetype at = 0;
@@ -101,6 +110,26 @@ bool DeepZoomStore::has(qint64 number)
             tiles += file.readAll();
         }
     return std::any_of(from, to, [&](const auto &record) { return isWhole(record.second, tiles); });
+}
+
+std::vector<LostFile> DeepZoomStore::lost(qint64 number) const
+{
+    const auto [from, to] = m_records.equal_range(number);
+    const TileSheet sheet = m_picture.plan.sheet(number);
+    std::vector<LostFile> files;
+    for (std::size_t i = 0; i < std::size_t(sheet.columns) * std::size_t(sheet.rows); ++i) {
+        const int column = sheet.column + int(i) % sheet.columns, row = sheet.row + int(i) / sheet.columns;
+        const auto isGood = [&, from = from, to = to](const QByteArray &bytes) {
+            return std::any_of(from, to, [&](const auto &record) {
+                const SheetRecord &said = record.second;
+                return i < said.sizes.size() && bytes.size() == qsizetype(said.sizes[i]) &&
+                       tileHash(bytes) == said.hashes[i];
+            });
+        };
+        if (auto file = lostFile(pathOf(sheet.level, column, row), isGood))
+            files.push_back(std::move(*file));
+    }
+    return files;
 }
 
 Result<void> DeepZoomStore::put(const TileSheet &sheet, qint64 number, const std::vector<QByteArray> &tiles)

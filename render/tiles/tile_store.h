@@ -7,6 +7,7 @@
 
 #include <QJsonObject>
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -34,6 +35,12 @@ public:
 /// The records of several journals, by sheet.
 using SheetRecords = std::multimap<qint64, SheetRecord>;
 
+/// A file that is not what was written down of it.
+struct LostFile {
+    QString path;
+    bool isThere = false; ///< but damaged
+};
+
 /// A folder of tiles beside a .dzi file: picture_files/level/column_row.jpg. Each file is replaced as a whole.
 class DeepZoomStore : public TileStore {
 public:
@@ -50,6 +57,8 @@ public:
     /// Whether there is something else than our page where it will be.
     static bool isPageTaken(const QString &path);
     QString pathOf(int level, int column, int row) const;
+    /// Files of a sheet that are not what its records say, in their order.
+    std::vector<LostFile> lost(qint64 sheet) const;
 
 private:
     const TiledPicture &m_picture;
@@ -101,6 +110,9 @@ private:
 SheetRecord sheetRecord(qint64 number, qint64 offset, const std::vector<QByteArray> &tiles);
 /// Replaces a file by the bytes. `toDisk`: see FileReplacement::commit.
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, bool toDisk);
+
+/// What a file lacks of what `isGood` says of its bytes; nothing where it is good.
+std::optional<LostFile> lostFile(const QString &path, const std::function<bool(const QByteArray &)> &isGood);
 
 /// Whether tiles, one after the other, have the sizes and hashes of the record.
 bool isWhole(const SheetRecord &record, QByteArrayView tiles);

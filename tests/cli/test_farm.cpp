@@ -7,6 +7,7 @@
 
 #include <QCryptographicHash>
 #include <QDirIterator>
+#include <QJsonArray>
 #include <QRandomGenerator>
 #include <QTest>
 
@@ -177,6 +178,8 @@ private slots:
         const CliOutcome verified = farm.does("verify"), joined = farm.does("join");
         QCOMPARE(verified.code, 1);
         QVERIFY2(verified.out.contains("are missing"), qPrintable(verified.text()));
+        QVERIFY2(verified.out.contains((victim + ": is damaged\n").toUtf8()), qPrintable(verified.text()));
+        QCOMPARE(verified.out.count(": is "), 1);
         QCOMPARE(joined.code, 1);
         QVERIFY2(joined.err.contains("Nothing was joined"), qPrintable(joined.text()));
         QCOMPARE(farm.drawn("1/1"), qint64(1));
@@ -186,6 +189,65 @@ private slots:
         QCOMPARE(other.run("1/1").code, 0);
         QCOMPARE(other.does("join").code, 0);
         QCOMPARE(farm.hash(), other.hash());
+    }
+
+    /// Each file that is not what a worker wrote down, and a journal that lost lines, is named.
+    void lostFilesAreNamed()
+    {
+        const Farm farm(deepZoom);
+        QCOMPARE(farm.run("1/2").code, 0);
+        QVERIFY2(!farm.does("verify").out.contains(": is "), "of sheets that nobody drew, no files are named");
+        QCOMPARE(farm.run("2/2").code, 0);
+        const QString damaged = farm.path("out/a_files/9/5_5.png");
+        flipByte(damaged, 40);
+        QVERIFY(QFile::remove(farm.path("out/a_files/9/5_4.png")));
+        const QJsonObject json = runCli({"farm", "verify", farm.path("farm"), "--json"}).json();
+        const QJsonArray files = json["files"].toArray();
+        QCOMPARE(files.size(), 2);
+        QCOMPARE(files[0]["path"].toString(), farm.path("out/a_files/9/5_4.png"));
+        QCOMPARE(files[0]["state"].toString(), QString("missing"));
+        QCOMPARE(files[1]["path"].toString(), damaged);
+        QCOMPARE(files[1]["state"].toString(), QString("damaged"));
+        for (const QString &name : filesIn(farm.path("out/a_files/9")))
+            QFile::remove(farm.path("out/a_files/9/" + name));
+        const CliOutcome many = farm.does("verify");
+        QCOMPARE(many.out.count(": is missing\n"), 20);
+        QVERIFY2(many.out.contains("more files are missing or damaged; farm verify --json names all."),
+                 qPrintable(many.text()));
+        QVERIFY(farm.drawn("1/1") > 1);
+        QCOMPARE(farm.does("verify").code, 0);
+    }
+
+    void damagedJournalsAreTold()
+    {
+        const Farm farm(frames);
+        QCOMPARE(farm.run("1/2").code, 0);
+        QCOMPARE(farm.run("2/2").code, 0);
+        const QString name = farm.path("farm/journals/" + filesIn(farm.path("farm/journals"))[0]);
+        const QByteArray journal = bytesOf(name);
+        const qsizetype second = journal.indexOf("\nsheet ", journal.indexOf("\nsheet ") + 1) + 3;
+        // What is cut off at the end is what a worker leaves that is killed: nothing is wrong with it.
+        QVERIFY(writeFile(name, journal.chopped(3)));
+        const CliOutcome cut = farm.does("status");
+        QCOMPARE(cut.code, 1);
+        QVERIFY2(!cut.out.contains("damaged"), qPrintable(cut.text()));
+        QVERIFY(writeFile(name, journal));
+        flipByte(name, second);
+        for (const char *command : {"status", "verify"}) {
+            const CliOutcome told = farm.does(command);
+            QCOMPARE(told.code, 1);
+            QVERIFY2(told.out.contains((name + ": 1 line of this journal is damaged").toUtf8()),
+                     qPrintable(told.text()));
+            QVERIFY2(told.out.contains("Run the tasks again"), qPrintable(told.text()));
+        }
+        QCOMPARE(farm.drawn("1/1"), qint64(1));
+        const CliOutcome good = farm.does("verify");
+        QVERIFY2(good.code == 0 && !good.out.contains("damaged"), qPrintable(good.text()));
+        // Without the line that says whose it is, it says nothing.
+        flipByte(name, journal.indexOf("of ") + 5);
+        QCOMPARE(runCli({"farm", "verify", farm.path("farm"), "--json"}).json()["journals"].toArray().size(), 1);
+        QVERIFY(farm.drawn("1/1") > 1);
+        QCOMPARE(farm.does("join").code, 0);
     }
 
     void mixesAreRefused()

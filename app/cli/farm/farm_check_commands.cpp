@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 
@@ -15,14 +16,22 @@ namespace suffuse::cli {
 
 namespace {
 
-/// Pieces of the plan that are not there, or not whole.
-using Missing = std::vector<qint64>;
+constexpr std::size_t mostFilesShown = 20;
+
+/// What is not there of a plan, or not whole.
+struct Missing {
+    std::vector<qint64> pieces;
+    std::vector<LostFile> files;           ///< that were finished once
+    std::vector<DamagedJournal> journals; ///< that lost what they said of pieces that are missing
+
+    bool isEmpty() const { return pieces.empty(); }
+};
 
 /// Those of a painting, as people count them.
 QString numbersOf(const FarmPainting &p, const Missing &missing)
 {
     std::vector<qint64> own;
-    for (const qint64 piece : missing)
+    for (const qint64 piece : missing.pieces)
         if (piece >= p.first && piece < p.first + p.pieces)
             own.push_back(piece - p.first + 1);
     return rangesOf(own);
@@ -34,13 +43,20 @@ QJsonObject jsonOf(const FarmPlan &plan, const Missing &missing)
     for (const FarmPainting &p : plan.paintings)
         paintings.append(
             QJsonObject{{"path", p.path}, {"out", p.out()}, {"pieces", p.pieces}, {"missing", numbersOf(p, missing)}});
-    return {{"pieces", plan.pieces()}, {"missing", qint64(missing.size())}, {"by", plan.by}, {"paintings", paintings}};
+    QJsonArray files, journals;
+    for (const LostFile &file : missing.files)
+        files.append(QJsonObject{{"path", file.path}, {"state", file.isThere ? "damaged" : "missing"}});
+    for (const DamagedJournal &journal : missing.journals)
+        journals.append(QJsonObject{{"path", journal.path}, {"lines", journal.lines}});
+    return {{"pieces", plan.pieces()}, {"missing", qint64(missing.pieces.size())},
+            {"by", plan.by},           {"paintings", paintings},
+            {"files", files},          {"journals", journals}};
 }
 
 QString textOf(const FarmPlan &plan, const Missing &missing)
 {
     QString text = QCoreApplication::translate("Cli", "%1 of %2 pieces are there")
-                       .arg(plan.pieces() - qint64(missing.size()))
+                       .arg(plan.pieces() - qint64(missing.pieces.size()))
                        .arg(plan.pieces()) +
                    '\n';
     for (const FarmPainting &p : plan.paintings)
@@ -49,6 +65,23 @@ QString textOf(const FarmPlan &plan, const Missing &missing)
                                 : QCoreApplication::translate("Cli", "%1: sheets %2 are missing"))
                         .arg(p.out(), numbers) +
                     '\n';
+    const std::size_t shown = std::min<std::size_t>(missing.files.size(), mostFilesShown);
+    for (std::size_t i = 0; i < shown; ++i)
+        text += (missing.files[i].isThere ? QCoreApplication::translate("Cli", "%1: is damaged")
+                                          : QCoreApplication::translate("Cli", "%1: is missing"))
+                    .arg(missing.files[i].path) +
+                '\n';
+    if (shown < missing.files.size())
+        text += QCoreApplication::translate("Cli", "%n more file(s) are missing or damaged; farm verify --json names all.",
+                                            nullptr, int(missing.files.size() - shown)) +
+                '\n';
+    for (const DamagedJournal &journal : missing.journals)
+        text += QCoreApplication::translate("Cli",
+                                            "%1: %n line(s) of this journal are damaged, so nobody knows what was "
+                                            "finished. Run the tasks again: they draw what is missing.",
+                                            nullptr, journal.lines)
+                    .arg(journal.path) +
+                '\n';
     return text;
 }
 
@@ -58,8 +91,19 @@ Missing unrecorded(const FarmPlan &plan, const FarmRecords &records)
     Missing missing;
     for (qint64 piece = 0; piece < plan.pieces(); ++piece)
         if (records.find(piece) == records.end())
-            missing.push_back(piece);
+            missing.pieces.push_back(piece);
     return missing;
+}
+
+/// Those of the journals whose tasks have missing pieces: what others lost was drawn again.
+std::vector<DamagedJournal> journalsOf(const Missing &missing, const std::vector<DamagedJournal> &damaged)
+{
+    std::vector<DamagedJournal> journals;
+    for (const DamagedJournal &journal : damaged)
+        if (const auto at = std::lower_bound(missing.pieces.begin(), missing.pieces.end(), journal.from);
+            at != missing.pieces.end() && *at < journal.to)
+            journals.push_back(journal);
+    return journals;
 }
 
 /// A piece for which workers made different bits; −1 if there is none.
@@ -93,9 +137,14 @@ Result<Missing> damagedPieces(const FarmPlan &plan, const FarmRecords &records)
     if (interrupted())
         return Error{QCoreApplication::translate("Cli", "stopped")};
     Missing missing;
-    for (std::size_t piece = 0; piece < whole.size(); ++piece)
-        if (!whole[piece])
-            missing.push_back(qint64(piece));
+    for (std::size_t piece = 0; piece < whole.size(); ++piece) {
+        if (whole[piece])
+            continue;
+        missing.pieces.push_back(qint64(piece));
+        for (LostFile &file : lostFilesOf(plan, records, qint64(piece)))
+            if (missing.files.empty() || missing.files.back().path != file.path) // Many pieces have one pack.
+                missing.files.push_back(std::move(file));
+    }
     return missing;
 }
 
@@ -166,14 +215,16 @@ int report(const char *command, const QString &description, const QStringList &a
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
-    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces());
+    std::vector<DamagedJournal> damaged;
+    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces(), &damaged);
     if (!records)
         return fail(records.error());
-    const Result<Missing> missing = look(*plan, *records);
+    Result<Missing> missing = look(*plan, *records);
     if (!missing)
         return fail(missing.error());
+    missing->journals = journalsOf(*missing, damaged);
     const int printed = line.isSet("json") ? printJson(jsonOf(*plan, *missing)) : print(textOf(*plan, *missing));
-    return printed == Done && !missing->empty() ? int(Failed) : printed;
+    return printed == Done && !missing->isEmpty() ? int(Failed) : printed;
 }
 
 } // namespace
@@ -203,13 +254,15 @@ int farmJoinCommand(const QStringList &arguments)
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
-    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces());
+    std::vector<DamagedJournal> damaged;
+    const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces(), &damaged);
     if (!records)
         return fail(records.error());
-    const Result<Missing> missing = damagedPieces(*plan, *records);
+    Result<Missing> missing = damagedPieces(*plan, *records);
     if (!missing)
         return fail(missing.error());
-    if (!missing->empty())
+    missing->journals = journalsOf(*missing, damaged);
+    if (!missing->isEmpty())
         return fail(
             textOf(*plan, *missing) +
             QCoreApplication::translate("Cli", "Nothing was joined. Run the tasks again: they draw what is missing."));

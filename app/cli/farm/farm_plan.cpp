@@ -197,7 +197,7 @@ QString FarmPlan::workerName(qint64 from, qint64 to)
         .arg(QRandomGenerator::system()->generate64(), 0, 16);
 }
 
-Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to)
+Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to, std::vector<DamagedJournal> *damaged)
 {
     FarmRecords all;
     const QDir folder(plan.journals());
@@ -205,11 +205,15 @@ Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to)
         return Error{QCoreApplication::translate("Cli", "%1: the folder is gone. Is the shared folder there?")
                          .arg(folder.path())};
     for (const QString &name : folder.entryList({QStringLiteral("*.journal")}, QDir::Files, QDir::Name)) {
-        if (name.section('-', 0, 0).toLongLong() >= to || name.section('-', 1, 1).toLongLong() <= from)
+        const qint64 first = name.section('-', 0, 0).toLongLong(), end = name.section('-', 1, 1).toLongLong();
+        if (first >= to || end <= from)
             continue;
-        const auto records = TileJournal::read(folder.filePath(name), plan.identity);
+        int lines = 0;
+        const auto records = TileJournal::read(folder.filePath(name), plan.identity, &lines);
         if (!records)
             return Error{records.error()};
+        if (damaged && lines > 0)
+            damaged->push_back({folder.filePath(name), lines, first, end});
         const QString pack = plan.packs() + '/' + name.chopped(8) + QStringLiteral(".pack");
         for (const SheetRecord &record : *records)
             if (record.sheet >= from && record.sheet < to)
@@ -245,6 +249,34 @@ bool isPieceWhole(const FarmPlan &plan, const FarmRecords &records, qint64 piece
         own.emplace(sheet, it->second.first);
     const TiledPicture picture = painting.picture();
     return DeepZoomStore(picture, own, none).has(sheet);
+}
+
+std::vector<LostFile> lostFilesOf(const FarmPlan &plan, const FarmRecords &records, qint64 piece)
+{
+    const auto [from, to] = records.equal_range(piece);
+    if (from == to)
+        return {};
+    const FarmPainting &painting = plan.paintingOf(piece);
+    const qint64 own = piece - painting.first;
+    if (!painting.isFrames && !painting.tiles.isTiff()) {
+        SheetRecords sheets;
+        for (auto it = from; it != to; ++it)
+            sheets.emplace(own, it->second.first);
+        TileJournal none;
+        const TiledPicture picture = painting.picture();
+        return DeepZoomStore(picture, std::move(sheets), none).lost(own);
+    }
+    if (painting.isFrames) {
+        const auto isGood = [&, from = from, to = to](const QByteArray &bytes) {
+            return std::any_of(from, to, [&](const auto &record) { return isWhole(record.second.first, bytes); });
+        };
+        const auto file = lostFile(painting.frames.pathOf(own), isGood);
+        return file ? std::vector{*file} : std::vector<LostFile>();
+    }
+    std::vector<LostFile> packs;
+    for (auto it = from; it != to; ++it)
+        packs.push_back({it->second.second, QFileInfo::exists(it->second.second)});
+    return packs;
 }
 
 QString rangesOf(const std::vector<qint64> &numbers)

@@ -60,11 +60,21 @@ Result<FarmPlan> readPlan(const QString &folder);
 
 /// What workers say that they finished, with the file in which tiles of a pack lie.
 using FarmRecords = std::multimap<qint64, std::pair<SheetRecord, QString>>;
+/// A journal of a worker of which lines are lost.
+struct DamagedJournal {
+    QString path;
+    int lines = 0;
+    qint64 from = 0, to = 0; ///< the pieces of its task
+};
 /// Those of the pieces [from, to). Only journals of workers that drew some of them are read.
-Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to);
+Result<FarmRecords> readRecords(const FarmPlan &plan, qint64 from, qint64 to,
+                                std::vector<DamagedJournal> *damaged = nullptr);
 
 /// Reads what a piece became, and compares the hashes.
 bool isPieceWhole(const FarmPlan &plan, const FarmRecords &records, qint64 piece);
+/// Files of a piece that workers finished and that are not whole any more: tiles, a frame, or the pack in which tiles lie.
+/// None of a piece that nobody finished.
+std::vector<LostFile> lostFilesOf(const FarmPlan &plan, const FarmRecords &records, qint64 piece);
 
 /// Numbers as people write them: "3, 5-10".
 QString rangesOf(const std::vector<qint64> &ascending);
