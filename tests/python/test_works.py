@@ -1,5 +1,6 @@
 """Works that take long: tiles, films, fewer strokes. What they make is the command line's; stopped, they keep what they say."""
 
+import concurrent.futures
 import pathlib
 import signal
 import tempfile
@@ -74,6 +75,15 @@ class Tiles(Works):
         victim.write_bytes(victim.read_bytes()[:-1])
         again = suffuse.render_tiles(self.painting, out, **options)
         self.assertEqual((again["sheets"], again["kept"]), (1, stats["tiles"] - 1))
+
+    def test_who_calls_is_told(self):
+        def work(name):
+            seen = set()
+            suffuse.render_tiles(self.painting, self.path / name, size=64, progress=lambda share: seen.add(threading.get_ident()))
+            return seen == {threading.get_ident()}
+
+        with concurrent.futures.ThreadPoolExecutor(3) as pool:
+            self.assertEqual(list(pool.map(work, ("a.dzi", "b.dzi", "c.tif"))), [True] * 3)
 
     def test_refusals(self):
         for path, options, said in (("a.png", {}, "tiles .*a.png: give a name that ends in .dzi or .tif, or a folder"),
