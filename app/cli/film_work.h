@@ -6,6 +6,11 @@
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
 namespace suffuse::cli {
 
 struct Film {

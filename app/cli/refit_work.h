@@ -5,6 +5,7 @@
 #include "render/fitting/fitting.h"
 #include "render/refit/refit_target.h"
 
+#include <atomic>
 #include <functional>
 #include <unordered_set>
 

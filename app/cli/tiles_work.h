@@ -4,6 +4,11 @@
 #include "app/cli/tiles_recipe.h"
 #include "render/tiles/render_tiles.h"
 
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
 namespace suffuse::cli {
 
 /// What draws a picture, and which picture that is. At least one renderer is there.
