@@ -6030,6 +6030,202 @@ Auch die Pfeiltasten wirken.</translation>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
     </message>
+    <message>
+        <source>&amp;Show the Axes of the Symmetry</source>
+        <translation>Achsen der Symmetrie &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Also the square that moves them and the disc that turns them</source>
+        <translation>Auch das Quadrat, das sie verschiebt, und die Scheibe, die sie dreht</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Horizontal place, in canvas units</source>
+        <translation>Waagrechte Lage in Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Vertical place, in canvas units</source>
+        <translation>Senkrechte Lage in Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Rulers</source>
+        <translation>L&amp;ineale zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Along the upper and the left edge; guides are dragged out of them, and back into them</source>
+        <translation>Am oberen und am linken Rand; Hilfslinien werden aus ihnen heraus- und in sie zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Guides</source>
+        <translation>&amp;Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Guides</source>
+        <translation>An Hilfslinien &amp;einrasten</translation>
+    </message>
+    <message>
+        <source>Nodes, shapes and what is moved; paint goes where the hand goes</source>
+        <translation>Knoten, Formen und was bewegt wird; Farbe folgt der Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the Guides</source>
+        <translation>Hilfslinien &amp;sperren</translation>
+    </message>
+    <message>
+        <source>They cannot be dragged, and new ones still can be made</source>
+        <translation>Sie lassen sich nicht ziehen; neue können weiter entstehen</translation>
+    </message>
+    <message>
+        <source>Add a Le&amp;vel Guide…</source>
+        <translation>&amp;Waagrechte Hilfslinie hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add an &amp;Upright Guide…</source>
+        <translation>Senk&amp;rechte Hilfslinie hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Guides</source>
+        <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Left and Right</source>
+        <translation>&amp;Links und rechts gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted on one side of an upright axis comes on the other, too</source>
+        <translation>Was auf einer Seite einer aufrechten Achse gemalt wird, kommt auch auf die andere</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Top and Bottom</source>
+        <translation>&amp;Oben und unten gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted above a level axis comes below it, too</source>
+        <translation>Was über einer waagrechten Achse gemalt wird, kommt auch darunter</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Both Ways</source>
+        <translation>&amp;Beidseitig gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted comes in all four corners of a cross</source>
+        <translation>Was gemalt wird, kommt in alle vier Winkel eines Kreuzes</translation>
+    </message>
+    <message>
+        <source>&amp;Rotated around the Centre</source>
+        <translation>Um die Mitte ge&amp;dreht</translation>
+    </message>
+    <message>
+        <source>What is painted comes once in each arm around the centre</source>
+        <translation>Was gemalt wird, kommt einmal in jeden Arm um die Mitte</translation>
+    </message>
+    <message>
+        <source>&amp;Kaleidoscope</source>
+        <translation>&amp;Kaleidoskop</translation>
+    </message>
+    <message>
+        <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
+        <translation>Was gemalt wird, kommt in jeden Arm um die Mitte und gespiegelt daneben</translation>
+    </message>
+    <message>
+        <source>&amp;Paint in Symmetry</source>
+        <translation>S&amp;ymmetrisch malen</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Strokes, shapes and outlines come several times, mirrored or rotated, as one undo step</source>
+        <translation>Striche, Formen und Umrisse kommen mehrfach, gespiegelt oder gedreht, als ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
+        <source>Number of &amp;Arms…</source>
+        <translation>Zahl der &amp;Arme …</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Arms around the centre</source>
+        <translation>Arme um die Mitte</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the Axes…</source>
+        <translation>&amp;Winkel der Achsen …</translation>
+    </message>
+    <message>
+        <source>Degrees clockwise</source>
+        <translation>Grad im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Axes to the &amp;Middle of the Canvas</source>
+        <translation>Achsen in die &amp;Mitte der Leinwand</translation>
+    </message>
+    <message>
+        <source>The centre of the symmetry lies in the middle again, and the axes are upright and level</source>
+        <translation>Die Mitte der Symmetrie liegt wieder in der Mitte, und die Achsen stehen aufrecht und waagrecht</translation>
+    </message>
+    <message>
+        <source>Rulers and Guides</source>
+        <translation>Lineale und Hilfslinien</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Paint</source>
+        <translation>Arbeitsbereich zum &amp;Malen</translation>
+    </message>
+    <message>
+        <source>Colour, brushes and strokes beside a wide canvas</source>
+        <translation>Farbe, Pinsel und Striche neben einer breiten Leinwand</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Refine</source>
+        <translation>Arbeitsbereich zum &amp;Verfeinern</translation>
+    </message>
+    <message>
+        <source>Inspector, strokes, history and colour</source>
+        <translation>Inspektor, Striche, Verlauf und Farbe</translation>
+    </message>
+    <message>
+        <source>Workspace for &amp;Time</source>
+        <translation>Arbeitsbereich für die &amp;Zeit</translation>
+    </message>
+    <message>
+        <source>A high timeline, with inspector and strokes</source>
+        <translation>Eine hohe Zeitleiste mit Inspektor und Strichen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Workspace…</source>
+        <translation>Arbeitsbereich &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep where docks and tool bars stand now, under a name</source>
+        <translation>Behalten, wo Andockfenster und Werkzeugleisten jetzt stehen, unter einem Namen</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>Arbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Canvas Units</source>
+        <translation>Lineale in &amp;Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Millimetres</source>
+        <translation>Lineale in &amp;Millimetern</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Inches</source>
+        <translation>Lineale in &amp;Zoll</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6163,6 +6359,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Vorlage</translation>
     </message>
 </context>
 <context>
@@ -12702,6 +12902,107 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Show this at the start</source>
         <translation>Beim Start zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Workspaces</name>
+    <message>
+        <source>Save Workspace</source>
+        <translation>Arbeitsbereich speichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>There is a workspace “%1” already.</source>
+        <translation>Es gibt schon einen Arbeitsbereich „%1“.</translation>
+    </message>
+    <message>
+        <source>It would be replaced by how the window is arranged now.</source>
+        <translation>Er würde dadurch ersetzt, wie das Fenster jetzt angeordnet ist.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” was saved: View ▸ Workspaces.</source>
+        <translation>Der Arbeitsbereich „%1“ wurde gespeichert: Ansicht ▸ Arbeitsbereiche.</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” is damaged. Save it anew.</source>
+        <translation>Der Arbeitsbereich „%1“ ist beschädigt. Speichern Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Workspace</source>
+        <translation>Arbeitsbereich &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Delete the workspace “%1”?</source>
+        <translation>Arbeitsbereich „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>The window stays arranged as it is.</source>
+        <translation>Das Fenster bleibt angeordnet, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferencePanel</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose a picture to look at while painting</source>
+        <translation>Ein Bild wählen, das man beim Malen ansieht</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show all of the picture</source>
+        <translation>Das ganze Bild zeigen</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>A pixel of the picture is one of the screen</source>
+        <translation>Ein Pixel des Bilds ist eines des Bildschirms</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show no picture here; its file stays</source>
+        <translation>Hier kein Bild zeigen; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Open Reference Picture</source>
+        <translation>Vorlage öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferenceView</name>
+    <message>
+        <source>Reference picture</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cross, and Return picks the colour there.</source>
+        <translation>Pfeiltasten bewegen ein Kreuz, Eingabe nimmt die Farbe dort auf.</translation>
+    </message>
+    <message>
+        <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
+        <translation>Ziehen Sie ein Bild hierher, um es beim Malen anzusehen und Farben daraus aufzunehmen.</translation>
     </message>
 </context>
 </TS>

@@ -6006,6 +6006,202 @@ Arrow keys work too.</source>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>新画作、最近的画作、示例和短课程</translation>
     </message>
+    <message>
+        <source>&amp;Show the Axes of the Symmetry</source>
+        <translation>显示对称轴(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Also the square that moves them and the disc that turns them</source>
+        <translation>也显示用于移动的方块和用于旋转的圆盘</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>参考线</translation>
+    </message>
+    <message>
+        <source>Horizontal place, in canvas units</source>
+        <translation>水平位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Vertical place, in canvas units</source>
+        <translation>垂直位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Rulers</source>
+        <translation>显示标尺(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Along the upper and the left edge; guides are dragged out of them, and back into them</source>
+        <translation>沿上边和左边；可从标尺拖出参考线，也可拖回</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Guides</source>
+        <translation>显示参考线(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Guides</source>
+        <translation>吸附到参考线(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Nodes, shapes and what is moved; paint goes where the hand goes</source>
+        <translation>节点、形状和移动的内容会吸附；绘画则跟随手的动作</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the Guides</source>
+        <translation>锁定参考线(&amp;L)</translation>
+    </message>
+    <message>
+        <source>They cannot be dragged, and new ones still can be made</source>
+        <translation>不能拖动参考线，但仍可新建</translation>
+    </message>
+    <message>
+        <source>Add a Le&amp;vel Guide…</source>
+        <translation>添加水平参考线(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Add an &amp;Upright Guide…</source>
+        <translation>添加垂直参考线(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Guides</source>
+        <translation>移除所有参考线(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Left and Right</source>
+        <translation>左右镜像(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is painted on one side of an upright axis comes on the other, too</source>
+        <translation>在竖直轴一侧画的内容也会出现在另一侧</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Top and Bottom</source>
+        <translation>上下镜像(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What is painted above a level axis comes below it, too</source>
+        <translation>在水平轴上方画的内容也会出现在下方</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Both Ways</source>
+        <translation>双向镜像(&amp;B)</translation>
+    </message>
+    <message>
+        <source>What is painted comes in all four corners of a cross</source>
+        <translation>画的内容会出现在十字的四个角落</translation>
+    </message>
+    <message>
+        <source>&amp;Rotated around the Centre</source>
+        <translation>绕中心旋转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What is painted comes once in each arm around the centre</source>
+        <translation>画的内容会在中心周围的每个臂中各出现一次</translation>
+    </message>
+    <message>
+        <source>&amp;Kaleidoscope</source>
+        <translation>万花筒(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
+        <translation>画的内容会出现在中心周围的每个臂中，并在旁边出现其镜像</translation>
+    </message>
+    <message>
+        <source>&amp;Paint in Symmetry</source>
+        <translation>对称绘画(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Strokes, shapes and outlines come several times, mirrored or rotated, as one undo step</source>
+        <translation>笔画、形状和轮廓会以镜像或旋转的方式出现多份，合为一个撤销步骤</translation>
+    </message>
+    <message>
+        <source>Number of &amp;Arms…</source>
+        <translation>臂数(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>Arms around the centre</source>
+        <translation>中心周围的臂</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the Axes…</source>
+        <translation>轴的角度(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Degrees clockwise</source>
+        <translation>顺时针度数</translation>
+    </message>
+    <message>
+        <source>Axes to the &amp;Middle of the Canvas</source>
+        <translation>轴移到画布中央(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The centre of the symmetry lies in the middle again, and the axes are upright and level</source>
+        <translation>对称中心回到画布中央，轴恢复竖直和水平</translation>
+    </message>
+    <message>
+        <source>Rulers and Guides</source>
+        <translation>标尺和参考线</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Paint</source>
+        <translation>绘画工作区(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Colour, brushes and strokes beside a wide canvas</source>
+        <translation>宽阔的画布旁是颜色、画笔和笔画</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Refine</source>
+        <translation>修整工作区(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Inspector, strokes, history and colour</source>
+        <translation>检查器、笔画、历史记录和颜色</translation>
+    </message>
+    <message>
+        <source>Workspace for &amp;Time</source>
+        <translation>时间工作区(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A high timeline, with inspector and strokes</source>
+        <translation>较高的时间轴，以及检查器和笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Save Workspace…</source>
+        <translation>保存工作区(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep where docks and tool bars stand now, under a name</source>
+        <translation>以一个名称保存面板和工具栏现在的位置</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>工作区</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Canvas Units</source>
+        <translation>标尺以画布单位计(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Millimetres</source>
+        <translation>标尺以毫米计(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Inches</source>
+        <translation>标尺以英寸计(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6139,6 +6335,10 @@ Arrow keys work too.</source>
     <message>
         <source>History</source>
         <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
     </message>
 </context>
 <context>
@@ -12622,6 +12822,107 @@ Arrow keys work too.</source>
     <message>
         <source>Show this at the start</source>
         <translation>启动时显示</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Workspaces</name>
+    <message>
+        <source>Save Workspace</source>
+        <translation>保存工作区</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>There is a workspace “%1” already.</source>
+        <translation>已有名为“%1”的工作区。</translation>
+    </message>
+    <message>
+        <source>It would be replaced by how the window is arranged now.</source>
+        <translation>它将被窗口现在的布局替换。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” was saved: View ▸ Workspaces.</source>
+        <translation>工作区“%1”已保存：视图 ▸ 工作区。</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” is damaged. Save it anew.</source>
+        <translation>工作区“%1”已损坏，请重新保存。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Workspace</source>
+        <translation>删除工作区(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the workspace “%1”?</source>
+        <translation>删除工作区“%1”吗？</translation>
+    </message>
+    <message>
+        <source>The window stays arranged as it is.</source>
+        <translation>窗口保持现在的布局。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferencePanel</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to look at while painting</source>
+        <translation>选择绘画时参考的图片</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合</translation>
+    </message>
+    <message>
+        <source>Show all of the picture</source>
+        <translation>显示整张图片</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>A pixel of the picture is one of the screen</source>
+        <translation>图片的一个像素对应屏幕的一个像素</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Show no picture here; its file stays</source>
+        <translation>这里不再显示图片；文件不受影响</translation>
+    </message>
+    <message>
+        <source>Open Reference Picture</source>
+        <translation>打开参考图片</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferenceView</name>
+    <message>
+        <source>Reference picture</source>
+        <translation>参考图片</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cross, and Return picks the colour there.</source>
+        <translation>方向键移动十字，回车键取那里的颜色。</translation>
+    </message>
+    <message>
+        <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
+        <translation>把图片拖到这里，绘画时可以参考它并从中取色。</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,8 @@
 #include "app/canvas/canvas_rows.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/guide_rows.h"
+#include "app/canvas/handles/symmetry_rows.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
@@ -203,6 +205,11 @@ void addAidRows(Commands &table, CanvasWidget &canvas)
              Commands::tr("Under a veil, what was painted beside the canvas; it is in no picture that is exported"))
         .checkable(aids.showBeyond)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showBeyond, on); });
+    table
+        .add(ShowSymmetry, "showSymmetry", Commands::tr("&Show the Axes of the Symmetry"), "", {},
+             Commands::tr("Also the square that moves them and the disc that turns them"))
+        .checkable(aids.showSymmetry)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showSymmetry, on); });
 }
 
 } // namespace
@@ -215,6 +222,8 @@ void addCanvasRows(Commands &table, CanvasWidget &canvas)
     addToolRows(table, canvas);
     addHeldRows(table, canvas);
     addAidRows(table, canvas);
+    addSymmetryRows(table, canvas);
+    addGuideRows(table, canvas);
     QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
     QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
         if (!canvas.editor().laterChanges().isWaiting()) // Otherwise the table is updated with the changes that wait.

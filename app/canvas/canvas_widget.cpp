@@ -1,8 +1,12 @@
 #include "app/canvas/canvas_widget.h"
 
+#include "app/canvas/handles/guide_handle.h"
+#include "app/canvas/handles/rulers.h"
+#include "app/canvas/handles/symmetry_handle.h"
 #include "app/canvas/input/layer_note.h"
 #include "app/session/colour_convert.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/renderer_options.h"
@@ -28,7 +32,7 @@ constexpr double followMargin = 60; ///< logical pixels around what the view fol
 
 CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     : QWidget(parent), m_editor(editor), m_worker(settings::rendererOptions(), std::move(make)),
-      m_input(*this, m_view, editor.clock()), m_selected(editor),
+      m_input(*this, m_view, m_handles, editor.clock()), m_selected(editor),
       m_repaint(*this, editor, m_view, m_selected, [this] { return tool() ? tool()->paintMargin() : 0.0; })
 {
     setObjectName("canvas");
@@ -44,6 +48,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     m_repaint.setPresenter(m_presenter);
     connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
     connectInput();
+    addHandles();
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
@@ -75,6 +80,20 @@ void CanvasWidget::connectInput()
     connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasWidget::refreshCursor);
     connect(&m_input, &CanvasInput::overlayChanged, this, [this] { updateOverlay(); });
     connect(&m_input, &CanvasInput::fitWanted, this, &CanvasWidget::fit);
+}
+
+void CanvasWidget::addHandles()
+{
+    const auto dpr = [this] { return devicePixelRatioF(); };
+    m_handles.add(std::make_unique<SymmetryHandle>(
+        m_editor.aids(), m_view, [this] { return m_aids.showSymmetry && !isBare(); }, dpr));
+    m_handles.add(std::make_unique<GuideHandle>(
+        m_editor.aids(), m_view,
+        GuideHandle::Surroundings{[this] { return m_aids; }, [this] { return isBare(); },
+                                  [this](Point pixel) { return tool() && tool()->leavesToGuides(pixel); }, dpr,
+                                  [this](int guide) { emit guideAsked(guide); }}));
+    connect(&m_editor.aids(), &DrawingAids::aboutToReset, this, [this] { m_handles.cancel(); });
+    connect(&m_editor.aids(), &DrawingAids::changed, this, [this] { updateOverlay(); });
 }
 
 CanvasWidget::~CanvasWidget()
@@ -370,6 +389,9 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
+    painter.setRenderHint(QPainter::Antialiasing);
+    m_handles.paint(painter, view(), m_colours, dpr);
+    painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
         m_missing.paint(painter, view(), m_editor.unsettled().painting(), m_colours, dpr);
     if (showsOutlines())
@@ -380,6 +402,8 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
     paintAngle(painter, dpr);
+    if (m_aids.showRulers)
+        paintRulers(painter, view(), unitOf(m_aids.rulerUnits), m_colours, dpr);
     m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
     m_editor.laterChanges().painted();
@@ -431,6 +455,7 @@ void CanvasWidget::readPalette()
     m_colours.pasteboard = dark ? QColor(43, 45, 49) : QColor(209, 211, 215);
     m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
     m_colours.accent = QColor(4, 46, 124);
+    m_colours.guide = QColor(0, 92, 92);
 }
 
 void CanvasWidget::changeEvent(QEvent *event)

@@ -3,6 +3,7 @@
 
 #include "app/canvas/canvas_lift.h"
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay/canvas_note.h"
 #include "app/canvas/overlay/erasure_lines.h"
@@ -158,6 +159,7 @@ signals:
     void coloursChanged();                       ///< what `colours` says is different
     void backendChanged();                       ///< the text of the backend, or the notice about it, has changed
     void underlayFailed(const QString &problem); ///< the underlay cannot be shown
+    void guideAsked(int guide);                  ///< the exact place of a guide is wanted, by its number
     void penTurned(bool eraser);                 ///< emitted before the first report of the pen's other end
 
 protected:
@@ -209,6 +211,7 @@ private:
     void frameReady(const FrameInfo &frame);
     void viewMoved();
     void connectInput();
+    void addHandles();
     void readPalette();
     /// Input methods work while what is typed goes into a text.
     void followTyping();
@@ -220,6 +223,7 @@ private:
     CanvasColours m_screenColours;
     Presenter *m_presenter = nullptr;
     CanvasView m_view;
+    CanvasHandles m_handles; ///< of the symmetry, and guides
     CanvasInput m_input;
     OverlayColours m_colours;
     CanvasAids m_aids;

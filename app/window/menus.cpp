@@ -86,6 +86,14 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
                             ShowUnderlay, UnderlayToLayer},
                            {SoftProof, GamutWarning, ProofProfile}});
     view->addSeparator();
+    addMenu(*view, Commands::tr("Symmetry"), table,
+            {{PaintInSymmetry},
+             {SymmetryAcross, SymmetryDown, SymmetryBoth, SymmetryTurns, SymmetryKaleidoscope},
+             {SymmetryArms, SymmetryAngle, SymmetryToMiddle, ShowSymmetry}});
+    addMenu(*view, Commands::tr("Rulers and Guides"), table,
+            {{ShowRulers, RulersInUnits, RulersInMillimetres, RulersInInches},
+             {ShowGuides, SnapToGuides, LockGuides},
+             {AddLevelGuide, AddUprightGuide, RemoveGuides}});
     QMenu *docks = view->addMenu(Commands::tr("&Docks"));
     for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
         view->addAction(&table[command]);

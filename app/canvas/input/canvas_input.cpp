@@ -1,6 +1,7 @@
 #include "app/canvas/input/canvas_input.h"
 
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/tool.h"
 #include "app/session/painting_clock.h"
 #include "app/widgets/habits/floating_card.h"
@@ -32,10 +33,11 @@ bool isSynthesized(const QMouseEvent &event)
 
 } // namespace
 
-CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, const PaintingClock &clock)
-    : m_canvas(canvas), m_view(view), m_clock(clock), m_hand(view), m_touch(canvas, m_hand, view, m_pen, clock)
+CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, CanvasHandles &handles, const PaintingClock &clock)
+    : m_canvas(canvas), m_view(view), m_handles(handles), m_clock(clock), m_hand(view, handles), m_touch(canvas, m_hand, view, m_pen, clock)
 {
     qApp->installEventFilter(this); // The filter hears when the pen comes near the tablet.
+    connect(&m_hand, &Hand::handleChanged, this, &CanvasInput::cursorChanged);
     connect(&m_hand, &Hand::navigationChanged, this, [this] {
         emit cursorChanged();
         if (m_hand.navigation() == Navigation::None)
@@ -56,6 +58,9 @@ QCursor CanvasInput::cursor() const
         return Qt::OpenHandCursor;
     if (m_hand.navigation() == Navigation::Rotate || m_keys.turns())
         return Qt::SizeAllCursor;
+    if (!m_hand.isPressed())
+        if (const std::optional<QCursor> handle = m_handles.cursorAt(m_hand.lastPixel()))
+            return *handle;
     return m_hand.tool() ? m_hand.tool()->cursor() : QCursor(Qt::ArrowCursor);
 }
 
@@ -292,7 +297,7 @@ bool CanvasInput::take(QEvent *event)
     case QEvent::ShortcutOverride: {
         const auto &key = static_cast<QKeyEvent &>(*event);
         // Escape gives up what is in hand before it means anything else.
-        const bool givesUp = key.key() == Qt::Key_Escape && isBusy();
+        const bool givesUp = key.key() == Qt::Key_Escape && (isBusy() || m_hand.holdsHandle());
         if (!givesUp && m_keys.navigationOf(key) == Navigation::None && !m_keys.isBareKey(key) && !isToolKey(key))
             return false;
         event->accept();
@@ -329,7 +334,7 @@ bool CanvasInput::keyPress(QKeyEvent *event)
     } else if (m_keys.isBareKey(*event)) {
         m_keys.pressBare(event->key());
         emit overlayChanged();
-    } else if (event->key() == Qt::Key_Escape && isBusy()) {
+    } else if (event->key() == Qt::Key_Escape && (isBusy() || m_hand.holdsHandle())) {
         m_hand.cancel();
     } else {
         return m_hand.tool() && m_hand.tool()->keyPress(event);

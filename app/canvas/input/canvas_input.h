@@ -28,7 +28,7 @@ class CanvasInput : public QObject {
     Q_OBJECT
 
 public:
-    CanvasInput(QWidget &canvas, CanvasView &view, const PaintingClock &clock);
+    CanvasInput(QWidget &canvas, CanvasView &view, CanvasHandles &handles, const PaintingClock &clock);
 
     Hand &hand() { return m_hand; }
     const Hand &hand() const { return m_hand; }
@@ -93,6 +93,7 @@ private:
 
     QWidget &m_canvas;
     CanvasView &m_view;
+    const CanvasHandles &m_handles;
     const PaintingClock &m_clock;
     Hand m_hand;
     CanvasPen m_pen;

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/settings.h"
@@ -249,7 +250,7 @@ bool SelectTool::beginDrag(const PointerEvent &event)
     m_dragged = m_canvas.selection().strokes;
     m_gesture = m_editor.begin(name);
     m_gesture.take(m_dragged);
-    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
+    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_editor.aids().guides(), m_canvas.selection(),
                  moves                                        ? TransformSnap::What::Strokes
                  : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
                                                               : TransformSnap::What::Handle,
@@ -397,6 +398,13 @@ void SelectTool::leave()
     m_hovered.reset();
     m_canvas.updateSelection();
     emit hintChanged();
+}
+
+bool SelectTool::leavesToGuides(Point pixel) const
+{
+    const View &view = m_canvas.view();
+    return !handles().at(pixel, view, m_canvas.devicePixelRatioF()) &&
+           pickAll(*m_editor.layer().reached(), m_editor.clock().time(), view.toCanvas(pixel), tolerance()).empty();
 }
 
 QCursor SelectTool::cursor() const

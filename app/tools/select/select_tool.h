@@ -36,6 +36,7 @@ public:
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
+    bool leavesToGuides(Point pixel) const override;
 
     /// The handles around the selection, as they are shown.
     const TransformHandles &handles() const;
