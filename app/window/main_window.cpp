@@ -31,6 +31,7 @@
 #include "app/window/layout/tool_rack.h"
 #include "app/window/layout/window_layout.h"
 #include "app/window/layout/workspace_view.h"
+#include "app/window/layout/workspaces.h"
 #include "app/window/menus.h"
 #include "app/window/palette_entries.h"
 #include "app/window/pointer/at_pointer.h"
@@ -185,6 +186,7 @@ void MainWindow::makeParts(const Workplace &place)
     new Pasting(place, m_parts);
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
+    m_workspaces = new Workspaces(place, [this](DockSet set) { resetLayout(set); }, m_parts);
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
     new Helping(place, m_parts);
@@ -222,7 +224,7 @@ void MainWindow::addRows()
     m_commands
         ->add(ResetLayout, "resetLayout", Commands::tr("Reset La&yout"), "", {},
               Commands::tr("Docks and tool bars go back to where they stand at the first start"))
-        .runs([this] { whenHandIsFree(*m_canvas, *this, [this] { resetLayout(); }); });
+        .runs([this] { whenHandIsFree(*m_canvas, *this, [this] { resetLayout(DockSet::Usual); }); });
     m_commands
         ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},
               Commands::tr("Commands, brushes, docks and recent files by their names"))
@@ -244,6 +246,8 @@ void MainWindow::showRows()
     const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
     connect(menus.recent, &QMenu::aboutToShow, m_opening,
             [this, menu = menus.recent] { m_opening->fillRecentMenu(*menu); });
+    connect(menus.workspaces, &QMenu::aboutToShow, m_workspaces,
+            [this, menu = menus.workspaces] { m_workspaces->fillMenu(*menu); });
     m_docksMenu = menus.docks;
     for (QDockWidget *dock : m_docks->all())
         m_docksMenu->addAction(dock->toggleViewAction());
@@ -258,9 +262,9 @@ void MainWindow::placeToolBars()
     addToolBar(Qt::TopToolBarArea, m_toolOptions);
 }
 
-void MainWindow::resetLayout()
+void MainWindow::resetLayout(DockSet set)
 {
-    m_docks->arrangeAnew();
+    m_docks->arrangeAnew(set);
     placeToolBars();
     for (QToolBar *bar : {m_tools, static_cast<QToolBar *>(m_toolOptions)})
         bar->show();

@@ -20,6 +20,8 @@ class KeptBrush;
 class KeyboardFocus;
 class ToolOptionsBar;
 class Welcoming;
+class Workspaces;
+enum class DockSet;
 struct LostDocument;
 struct PaletteEntry;
 struct Workplace;
@@ -81,7 +83,7 @@ private:
     void addRows();
     void showRows();
     void placeToolBars();
-    void resetLayout();
+    void resetLayout(DockSet set);
     void changeSettings();
     void updateTitle();
 
@@ -99,6 +101,7 @@ private:
     Welcoming *m_welcoming = nullptr;
     Importing *m_importing = nullptr;
     Docks *m_docks = nullptr;
+    Workspaces *m_workspaces = nullptr;
     QMenu *m_docksMenu = nullptr;
 };
 

@@ -77,7 +77,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
     append(*edit, table, {{RecolourArtwork, MapToSwatches}, {Settings}});
 }
 
-QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
+void addViewMenu(QMenuBar &bar, const Commands &table, OpenMenus &open)
 {
     QMenu *view = addMenu(bar, Commands::tr("&View"), table,
                           {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
@@ -94,10 +94,11 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
             {{ShowRulers, RulersInUnits, RulersInMillimetres, RulersInInches},
              {ShowGuides, SnapToGuides, LockGuides},
              {AddLevelGuide, AddUprightGuide, RemoveGuides}});
-    QMenu *docks = view->addMenu(Commands::tr("&Docks"));
+    open.docks = view->addMenu(Commands::tr("&Docks"));
+    open.workspaces = addMenu(*view, Commands::tr("Workspaces"), table,
+                              {{WorkspacePaint, WorkspaceRefine, WorkspaceTime}, {SaveWorkspace}});
     for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
         view->addAction(&table[command]);
-    return docks;
 }
 
 void addObjectMenu(QMenuBar &bar, const Commands &table)
@@ -213,7 +214,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
     OpenMenus open;
     open.recent = addFileMenu(bar, table);
     addEditMenu(bar, table);
-    open.docks = addViewMenu(bar, table);
+    addViewMenu(bar, table, open);
     addObjectMenu(bar, table);
     addLayerMenu(bar, table);
     addTimeMenu(bar, table);

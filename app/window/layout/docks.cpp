@@ -203,7 +203,7 @@ void Docks::shareRoom()
     (low ? brushes : high ? strokes : inspector)->raise();
 }
 
-void Docks::arrangeAnew()
+void Docks::arrangeAnew(DockSet set)
 {
     if (QAction &hides = m_place.commands[Command::HideDocks]; hides.isChecked())
         hides.trigger();
@@ -218,6 +218,29 @@ void Docks::arrangeAnew()
     for (QDockWidget *dock : std::as_const(m_docks))
         dock->setVisible(dock != m_probe);
     shareRoom();
+    if (set != DockSet::Usual)
+        showOnly(set);
+}
+
+/// Hides what is not of a set, and brings to the front what its work needs most.
+void Docks::showOnly(DockSet set)
+{
+    constexpr double timelineShare = 0.4; ///< of the window's height, in the workspace that is about time
+    const bool paints = set == DockSet::Paint, refines = set == DockSet::Refine;
+    QList<QDockWidget *> shown{paints ? m_brushes : m_inspector, m_strokesDock};
+    if (set != DockSet::Time)
+        shown << m_docks[0];
+    if (refines)
+        shown << m_docks[4];
+    if (set == DockSet::Time)
+        shown << m_timeline;
+    for (QDockWidget *dock : std::as_const(m_docks))
+        dock->setVisible(shown.contains(dock));
+    if (m_timeline->isVisible())
+        m_place.window.resizeDocks({m_timeline}, {int(timelineShare * m_place.window.height())}, Qt::Vertical);
+    if (shown.contains(m_docks[0]))
+        m_docks[0]->raise();
+    shown[0]->raise();
 }
 
 /// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought
