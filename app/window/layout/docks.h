@@ -47,6 +47,7 @@ private:
     void followTool();
     QDockWidget *makeTimeline();
     QDockWidget *makeProbe();
+    QDockWidget *makeReference();
     void addRows(KeyboardFocus &keyboard);
     void addSelectingRows();
     void addAlongRow(InspectorPanel &inspector);
@@ -59,6 +60,7 @@ private:
     QDockWidget *m_brushes = nullptr;
     QDockWidget *m_inspector = nullptr;
     QDockWidget *m_probe = nullptr;
+    QDockWidget *m_reference = nullptr;
     QDockWidget *m_timeline = nullptr;
     QList<QDockWidget *> m_docks;
     QByteArray m_layout; ///< while they are hidden
