@@ -6226,6 +6226,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Rulers in &amp;Inches</source>
         <translation>Lineale in &amp;Zoll</translation>
     </message>
+    <message>
+        <source>New View</source>
+        <translation>Neue Ansicht</translation>
+    </message>
+    <message>
+        <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
+        <translation>Ein Fenster, das das Gemälde von anderswo zeigt, während Sie malen; jede Änderung zeigt sich in beiden</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -13003,6 +13011,21 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
         <translation>Ziehen Sie ein Bild hierher, um es beim Malen anzusehen und Farben daraus aufzunehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ViewWindow</name>
+    <message>
+        <source>View of the painting</source>
+        <translation>Ansicht des Gemäldes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>%1 · view at %2 %</source>
+        <translation>%1 · Ansicht mit %2 %</translation>
     </message>
 </context>
 </TS>

@@ -6202,6 +6202,14 @@ Arrow keys work too.</source>
         <source>Rulers in &amp;Inches</source>
         <translation>标尺以英寸计(&amp;I)</translation>
     </message>
+    <message>
+        <source>New View</source>
+        <translation>新建视图</translation>
+    </message>
+    <message>
+        <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
+        <translation>绘画时从别处显示画作的窗口；每次修改会同时显示在两个窗口中</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -12923,6 +12931,21 @@ Arrow keys work too.</source>
     <message>
         <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
         <translation>把图片拖到这里，绘画时可以参考它并从中取色。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ViewWindow</name>
+    <message>
+        <source>View of the painting</source>
+        <translation>画作的视图</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>%1 · view at %2 %</source>
+        <translation>%1 · 视图 %2 %</translation>
     </message>
 </context>
 </TS>

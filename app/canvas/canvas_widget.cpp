@@ -30,8 +30,8 @@ constexpr double followMargin = 60; ///< logical pixels around what the view fol
 
 } // namespace
 
-CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
-    : QWidget(parent), m_editor(editor), m_worker(settings::rendererOptions(), std::move(make)),
+CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make, CanvasUse use)
+    : QWidget(parent), m_editor(editor), m_use(use), m_worker(settings::rendererOptions(), std::move(make)),
       m_input(*this, m_view, m_handles, editor.clock()), m_selected(editor),
       m_repaint(*this, editor, m_view, m_selected, [this] { return tool() ? tool()->paintMargin() : 0.0; })
 {
@@ -48,7 +48,12 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     m_repaint.setPresenter(m_presenter);
     connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
     connectInput();
-    addHandles();
+    if (use == CanvasUse::Work) {
+        addHandles();
+    } else {
+        m_input.setLooksOnly();
+        m_aids.showOutlines = false;
+    }
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
@@ -62,7 +67,8 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
-    connect(&m_worker, &FrameThread::handRests, this, &CanvasWidget::handRests);
+    if (use == CanvasUse::Work)
+        connect(&m_worker, &FrameThread::handRests, this, &CanvasWidget::handRests);
 }
 
 void CanvasWidget::connectInput()
@@ -98,7 +104,7 @@ void CanvasWidget::addHandles()
 
 CanvasWidget::~CanvasWidget()
 {
-    m_editor.laterChanges().setCanvasShown(false);
+    tellShown(false);
     m_editor.disconnect(this); // The tools are destroyed later, and give up then what they have in hand.
     m_editor.document().disconnect(this);
     m_editor.clock().disconnect(this);
@@ -406,7 +412,8 @@ void CanvasWidget::paintOverlay(QPainter &painter)
         paintRulers(painter, view(), unitOf(m_aids.rulerUnits), m_colours, dpr);
     m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
-    m_editor.laterChanges().painted();
+    if (m_use == CanvasUse::Work)
+        m_editor.laterChanges().painted();
 }
 
 void CanvasWidget::paintSelection(QPainter &painter, double dpr)
@@ -467,10 +474,17 @@ void CanvasWidget::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
+/// Panels wait for the canvas on which one works, and for no other.
+void CanvasWidget::tellShown(bool shown)
+{
+    if (m_use == CanvasUse::Work)
+        m_editor.laterChanges().setCanvasShown(shown);
+}
+
 /// While the canvas is on the screen, panels hear of a change when the canvas has been painted.
 void CanvasWidget::showEvent(QShowEvent *event)
 {
-    m_editor.laterChanges().setCanvasShown(true);
+    tellShown(true);
     readColours(); // The window is on a screen now.
     if (const QWindow *handle = window()->windowHandle())
         connect(handle, &QWindow::screenChanged, this, &CanvasWidget::readColours, Qt::UniqueConnection);
@@ -479,7 +493,7 @@ void CanvasWidget::showEvent(QShowEvent *event)
 
 void CanvasWidget::hideEvent(QHideEvent *event)
 {
-    m_editor.laterChanges().setCanvasShown(false);
+    tellShown(false);
     QWidget::hideEvent(event);
 }
 

@@ -28,13 +28,17 @@ namespace suffuse {
 class Editor;
 struct Change;
 
+/// Whether one works on a canvas or, since the painting is painted elsewhere, only looks at it.
+enum class CanvasUse { Work, Look };
+
 /// Shows the last finished frame at once wherever the view is, and shows the sharp one instead when it is ready.
 /// All pixels of its interface are device pixels.
 class CanvasWidget : public QWidget, private CanvasContent {
     Q_OBJECT
 
 public:
-    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRendererAtOnce);
+    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRendererAtOnce,
+                          CanvasUse use = CanvasUse::Work);
     ~CanvasWidget() override;
 
     Editor &editor() { return m_editor; }
@@ -212,12 +216,14 @@ private:
     void viewMoved();
     void connectInput();
     void addHandles();
+    void tellShown(bool shown);
     void readPalette();
     /// Input methods work while what is typed goes into a text.
     void followTyping();
     Point zoomCentre() const;
 
     Editor &m_editor;
+    const CanvasUse m_use;
     FrameThread m_worker;
     UnderlayLoader m_underlay;
     CanvasColours m_screenColours;

@@ -29,6 +29,7 @@
 #include "app/window/layout/side_windows.h"
 #include "app/window/layout/status_line.h"
 #include "app/window/layout/tool_rack.h"
+#include "app/window/layout/view_windows.h"
 #include "app/window/layout/window_layout.h"
 #include "app/window/layout/workspace_view.h"
 #include "app/window/layout/workspaces.h"
@@ -189,6 +190,7 @@ void MainWindow::makeParts(const Workplace &place)
     m_workspaces = new Workspaces(place, [this](DockSet set) { resetLayout(set); }, m_parts);
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
+    new ViewWindows(place, m_makeRenderer, m_parts);
     new Helping(place, m_parts);
     m_welcoming = new Welcoming(place, *m_opening, m_parts);
 }

@@ -97,7 +97,7 @@ void addViewMenu(QMenuBar &bar, const Commands &table, OpenMenus &open)
     open.docks = view->addMenu(Commands::tr("&Docks"));
     open.workspaces = addMenu(*view, Commands::tr("Workspaces"), table,
                               {{WorkspacePaint, WorkspaceRefine, WorkspaceTime}, {SaveWorkspace}});
-    for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
+    for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen, NewView})
         view->addAction(&table[command]);
 }
 

@@ -61,6 +61,8 @@ QCursor CanvasInput::cursor() const
     if (!m_hand.isPressed())
         if (const std::optional<QCursor> handle = m_handles.cursorAt(m_hand.lastPixel()))
             return *handle;
+    if (m_looksOnly)
+        return Qt::OpenHandCursor;
     return m_hand.tool() ? m_hand.tool()->cursor() : QCursor(Qt::ArrowCursor);
 }
 
@@ -99,8 +101,10 @@ PointerEvent CanvasInput::report(const QSinglePointEvent &event, PointerDevice d
 
 Navigation CanvasInput::navigationFor(const QSinglePointEvent &event) const
 {
-    if (event.button() == Qt::LeftButton)
-        return m_keys.navigation(event.modifiers());
+    if (event.button() == Qt::LeftButton) {
+        const Navigation held = m_keys.navigation(event.modifiers());
+        return m_looksOnly && held == Navigation::None ? Navigation::Pan : held;
+    }
     return event.button() == Qt::MiddleButton ? Navigation::Pan : Navigation::None;
 }
 

@@ -36,6 +36,8 @@ public:
     const CanvasPen &pen() const { return m_pen; }
     KeysDown &keys() { return m_keys; }
     const KeysDown &keys() const { return m_keys; }
+    /// From now on a drag of the left button moves the view.
+    void setLooksOnly() { m_looksOnly = true; }
     /// Sets keys that belong to the window even where the tool wants them.
     void setWindowKeys(const QList<QKeySequence> &keys) { m_windowKeys = keys; }
     /// The modifier keys that were held at the last event.
@@ -101,6 +103,7 @@ private:
     TouchInput m_touch;
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
+    bool m_looksOnly = false;
     bool m_pointerInside = false;
     std::optional<QPoint> m_leftAt; ///< where the pointer rests on the screen, though it was said to leave
     int m_busy = 0;           ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed

@@ -234,6 +234,7 @@ enum class Command {
     NextPanel,
     PreviousPanel,
     FullScreen,
+    NewView,
     FindCommand,
     Manual,
     Welcome,

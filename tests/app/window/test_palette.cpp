@@ -164,7 +164,7 @@ private slots:
                 "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
                 "holdToHideOutlines zoomIn zoomOut zoom100 fit zoomToSelection rotateLeft rotateRight resetRotation "
                 "mirror hideDocks "
-                "resetLayout workspacePaint workspaceRefine workspaceTime saveWorkspace nextPanel previousPanel fullScreen findCommand manual welcome shortcuts about")
+                "resetLayout workspacePaint workspaceRefine workspaceTime saveWorkspace nextPanel previousPanel fullScreen newView findCommand manual welcome shortcuts about")
                 .split(' ');
         QStringList ids;
         for (const QAction *action : tableOf(s).all())
