@@ -1688,6 +1688,82 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
         <translation>--error %1 wurde nicht erreicht: es ist %2. Geben Sie mehr --strokes oder --iterations an.</translation>
     </message>
+    <message>
+        <source>%1 cannot be used</source>
+        <translation>%1 ist nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>Lists the extensions that there are.</source>
+        <translation>Zählt die Erweiterungen auf, die es gibt.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1: there is no such extension. See suffuse-cli extension list.</source>
+        <translation>%1: Eine solche Erweiterung gibt es nicht. Siehe suffuse-cli extension list.</translation>
+    </message>
+    <message>
+        <source>--set %1: give FIELD=VALUE with one of the fields %2</source>
+        <translation>--set %1: Geben Sie FIELD=VALUE an, mit einem der Felder %2</translation>
+    </message>
+    <message>
+        <source>%1; give it by --set</source>
+        <translation>%1; geben Sie es mit --set an</translation>
+    </message>
+    <message>
+        <source>Runs an extension on a painting, and writes what it makes of it.</source>
+        <translation>Wendet eine Erweiterung auf ein Bild an und schreibt, was sie daraus macht.</translation>
+    </message>
+    <message>
+        <source>A field&apos;s value; may be given several times.</source>
+        <translation>Der Wert eines Felds; darf mehrmals angegeben werden.</translation>
+    </message>
+    <message>
+        <source>The strokes that are selected, by their ids, such as 3,7,20-180.</source>
+        <translation>Die ausgewählten Striche nach ihren Nummern, etwa 3,7,20-180.</translation>
+    </message>
+    <message>
+        <source>The group that is painted on, by its name.</source>
+        <translation>Die Gruppe, in der gemalt wird, nach ihrem Namen.</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the file to write</source>
+        <translation>-o OUT fehlt: Nennen Sie die Datei, die geschrieben werden soll</translation>
+    </message>
+    <message>
+        <source>%1 makes no painting; leave -o away</source>
+        <translation>%1 macht kein Bild; lassen Sie -o weg</translation>
+    </message>
+    <message>
+        <source>%1: end the name with .suffuse or .json</source>
+        <translation>%1: Der Name muss auf .suffuse oder .json enden</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli extension COMMAND [options] …</source>
+        <translation>Aufruf: suffuse-cli extension BEFEHL [Optionen] …</translation>
+    </message>
+    <message>
+        <source>the extensions that there are, with their fields</source>
+        <translation>die Erweiterungen, die es gibt, mit ihren Feldern</translation>
+    </message>
+    <message>
+        <source>run one on a painting, and write what it makes of it</source>
+        <translation>eine auf ein Bild anwenden und schreiben, was sie daraus macht</translation>
+    </message>
+    <message>
+        <source>extension %1: there is no such command. See suffuse-cli extension --help.</source>
+        <translation>extension %1: Einen solchen Befehl gibt es nicht. Siehe suffuse-cli extension --help.</translation>
+    </message>
+    <message>
+        <source>run programs of others on a painting</source>
+        <translation>Programme anderer auf ein Bild anwenden</translation>
+    </message>
+    <message>
+        <source>Its id, as extension list names it, or the path of its folder.</source>
+        <translation>Ihre Kennung, wie extension list sie nennt, oder der Pfad ihres Ordners.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -12702,6 +12778,244 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Show this at the start</source>
         <translation>Beim Start zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: install bubblewrap, and they have no network and can write nowhere else.</source>
+        <translation>Programme sind in Zeit, Speicher und dem, was sie schreiben, begrenzt, aber nicht abgeschottet: Installieren Sie bubblewrap, dann haben sie kein Netz und können nirgends sonst schreiben.</translation>
+    </message>
+    <message>
+        <source>Programs are confined by bubblewrap: they have no network, unless they say that they need it, and can write in a temporary folder only.</source>
+        <translation>Programme sind durch bubblewrap abgeschottet: Sie haben kein Netz, es sei denn, sie sagen, dass sie es brauchen, und können nur in einem temporären Ordner schreiben.</translation>
+    </message>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: bubblewrap is installed, and does not work here (%1).</source>
+        <translation>Programme sind in Zeit, Speicher und dem, was sie schreiben, begrenzt, aber nicht abgeschottet: bubblewrap ist installiert, geht hier aber nicht (%1).</translation>
+    </message>
+    <message>
+        <source>it wrote no result</source>
+        <translation>es hat kein Ergebnis geschrieben</translation>
+    </message>
+    <message>
+        <source>its result cannot be read</source>
+        <translation>sein Ergebnis lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>its result is no file</source>
+        <translation>sein Ergebnis ist keine Datei</translation>
+    </message>
+    <message>
+        <source>its result is too large</source>
+        <translation>sein Ergebnis ist zu groß</translation>
+    </message>
+    <message>
+        <source>its result is empty</source>
+        <translation>sein Ergebnis ist leer</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected. Select strokes first.</source>
+        <translation>Nichts Sichtbares und Entsperrtes ist ausgewählt. Wählen Sie zuerst Striche aus.</translation>
+    </message>
+    <message>
+        <source>Nothing in the layer is visible and unlocked.</source>
+        <translation>In der Ebene ist nichts sichtbar und entsperrt.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>Es lässt sich kein temporärer Ordner anlegen: %1. Setzen Sie TMPDIR auf einen beschreibbaren Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is the disk full?</source>
+        <translation>%1: lässt sich nicht schreiben (%2). Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2.</source>
+        <translation>Das Programm %1 lässt sich nicht starten: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>Es wurde nach %n Sekunde beendet; länger darf es nicht dauern.</numerusform>
+            <numerusform>Es wurde nach %n Sekunden beendet; länger darf es nicht dauern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was ended, since it took more than %1 MB of memory.</source>
+        <translation>Es wurde beendet, da es mehr als %1 MB Speicher nahm.</translation>
+    </message>
+    <message>
+        <source>It was ended, since it wrote more than %1 MB.</source>
+        <translation>Es wurde beendet, da es mehr als %1 MB schrieb.</translation>
+    </message>
+    <message>
+        <source>The program was killed or crashed. The painting is as it was.</source>
+        <translation>Das Programm wurde abgebrochen oder ist abgestürzt. Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>The program failed (exit code %1). The painting is as it was.</source>
+        <translation>Das Programm ist gescheitert (Exit-Code %1). Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>It wrote: %1</source>
+        <translation>Es schrieb: %1</translation>
+    </message>
+    <message>
+        <source>Its result is not used, and the painting is as it was: %1.</source>
+        <translation>Sein Ergebnis wird nicht verwendet, und das Bild ist, wie es war: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 wurde nicht geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>a colour is red, yellow, blue and opacity, each from 0 to 1</source>
+        <translation>eine Farbe ist Rot, Gelb, Blau und Deckkraft, je von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>%1 is not in [%2, %3]</source>
+        <translation>%1 liegt nicht in [%2, %3]</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is none of %2</source>
+        <translation>„%1“ ist keines von %2</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>geben Sie true oder false an</translation>
+    </message>
+    <message>
+        <source>give a text of at most %1 characters</source>
+        <translation>geben Sie einen Text von höchstens %1 Zeichen an</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>%1: the name must end with .%2</source>
+        <translation>%1: Der Name muss auf .%2 enden</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: Eine solche Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: Einen solchen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is neither true nor false</source>
+        <translation>„%1“ ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is larger than 1 MB</source>
+        <translation>%1: lässt sich nicht lesen oder ist größer als 1 MB</translation>
+    </message>
+    <message>
+        <source>%1: %2 has the id “%3”, too; give it another one</source>
+        <translation>%1: Auch %2 hat die Kennung „%3“; geben Sie ihr eine andere</translation>
+    </message>
+    <message>
+        <source>Python 3 is missing. Install python3.</source>
+        <translation>Python 3 fehlt. Installieren Sie python3.</translation>
+    </message>
+    <message>
+        <source>The program %1 is missing, or cannot be started. Install it.</source>
+        <translation>Das Programm %1 fehlt oder lässt sich nicht starten. Installieren Sie es.</translation>
+    </message>
+    <message>
+        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
+        <translation>%1 findet die Python-Module %2 nicht. Installieren Sie sie: suffuse nach docs/python.md, die anderen durch Pakete wie python3-numpy.</translation>
+    </message>
+    <message>
+        <source>name the program, and what it is started with</source>
+        <translation>nennen Sie das Programm und womit es gestartet wird</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>“%1” is not “%2”</source>
+        <translation>„%1“ ist nicht „%2“</translation>
+    </message>
+    <message>
+        <source>version %1 is not known; this program reads version %2</source>
+        <translation>Version %1 ist nicht bekannt; dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>“%1” does not look like %2</source>
+        <translation>„%1“ sieht nicht aus wie %2</translation>
+    </message>
+    <message>
+        <source>a text has 1 to 2000 characters</source>
+        <translation>ein Text hat 1 bis 2000 Zeichen</translation>
+    </message>
+    <message>
+        <source>give a text, or one for each language</source>
+        <translation>geben Sie einen Text an, oder einen für jede Sprache</translation>
+    </message>
+    <message>
+        <source>give at most %1 texts of 1 to 4096 characters</source>
+        <translation>geben Sie höchstens %1 Texte von 1 bis 4096 Zeichen an</translation>
+    </message>
+    <message>
+        <source>there are at most 3 submenus within each other</source>
+        <translation>es gibt höchstens 3 Untermenüs ineinander</translation>
+    </message>
+    <message>
+        <source>there are at most %1 fields</source>
+        <translation>es gibt höchstens %1 Felder</translation>
+    </message>
+    <message>
+        <source>two fields are called %1</source>
+        <translation>zwei Felder heißen %1</translation>
+    </message>
+    <message>
+        <source>the field&apos;s type must stand before its default</source>
+        <translation>die Art des Felds (type) muss vor seinem Wert (default) stehen</translation>
+    </message>
+    <message>
+        <source>there are at most %1 choices</source>
+        <translation>es gibt höchstens %1 Möglichkeiten</translation>
+    </message>
+    <message>
+        <source>is not above least</source>
+        <translation>ist nicht größer als least</translation>
+    </message>
+    <message>
+        <source>whole numbers are from -1000000000 to 1000000000</source>
+        <translation>ganze Zahlen gehen von -1000000000 bis 1000000000</translation>
+    </message>
+    <message>
+        <source>“%1” is no ending; give it without its dot</source>
+        <translation>„%1“ ist keine Endung; geben Sie sie ohne Punkt an</translation>
+    </message>
+    <message>
+        <source>a part of the painting was passed, so canvas, palette and underlay must stay as they are</source>
+        <translation>ein Teil des Bildes wurde übergeben, daher müssen Leinwand, Palette und Unterlage bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Es wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>It went well.</source>
+        <translation>Es ist gelungen.</translation>
     </message>
 </context>
 </TS>

@@ -619,4 +619,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>It was ended after %n second, which is as long as it may take.</numerusform>
+            <numerusform>It was ended after %n seconds, which is as long as it may take.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

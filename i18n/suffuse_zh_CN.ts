@@ -1679,6 +1679,82 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>--error %1 was not reached: it is %2. Give more --strokes or --iterations.</source>
         <translation>--error %1 未达到：现为 %2。请增大 --strokes 或 --iterations。</translation>
     </message>
+    <message>
+        <source>%1 cannot be used</source>
+        <translation>%1 无法使用</translation>
+    </message>
+    <message>
+        <source>Lists the extensions that there are.</source>
+        <translation>列出现有的扩展。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1：无法读取</translation>
+    </message>
+    <message>
+        <source>%1: there is no such extension. See suffuse-cli extension list.</source>
+        <translation>%1：没有这样的扩展。请参阅 suffuse-cli extension list。</translation>
+    </message>
+    <message>
+        <source>--set %1: give FIELD=VALUE with one of the fields %2</source>
+        <translation>--set %1：请给出 FIELD=VALUE，字段为 %2 之一</translation>
+    </message>
+    <message>
+        <source>%1; give it by --set</source>
+        <translation>%1；请用 --set 给出</translation>
+    </message>
+    <message>
+        <source>Runs an extension on a painting, and writes what it makes of it.</source>
+        <translation>对画作运行扩展，并写出它生成的结果。</translation>
+    </message>
+    <message>
+        <source>A field&apos;s value; may be given several times.</source>
+        <translation>字段的值；可多次给出。</translation>
+    </message>
+    <message>
+        <source>The strokes that are selected, by their ids, such as 3,7,20-180.</source>
+        <translation>选中的笔画的编号，例如 3,7,20-180。</translation>
+    </message>
+    <message>
+        <source>The group that is painted on, by its name.</source>
+        <translation>正在绘制的组的名称。</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the file to write</source>
+        <translation>缺少 -o OUT：请指定要写入的文件</translation>
+    </message>
+    <message>
+        <source>%1 makes no painting; leave -o away</source>
+        <translation>%1 不生成画作；请去掉 -o</translation>
+    </message>
+    <message>
+        <source>%1: end the name with .suffuse or .json</source>
+        <translation>%1：文件名须以 .suffuse 或 .json 结尾</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli extension COMMAND [options] …</source>
+        <translation>用法：suffuse-cli extension 命令 [选项] …</translation>
+    </message>
+    <message>
+        <source>the extensions that there are, with their fields</source>
+        <translation>现有的扩展及其字段</translation>
+    </message>
+    <message>
+        <source>run one on a painting, and write what it makes of it</source>
+        <translation>对画作运行一个扩展，并写出结果</translation>
+    </message>
+    <message>
+        <source>extension %1: there is no such command. See suffuse-cli extension --help.</source>
+        <translation>extension %1：没有这样的命令。请参阅 suffuse-cli extension --help。</translation>
+    </message>
+    <message>
+        <source>run programs of others on a painting</source>
+        <translation>对画作运行他人的程序</translation>
+    </message>
+    <message>
+        <source>Its id, as extension list names it, or the path of its folder.</source>
+        <translation>其标识（如 extension list 所列），或其文件夹的路径。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -12622,6 +12698,243 @@ Arrow keys work too.</source>
     <message>
         <source>Show this at the start</source>
         <translation>启动时显示</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: install bubblewrap, and they have no network and can write nowhere else.</source>
+        <translation>程序在时间、内存和写入量上受到限制，但未被隔离：请安装 bubblewrap，之后它们没有网络，也不能写入其他位置。</translation>
+    </message>
+    <message>
+        <source>Programs are confined by bubblewrap: they have no network, unless they say that they need it, and can write in a temporary folder only.</source>
+        <translation>程序由 bubblewrap 隔离：除非声明需要，否则没有网络，并且只能在临时文件夹中写入。</translation>
+    </message>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: bubblewrap is installed, and does not work here (%1).</source>
+        <translation>程序在时间、内存和写入量上受到限制，但未被隔离：bubblewrap 已安装，但在此处无法工作（%1）。</translation>
+    </message>
+    <message>
+        <source>it wrote no result</source>
+        <translation>它没有写出结果</translation>
+    </message>
+    <message>
+        <source>its result cannot be read</source>
+        <translation>其结果无法读取</translation>
+    </message>
+    <message>
+        <source>its result is no file</source>
+        <translation>其结果不是文件</translation>
+    </message>
+    <message>
+        <source>its result is too large</source>
+        <translation>其结果过大</translation>
+    </message>
+    <message>
+        <source>its result is empty</source>
+        <translation>其结果为空</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected. Select strokes first.</source>
+        <translation>没有选中可见且未锁定的内容。请先选择笔画。</translation>
+    </message>
+    <message>
+        <source>Nothing in the layer is visible and unlocked.</source>
+        <translation>图层中没有可见且未锁定的内容。</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>无法创建临时文件夹：%1。请将 TMPDIR 设为可写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is the disk full?</source>
+        <translation>%1：无法写入（%2）。磁盘是否已满？</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2.</source>
+        <translation>无法启动程序 %1：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>它在 %n 秒后被终止，这是允许的最长时间。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was ended, since it took more than %1 MB of memory.</source>
+        <translation>它被终止，因为占用了超过 %1 MB 的内存。</translation>
+    </message>
+    <message>
+        <source>It was ended, since it wrote more than %1 MB.</source>
+        <translation>它被终止，因为写入了超过 %1 MB。</translation>
+    </message>
+    <message>
+        <source>The program was killed or crashed. The painting is as it was.</source>
+        <translation>程序被终止或已崩溃。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>The program failed (exit code %1). The painting is as it was.</source>
+        <translation>程序失败（退出码 %1）。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>It wrote: %1</source>
+        <translation>它写道：%1</translation>
+    </message>
+    <message>
+        <source>Its result is not used, and the painting is as it was: %1.</source>
+        <translation>其结果未被采用，画作保持原样：%1。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 未被写入：%2。</translation>
+    </message>
+    <message>
+        <source>a colour is red, yellow, blue and opacity, each from 0 to 1</source>
+        <translation>颜色由红、黄、蓝和不透明度组成，各为 0 到 1</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>请给出一个数</translation>
+    </message>
+    <message>
+        <source>%1 is not in [%2, %3]</source>
+        <translation>%1 不在 [%2, %3] 内</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 不是整数</translation>
+    </message>
+    <message>
+        <source>“%1” is none of %2</source>
+        <translation>“%1”不是 %2 之一</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>请给出 true 或 false</translation>
+    </message>
+    <message>
+        <source>give a text of at most %1 characters</source>
+        <translation>请给出至多 %1 个字符的文本</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>请选择文件</translation>
+    </message>
+    <message>
+        <source>%1: the name must end with .%2</source>
+        <translation>%1：文件名须以 .%2 结尾</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1：没有这个文件</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1：没有这个文件夹</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>“%1”不是数</translation>
+    </message>
+    <message>
+        <source>“%1” is neither true nor false</source>
+        <translation>“%1”既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is larger than 1 MB</source>
+        <translation>%1：无法读取，或大于 1 MB</translation>
+    </message>
+    <message>
+        <source>%1: %2 has the id “%3”, too; give it another one</source>
+        <translation>%1：%2 也使用标识“%3”；请换一个</translation>
+    </message>
+    <message>
+        <source>Python 3 is missing. Install python3.</source>
+        <translation>缺少 Python 3。请安装 python3。</translation>
+    </message>
+    <message>
+        <source>The program %1 is missing, or cannot be started. Install it.</source>
+        <translation>程序 %1 缺失或无法启动。请安装它。</translation>
+    </message>
+    <message>
+        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
+        <translation>%1 找不到 Python 模块 %2。请安装：suffuse 按 docs/python.md 所述，其他的用 python3-numpy 之类的软件包。</translation>
+    </message>
+    <message>
+        <source>name the program, and what it is started with</source>
+        <translation>请指定程序及其启动参数</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>“%1” is not “%2”</source>
+        <translation>“%1”不是“%2”</translation>
+    </message>
+    <message>
+        <source>version %1 is not known; this program reads version %2</source>
+        <translation>版本 %1 未知；本程序读取版本 %2</translation>
+    </message>
+    <message>
+        <source>“%1” does not look like %2</source>
+        <translation>“%1”不符合 %2</translation>
+    </message>
+    <message>
+        <source>a text has 1 to 2000 characters</source>
+        <translation>文本应有 1 到 2000 个字符</translation>
+    </message>
+    <message>
+        <source>give a text, or one for each language</source>
+        <translation>请给出一个文本，或每种语言各一个</translation>
+    </message>
+    <message>
+        <source>give at most %1 texts of 1 to 4096 characters</source>
+        <translation>请给出至多 %1 个 1 到 4096 个字符的文本</translation>
+    </message>
+    <message>
+        <source>there are at most 3 submenus within each other</source>
+        <translation>子菜单最多嵌套 3 层</translation>
+    </message>
+    <message>
+        <source>there are at most %1 fields</source>
+        <translation>至多 %1 个字段</translation>
+    </message>
+    <message>
+        <source>two fields are called %1</source>
+        <translation>两个字段都叫 %1</translation>
+    </message>
+    <message>
+        <source>the field&apos;s type must stand before its default</source>
+        <translation>字段的 type 必须写在 default 之前</translation>
+    </message>
+    <message>
+        <source>there are at most %1 choices</source>
+        <translation>至多 %1 个选项</translation>
+    </message>
+    <message>
+        <source>is not above least</source>
+        <translation>不大于 least</translation>
+    </message>
+    <message>
+        <source>whole numbers are from -1000000000 to 1000000000</source>
+        <translation>整数范围为 -1000000000 到 1000000000</translation>
+    </message>
+    <message>
+        <source>“%1” is no ending; give it without its dot</source>
+        <translation>“%1”不是扩展名；请去掉点号</translation>
+    </message>
+    <message>
+        <source>a part of the painting was passed, so canvas, palette and underlay must stay as they are</source>
+        <translation>传入的是画作的一部分，因此画布、调色板和底图必须保持不变</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>It went well.</source>
+        <translation>运行成功。</translation>
     </message>
 </context>
 </TS>
