@@ -1764,6 +1764,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Its id, as extension list names it, or the path of its folder.</source>
         <translation>Ihre Kennung, wie extension list sie nennt, oder der Pfad ihres Ordners.</translation>
     </message>
+    <message>
+        <source>%1: it belongs to the farm in %2, and two farms would overwrite each other&apos;s pieces. Choose another name, or, if that farm is not wanted any more, remove its folder.</source>
+        <translation>%1: Gehört zur Farm in %2, und zwei Farmen würden einander die Stücke überschreiben. Wählen Sie einen anderen Namen oder entfernen Sie, wenn jene Farm nicht mehr gewünscht ist, ihren Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is another farm being planned?</source>
+        <translation>%1: lässt sich nicht schreiben (%2). Wird gerade eine andere Farm geplant?</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -6105,6 +6113,38 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat Last Extension</source>
+        <translation>Letzte Erweiterung &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+X</source>
+        <translation>Ctrl+Alt+X</translation>
+    </message>
+    <message>
+        <source>Once more, with the same values</source>
+        <translation>Noch einmal, mit denselben Werten</translation>
+    </message>
+    <message>
+        <source>&amp;Manage Extensions…</source>
+        <translation>Erweiterungen &amp;verwalten …</translation>
+    </message>
+    <message>
+        <source>Which extensions there are, which are in the menu, and what went wrong</source>
+        <translation>Welche Erweiterungen es gibt, welche im Menü stehen und was schiefging</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected.</source>
+        <translation>Nichts Sichtbares und Entsperrtes ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>E&amp;xtensions</source>
+        <translation>E&amp;rweiterungen</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1 …</translation>
     </message>
 </context>
 <context>
@@ -13016,6 +13056,123 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>It went well.</source>
         <translation>Es ist gelungen.</translation>
+    </message>
+    <message>
+        <source>The result does not fit into memory.</source>
+        <translation>Das Ergebnis passt nicht in den Speicher.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionDialog</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Ausführen</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>Was sie jetzt enthält, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>It was stopped. The painting is as it was.</source>
+        <translation>Es wurde angehalten. Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile, so the result is not used. Run it again.</source>
+        <translation>Das Bild hat sich inzwischen geändert, daher wird das Ergebnis nicht verwendet. Führen Sie es noch einmal aus.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionFields</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Ordner und Namen wählen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManageExtensionsDialog</name>
+    <message>
+        <source>Manage Extensions</source>
+        <translation>Erweiterungen verwalten</translation>
+    </message>
+    <message>
+        <source>Extensions</source>
+        <translation>Erweiterungen</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Erweiterung</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>About the extension</source>
+        <translation>Über die Erweiterung</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>&amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Your own extensions lie there, each in a folder with a manifest</source>
+        <translation>Ihre eigenen Erweiterungen liegen dort, jede in einem Ordner mit einem Manifest</translation>
+    </message>
+    <message>
+        <source>Read &amp;Again</source>
+        <translation>&amp;Neu lesen</translation>
+    </message>
+    <message>
+        <source>Looks for extensions anew, after files were changed</source>
+        <translation>Sucht neu nach Erweiterungen, nachdem Dateien geändert wurden</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Ihnen</translation>
+    </message>
+    <message>
+        <source>Suffuse</source>
+        <translation>Suffuse</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>There are no extensions yet. Put a folder with a manifest into yours.</source>
+        <translation>Es gibt noch keine Erweiterungen. Legen Sie einen Ordner mit einem Manifest in Ihren.</translation>
+    </message>
+    <message>
+        <source>It uses the network.</source>
+        <translation>Sie benutzt das Netz.</translation>
+    </message>
+    <message>
+        <source>The last run: %1</source>
+        <translation>Der letzte Lauf: %1</translation>
+    </message>
+    <message>
+        <source>Your extensions lie in %1.</source>
+        <translation>Ihre Erweiterungen liegen in %1.</translation>
     </message>
 </context>
 </TS>

@@ -1755,6 +1755,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Its id, as extension list names it, or the path of its folder.</source>
         <translation>其标识（如 extension list 所列），或其文件夹的路径。</translation>
     </message>
+    <message>
+        <source>%1: it belongs to the farm in %2, and two farms would overwrite each other&apos;s pieces. Choose another name, or, if that farm is not wanted any more, remove its folder.</source>
+        <translation>%1：属于 %2 中的渲染农场，两个渲染农场会互相覆盖对方的图块。请换一个名称；如果不再需要那个渲染农场，请删除其文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is another farm being planned?</source>
+        <translation>%1：无法写入（%2）。是否正在规划另一个渲染农场？</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -6081,6 +6089,38 @@ Arrow keys work too.</source>
     <message>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>新画作、最近的画作、示例和短课程</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat Last Extension</source>
+        <translation>重复上次的扩展(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+X</source>
+        <translation>Ctrl+Alt+X</translation>
+    </message>
+    <message>
+        <source>Once more, with the same values</source>
+        <translation>用相同的值再运行一次</translation>
+    </message>
+    <message>
+        <source>&amp;Manage Extensions…</source>
+        <translation>管理扩展(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Which extensions there are, which are in the menu, and what went wrong</source>
+        <translation>有哪些扩展、哪些在菜单中、以及出了什么问题</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected.</source>
+        <translation>没有选中可见且未锁定的内容。</translation>
+    </message>
+    <message>
+        <source>E&amp;xtensions</source>
+        <translation>扩展(&amp;X)</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
     </message>
 </context>
 <context>
@@ -12935,6 +12975,123 @@ Arrow keys work too.</source>
     <message>
         <source>It went well.</source>
         <translation>运行成功。</translation>
+    </message>
+    <message>
+        <source>The result does not fit into memory.</source>
+        <translation>结果无法放入内存。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionDialog</name>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 已存在。要替换吗？</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>其现有内容将丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>It was stopped. The painting is as it was.</source>
+        <translation>已停止。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile, so the result is not used. Run it again.</source>
+        <translation>画作在此期间已更改，因此结果未被采用。请再次运行。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionFields</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>选择文件夹和文件名</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManageExtensionsDialog</name>
+    <message>
+        <source>Manage Extensions</source>
+        <translation>管理扩展</translation>
+    </message>
+    <message>
+        <source>Extensions</source>
+        <translation>扩展</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>扩展</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>About the extension</source>
+        <translation>关于该扩展</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>打开文件夹(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Your own extensions lie there, each in a folder with a manifest</source>
+        <translation>您自己的扩展位于其中，每个都在带有清单的文件夹中</translation>
+    </message>
+    <message>
+        <source>Read &amp;Again</source>
+        <translation>重新读取(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Looks for extensions anew, after files were changed</source>
+        <translation>文件更改后重新查找扩展</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>您</translation>
+    </message>
+    <message>
+        <source>Suffuse</source>
+        <translation>Suffuse</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>无法使用</translation>
+    </message>
+    <message>
+        <source>There are no extensions yet. Put a folder with a manifest into yours.</source>
+        <translation>还没有扩展。请将带有清单的文件夹放入您的文件夹。</translation>
+    </message>
+    <message>
+        <source>It uses the network.</source>
+        <translation>它使用网络。</translation>
+    </message>
+    <message>
+        <source>The last run: %1</source>
+        <translation>上次运行：%1</translation>
+    </message>
+    <message>
+        <source>Your extensions lie in %1.</source>
+        <translation>您的扩展位于 %1。</translation>
     </message>
 </context>
 </TS>
