@@ -16,6 +16,7 @@
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/icons.h"
 #include "app/window/dialog_rows.h"
+#include "app/window/extending.h"
 #include "app/window/files/exporting.h"
 #include "app/window/files/file_opening.h"
 #include "app/window/files/file_restoring.h"
@@ -183,6 +184,7 @@ void MainWindow::makeParts(const Workplace &place)
     m_importing = new Importing(place, m_parts);
     new Exporting(place, m_parts);
     new Pasting(place, m_parts);
+    m_extending = new Extending(place, m_parts);
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
     new AtPointer(place, m_parts);
@@ -244,6 +246,7 @@ void MainWindow::showRows()
     const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
     connect(menus.recent, &QMenu::aboutToShow, m_opening,
             [this, menu = menus.recent] { m_opening->fillRecentMenu(*menu); });
+    m_extending->fill(*menus.extensions);
     m_docksMenu = menus.docks;
     for (QDockWidget *dock : m_docks->all())
         m_docksMenu->addAction(dock->toggleViewAction());
@@ -269,7 +272,7 @@ void MainWindow::resetLayout()
 std::vector<PaletteEntry> MainWindow::paletteEntries()
 {
     return suffuse::paletteEntries(
-        m_editor, *m_commands, m_docksMenu->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
+        m_editor, *m_commands, m_docksMenu->actions(), m_extending->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
         [this](const QString &path) { openFile(path); });
 }
 

@@ -13,6 +13,7 @@ namespace suffuse {
 
 class CanvasWidget;
 class Docks;
+class Extending;
 class FileOpening;
 class FileSaving;
 class Importing;
@@ -99,6 +100,7 @@ private:
     Welcoming *m_welcoming = nullptr;
     Importing *m_importing = nullptr;
     Docks *m_docks = nullptr;
+    Extending *m_extending = nullptr;
     QMenu *m_docksMenu = nullptr;
 };
 

@@ -213,6 +213,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
             {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,
               ReverseStrokes}});
     addToolsMenu(bar, table);
+    open.extensions = addMenu(bar, Commands::tr("E&xtensions"), table, {{RepeatExtension}, {ManageExtensions}});
     addMenu(bar, Commands::tr("&Help"), table, {{Manual, Welcome}, {FindCommand, Shortcuts}, {About}});
     leaveBarWithMenus(bar);
     return open;

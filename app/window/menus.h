@@ -14,6 +14,7 @@ class Commands;
 struct OpenMenus {
     QMenu *recent = nullptr; ///< files that were open before
     QMenu *docks = nullptr;
+    QMenu *extensions = nullptr;
 };
 
 /// All rows must be in the table.

@@ -193,6 +193,8 @@ enum class Command {
     LargerSize,
     LessOpacity,
     MoreOpacity,
+    RepeatExtension,
+    ManageExtensions,
     HoldToPan,
     HoldToTurn,
     HoldToHideOutlines,

@@ -100,7 +100,6 @@ void ExtensionLibrary::noteRun(const Extension &extension, const ExtensionOutcom
         run = outcome.error.isEmpty() ? ExtensionMessages::tr("It went well.") : outcome.error;
     if (!outcome.log.trimmed().isEmpty())
         run += QStringLiteral("\n\n") + outcome.log.trimmed();
-    emit changed();
 }
 
 ExtensionOrder extensionOrder(Editor &editor, const Extension &extension, const QJsonObject &values)

@@ -40,7 +40,7 @@ public:
     void noteRun(const Extension &extension, const ExtensionOutcome &outcome);
 
 signals:
-    /// There are others, others are enabled, or one has run.
+    /// There are others, or others are enabled.
     void changed();
 
 private:
