@@ -132,6 +132,15 @@ def lines_of(painting, row, values, random):
     return suffuse.Painting.from_tables(canvas=painting.canvas, segments=made)
 
 
+def keep_in_group(document, line, around):
+    """Puts the group of a line into the group that the area is in."""
+    painting = document.painting
+    groups = painting.groups.copy()
+    own = painting.strokes["group"][painting.strokes["id"] == line][0]
+    groups["parent"][groups["id"] == own] = around
+    document.apply(painting.replaced(groups=groups), "Group")
+
+
 def hatched(job):
     painting, values = job.painting, job.values
     random = np.random.default_rng(int(values["seed"]))
@@ -149,6 +158,7 @@ def hatched(job):
         document.reorder(int(above))
         name = str(stroke["name"])
         document.group({"de": "Schraffur", "zh_CN": "排线"}.get(job.language, "Hatching") + (f" {name}" if name else ""))
+        keep_in_group(document, int(new[0]), int(stroke["group"]))
         areas += 1
         count += len(new)
         if values["replace"]:
