@@ -45,9 +45,11 @@ QStringList wrapArguments(const WorkFolders *folders, bool network)
     hidden.removeIf([](const QString &path) { return !QFileInfo(path).isDir() || QFileInfo(path).isSymLink(); });
     for (const QString &path : hidden)
         arguments << "--tmpfs" << path;
-    if (folders)
-        arguments << "--ro-bind" << folders->read << folders->read << "--bind" << folders->write << folders->write
-                  << "--chdir" << folders->write;
+    if (folders) {
+        for (const QString &path : folders->read)
+            arguments << "--ro-bind" << path << path;
+        arguments << "--bind" << folders->write << folders->write << "--chdir" << folders->write;
+    }
     for (const QString &path : hidden)
         arguments << "--remount-ro" << path;
     arguments << "--remount-ro"

@@ -21,8 +21,8 @@ const Confinement &confinement();
 
 /// Where a program works.
 struct WorkFolders {
-    QString read;  ///< what is handed to it
-    QString write; ///< the only folder in which it may write
+    QStringList read; ///< what is handed to it: folders and files, wherever they lie
+    QString write;    ///< the only folder in which it may write
 };
 
 /// The command as it is started: within bubblewrap, where that works, with all files to be read, those of `folders` to

@@ -223,11 +223,21 @@ private:
         return env;
     }
 
+    /// What it must see: what is handed to it, itself, and files that it is to open.
+    QStringList readPlaces() const
+    {
+        QStringList places{readFolder(), m_order.extension.folder};
+        for (const ExtensionField &field : m_order.extension.fields)
+            if (field.type == ExtensionField::Type::File && !field.saves)
+                places << m_values[field.id].toString();
+        return places;
+    }
+
     QString runProgram()
     {
         const ExtensionLimits &limits = m_order.extension.limits;
         const QStringList command =
-            confined(commandOf(m_order.extension), {readFolder(), writeFolder()}, m_order.extension.network);
+            confined(commandOf(m_order.extension), {readPlaces(), writeFolder()}, m_order.extension.network);
         const ProcessTree tree("SUFFUSE_JOB=" + QFile::encodeName(jobPath()));
         QProcess process;
         process.setProcessEnvironment(environment());

@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int longestText = 65536;
+constexpr int longestText = 30'000; // It must fit into a variable of the environment.
 
 QString shown(double number)
 {

@@ -1,12 +1,14 @@
 """The extensions that come along, run as people run them."""
 
+import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
 
-from support import SAMPLES
+from support import SAMPLES, SOURCE
 
 import numpy as np
 import suffuse
@@ -179,6 +181,20 @@ class Extensions(unittest.TestCase):
                     "--set", "width=60", "--set", "gap=10", out=False)
         page = suffuse.read_picture(self.path("sheet.png"))
         np.testing.assert_array_equal(page[10:50, 80:140, :3], alone)
+
+    def test_examples_of_the_docs(self):
+        """The manifest and the programs of docs/extensions.md, in the shell and in Python."""
+        text = (SOURCE / "docs/extensions.md").read_text("utf-8")
+        manifest = json.loads(re.search(r"```json\n(.*?)```", text, re.S).group(1))
+        programs = {kind: re.search(rf"```{kind}\n(.*?)```", text, re.S).group(1) for kind in ("sh", "python")}
+        changed = json.loads("{" + re.search(r"In the manifest, `(.*?)`", text, re.S).group(1) + "}")
+        for name, kind, members in (("denser.sh", "sh", {}), ("denser.py", "python", changed)):
+            folder = pathlib.Path(self.path(kind))
+            folder.mkdir()
+            (folder / "manifest.json").write_text(json.dumps(manifest | members), "utf-8")
+            (folder / name).write_text(programs[kind], "utf-8")
+            denser = self.run_it(str(folder), "--set", "density=12")
+            self.assertTrue((denser.segments["density"] == 12).all())
 
     def test_a_real_painting(self):
         source = str(SAMPLES / "still-life.suffuse")

@@ -125,6 +125,7 @@ QWidget *ExtensionFields::makeNumber(const ExtensionField &field, const QJsonVal
     box->setValue(value.toDouble());
     // Where nobody touched it, it is what it was, with all its digits.
     m_values[field.id] = [box, given = value.toDouble(), shown = box->value()] {
+        box->interpretText();
         return QJsonValue(box->value() == shown ? given : box->value());
     };
     connect(box, &QDoubleSpinBox::valueChanged, this, &ExtensionFields::edited);
@@ -137,7 +138,10 @@ QWidget *ExtensionFields::makeWhole(const ExtensionField &field, const QJsonValu
     box->setRange(int(std::ceil(field.least)), int(std::floor(field.most)));
     box->setSuffix(suffixOf(field.unit, language));
     box->setValue(value.toInt());
-    m_values[field.id] = [box] { return QJsonValue(box->value()); };
+    m_values[field.id] = [box] {
+        box->interpretText();
+        return QJsonValue(box->value());
+    };
     connect(box, &QSpinBox::valueChanged, this, &ExtensionFields::edited);
     return box;
 }
