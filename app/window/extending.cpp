@@ -15,6 +15,8 @@
 #include <QStatusBar>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace suffuse {
 
@@ -24,6 +26,28 @@ namespace {
 QString entryText(const QString &text)
 {
     return QString(text).replace('&', QLatin1String("&&"));
+}
+
+using ExtensionEntry = std::pair<QStringList, const Extension *>;
+
+/// What stands in the menu, each with the titles of its submenus: submenus first, by their titles.
+std::vector<ExtensionEntry> entriesOf(ExtensionLibrary &library, const QString &language)
+{
+    std::vector<ExtensionEntry> entries;
+    for (const FoundExtension &found : library.found()) {
+        if (!found.extension || !library.isEnabled(found.extension->id))
+            continue;
+        QStringList titles;
+        for (const Words &title : found.extension->menu)
+            titles << entryText(title.in(language));
+        entries.emplace_back(titles, &*found.extension);
+    }
+    std::ranges::stable_sort(entries, [](const ExtensionEntry &a, const ExtensionEntry &b) {
+        if (a.first.isEmpty() || b.first.isEmpty())
+            return !a.first.isEmpty() && b.first.isEmpty();
+        return a.first.first().localeAwareCompare(b.first.first()) < 0;
+    });
+    return entries;
 }
 
 } // namespace
@@ -70,13 +94,8 @@ void Extending::refill()
     const QString language = languageInUse();
     ExtensionLibrary &library = ExtensionLibrary::instance();
     QAction *last = &m_place.commands[Command::ManageExtensions];
-    for (const FoundExtension &found : library.found()) {
-        if (!found.extension || !library.isEnabled(found.extension->id))
-            continue;
-        const Extension &extension = *found.extension;
-        QStringList titles;
-        for (const Words &title : extension.menu)
-            titles << entryText(title.in(language));
+    for (const auto &[titles, each] : entriesOf(library, language)) {
+        const Extension &extension = *each;
         const QString name = entryText(extension.name.in(language));
         auto *action = new QAction(extension.fields.empty() ? name : Commands::tr("%1…").arg(name), this);
         action->setObjectName(QStringLiteral("extension.") + extension.id);

@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from support import SAMPLES, SOURCE
+from support import SAMPLES, SOURCE, run_cli
 
 import numpy as np
 import suffuse
@@ -181,6 +181,30 @@ class Extensions(unittest.TestCase):
                     "--set", "width=60", "--set", "gap=10", out=False)
         page = suffuse.read_picture(self.path("sheet.png"))
         np.testing.assert_array_equal(page[10:50, 80:140, :3], alone)
+
+    def test_command_line(self):
+        listed = json.loads(run_cli("extension", "list", "--json")[0])
+        by_id = {each["id"]: each for each in listed["extensions"]}
+        self.assertEqual(set(by_id), {"jitter", "hatch", "kaleidoscope", "recolour-palette", "contact-sheet"})
+        self.assertEqual(by_id["hatch"]["fields"][0]["choices"][0], "pencil")
+        self.assertIn("gap=7", run_cli("extension", "list")[0])
+        source, out = self.path("in.suffuse"), self.path("no.json")
+        for arguments, code, says in (
+            ((), 2, "Usage"),
+            (("paint",), 2, "there is no such command"),
+            (("run", "no-such", source, "-o", out), 1, "there is no such extension"),
+            (("run", "jitter", source), 2, "-o OUT is missing"),
+            (("run", "jitter", source, "-o", self.path("no.png")), 2, "end the name with .suffuse or .json"),
+            (("run", "jitter", source, "-o", source), 1, "would be lost"),
+            (("run", "jitter", source, "-o", out, "--set", "move=far"), 2, "“far” is no number"),
+            (("run", "jitter", source, "-o", out, "--set", "speed=1"), 2, "one of the fields move, bend"),
+            (("run", "jitter", source, "-o", out, "--set", "move=-1"), 2, "-1 is not in [0, 1000]"),
+            (("run", "jitter", source, "-o", out, "--select", "99"), 2, "there is no stroke 99"),
+            (("run", "contact-sheet", source, "-o", out), 2, "makes no painting"),
+            (("run", "contact-sheet", source), 2, "choose a file; give it by --set"),
+        ):
+            self.assertIn(says, run_cli("extension", *arguments, code=code)[1])
+            self.assertFalse(os.path.exists(out))
 
     def test_examples_of_the_docs(self):
         """The manifest and the programs of docs/extensions.md, in the shell and in Python."""

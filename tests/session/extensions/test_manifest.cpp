@@ -6,6 +6,7 @@
 #include "extension_folder.h"
 
 #include <QJsonArray>
+#include <QRandomGenerator>
 #include <QSignalSpy>
 
 using namespace suffuse;
@@ -121,6 +122,29 @@ private slots:
         const Result<Extension> read = readManifest(bytes, "m.json");
         QVERIFY(!read);
         QVERIFY2(read.error().startsWith("m.json: ") && read.error().contains(says), qPrintable(read.error()));
+    }
+
+    /// Whatever stands in a manifest, it is read or refused with its name.
+    void damagedOnesAreReadOrRefused()
+    {
+        const QByteArray whole = manifest(everyField);
+        QRandomGenerator random(7);
+        int refused = 0;
+        for (int i = 0; i < 3000; ++i) {
+            QByteArray bytes = whole;
+            for (int k = random.bounded(1, 4); k > 0; --k) {
+                const auto at = qsizetype(random.bounded(int(bytes.size())));
+                if (random.bounded(2))
+                    bytes[at] = char(random.bounded(256));
+                else
+                    bytes.remove(at, random.bounded(1, 20));
+            }
+            const Result<Extension> read = readManifest(bytes, "m.json");
+            if (!read)
+                QVERIFY2(read.error().startsWith("m.json: "), qPrintable(read.error()));
+            refused += !read;
+        }
+        QVERIFY(refused > 1000);
     }
 
     void valuesAreCheckedAndKept()
