@@ -208,8 +208,7 @@ private:
             if (name == QLatin1String("PATH") || name == QLatin1String("LANG") || name == QLatin1String("TZ") ||
                 name == QLatin1String("LD_LIBRARY_PATH") || name.startsWith(QLatin1String("LC_")))
                 env.insert(name, ours.value(name));
-        if (const QString folder = pythonModuleFolder(); !folder.isEmpty())
-            env.insert(QStringLiteral("PYTHONPATH"), folder);
+        addPythonPlaces(env);
         env.insert(QStringLiteral("PYTHONDONTWRITEBYTECODE"), QStringLiteral("1"));
         env.insert(QStringLiteral("PYTHONIOENCODING"), QStringLiteral("utf-8"));
         env.insert(QStringLiteral("HOME"), writeFolder());

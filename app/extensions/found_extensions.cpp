@@ -40,6 +40,17 @@ FoundExtension readFolder(const QString &folder, bool isOwn)
     return found;
 }
 
+/// The folder with `import suffuse` of a build, or of an installation elsewhere; empty: there is none.
+QString pythonModuleFolder()
+{
+    for (const char *folder : {"../python", "../lib/python3/dist-packages"}) {
+        const QDir dir(QCoreApplication::applicationDirPath() + '/' + QLatin1String(folder));
+        if (dir.exists(QStringLiteral("suffuse/__init__.py")))
+            return QDir::cleanPath(dir.absolutePath());
+    }
+    return {};
+}
+
 /// What Python does not find of some modules. Nothing is imported but the packages around them.
 QStringList missingModules(const QString &python, const QStringList &modules)
 {
@@ -50,8 +61,7 @@ QStringList missingModules(const QString &python, const QStringList &modules)
         return {};
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    if (const QString folder = pythonModuleFolder(); !folder.isEmpty())
-        environment.insert(QStringLiteral("PYTHONPATH"), folder);
+    addPythonPlaces(environment);
     process.setProcessEnvironment(environment);
     process.start(python, QStringList{QStringLiteral("-B"), QStringLiteral("-c"),
                                       QStringLiteral("import importlib.util as u, sys\n"
@@ -133,14 +143,15 @@ QString python3()
     return QFileInfo(debian).isExecutable() ? debian : QStandardPaths::findExecutable(QStringLiteral("python3"));
 }
 
-QString pythonModuleFolder()
+void addPythonPlaces(QProcessEnvironment &environment)
 {
-    for (const char *folder : {"../python", "../lib/python3/dist-packages"}) {
-        const QDir dir(QCoreApplication::applicationDirPath() + '/' + QLatin1String(folder));
-        if (dir.exists(QStringLiteral("suffuse/__init__.py")))
-            return QDir::cleanPath(dir.absolutePath());
-    }
-    return {};
+    const QProcessEnvironment ours = QProcessEnvironment::systemEnvironment();
+    const QString path = QStringLiteral("PYTHONPATH"), own = QStringLiteral("PYTHONUSERBASE");
+    QStringList folders{pythonModuleFolder(), ours.value(path)};
+    folders.removeAll(QString());
+    if (!folders.isEmpty())
+        environment.insert(path, folders.join(':'));
+    environment.insert(own, ours.value(own, QDir::homePath() + QStringLiteral("/.local")));
 }
 
 QStringList commandOf(const Extension &extension)

@@ -4,6 +4,8 @@
 #include "app/extensions/extension.h"
 #include "model/result.h"
 
+#include <QProcessEnvironment>
+
 #include <optional>
 
 namespace suffuse {
@@ -30,9 +32,9 @@ std::vector<FoundExtension> findExtensions(const QStringList &folders, const QSt
 /// The interpreter that {python3} stands for: Debian's, for which `import suffuse` is made, else the first in the path.
 /// Empty where there is none.
 QString python3();
-/// The folder that Python must know to find `import suffuse`, where it is not installed as Debian's modules are; may be
-/// empty.
-QString pythonModuleFolder();
+/// Lets Python find the modules that it finds for the person who runs Suffuse, whatever home the environment names, and
+/// `import suffuse`, where that is not installed as Debian's modules are.
+void addPythonPlaces(QProcessEnvironment &environment);
 /// Empty if the program of an extension can be started: it is there, and so is each Python module that it imports.
 /// Otherwise it is a sentence that says what to install.
 QString problemOfNeeds(const Extension &extension);

@@ -80,11 +80,8 @@ def sheet(job):
         top, left = gap + k // columns * (height + gap), gap + k % columns * (width + gap)
         page[top : top + picture.shape[0], left : left + picture.shape[1]] = picture
     suffuse.write_picture(values["file"], page)
-    extension.say(
-        {"de": f"{count} Bilder auf {page_width} × {page_height} Pixeln", "zh_CN": f"{count} 张图片，{page_width} × {page_height} 像素"}.get(
-            job.language, f"{count} pictures on {page_width} × {page_height} pixels"
-        )
-    )
+    said = {"de": "{} Bilder auf {} × {} Pixeln", "zh_CN": "{} 张图片，{} × {} 像素"}
+    extension.say(said.get(job.language, "{} pictures on {} × {} pixels").format(count, page_width, page_height))
 
 
 if __name__ == "__main__":

@@ -15,6 +15,22 @@ PALETTES = {
     "sepia": ["1d120a", "4a2f1b", "80573a", "b58b66", "dcc09c", "f7ecd9"],
 }
 
+# Oklab (Ottosson, 2020): from linear sRGB to what the eye's cones see, and from that to lightness and two axes of colour.
+TO_CONES = np.array(
+    [
+        [0.4122214708, 0.5363325363, 0.0514459929],
+        [0.2119034982, 0.6806995451, 0.1073969566],
+        [0.0883024619, 0.2817188376, 0.6299787005],
+    ]
+)
+FROM_CONES = np.array(
+    [
+        [0.2104542553, 0.7936177850, -0.0040720468],
+        [1.9779984951, -2.4285922050, 0.4505937099],
+        [0.0259040371, 0.7827717662, -0.8086757660],
+    ]
+)
+
 
 def converted(colour, turn):
     """Takes white out, turns the hue, keeps the greatest value, and puts black in, as Suffuse does in both directions."""
@@ -46,16 +62,9 @@ def ryb_of(rgb):
 
 
 def oklab(rgb):
-    """Lightness and two axes of colour, so that distances are those that people see (Ottosson, 2020)."""
+    """Lightness and two axes of colour, so that distances are those that people see."""
     linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in rgb]
-    cones = np.cbrt(
-        np.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566], [0.0883024619, 0.2817188376, 0.6299787005]])
-        @ linear
-    )
-    return (
-        np.array([[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099], [0.0259040371, 0.7827717662, -0.8086757660]])
-        @ cones
-    )
+    return FROM_CONES @ np.cbrt(TO_CONES @ linear)
 
 
 def palette_of(painting, name):

@@ -28,7 +28,7 @@ def area_painting():
         return rows
 
     square = ring([(20, 20), (180, 20), (180, 180), (20, 180)], False)
-    hole = ring([(80, 80), (80, 120), (120, 120), (120, 80)], True)
+    hole = ring([(80, 80), (120, 80), (120, 120), (80, 120)], True)
     line = suffuse.new_table("segments", 1)
     line["bezier"][0] = [(10, 10), (60, 10), (120, 10), (190, 10)]
     line["stroke"] = 1

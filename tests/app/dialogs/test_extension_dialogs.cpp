@@ -36,7 +36,8 @@ const QByteArray densityField = R"(, "menu": ["Tests"], "fields": [
 const QByteArray everyField = R"(, "fields": [
  {"type": "number", "id": "gap", "label": "Gap", "unit": "mm", "least": 0.5, "most": 50, "default": 4.25, "decimals": 1, "tip": "Between"},
  {"type": "whole", "id": "count", "label": "Count", "least": 1, "most": 9, "default": 3},
- {"type": "choice", "id": "kind", "label": "Kind", "choices": [{"id": "a", "label": "First"}, {"id": "b", "label": "Second"}], "default": "b"},
+ {"type": "choice", "id": "kind", "label": "Kind", "default": "b",
+  "choices": [{"id": "a", "label": "First"}, {"id": "b", "label": "Second"}]},
  {"type": "switch", "id": "on", "label": "On", "default": true},
  {"type": "text", "id": "words", "label": "Words", "default": "hello"},
  {"type": "colour", "id": "paint", "label": "Paint", "default": [0, 0.5, 1, 1]},
