@@ -1994,6 +1994,20 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Export draft again</source>
         <translation>Entwurf wieder exportieren</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln Strich ausgewählt. Nochmals Entf löscht.</numerusform>
+            <numerusform>%Ln Striche ausgewählt. Nochmals Entf löscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln Segment ausgewählt. Nochmals Entf löscht.</numerusform>
+            <numerusform>%Ln Segmente ausgewählt. Nochmals Entf löscht.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3236,6 +3250,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>There is no such brush.</source>
         <translation>Einen solchen Pinsel gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose a brush to paint with it.</source>
+        <translation>Wählen Sie einen Pinsel, um mit ihm zu malen.</translation>
     </message>
 </context>
 <context>
@@ -6030,6 +6048,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>Neue Bilder, letzte, Beispiele und kurze Lektionen</translation>
     </message>
+    <message>
+        <source>Paint with Ke&amp;ys</source>
+        <translation>Mit Tast&amp;en malen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it</source>
+        <translation>Pfeiltasten bewegen ein Fadenkreuz über die Leinwand, die Leertaste setzt das Werkzeug auf und hebt es ab</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -8712,6 +8742,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fill</source>
         <translation>Füllung</translation>
     </message>
+    <message>
+        <source>The topmost stroke comes first, with its share of the colour.</source>
+        <translation>Der oberste Strich steht zuerst, mit seinem Anteil an der Farbe.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>
@@ -9522,6 +9556,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Rotate</source>
         <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1: moved by %2, %3</source>
+        <translation>%1: verschoben um %2, %3</translation>
     </message>
 </context>
 <context>
@@ -10534,6 +10576,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>A bar for each stroke, from when it was painted until it is dry.</source>
+        <translation>Ein Balken für jeden Strich, vom Malen bis zum Trocknen.</translation>
     </message>
 </context>
 <context>
@@ -12702,6 +12748,281 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Show this at the start</source>
         <translation>Beim Start zeigen</translation>
+    </message>
+    <message>
+        <source>Sheets by their size. Return begins a painting on one.</source>
+        <translation>Blätter nach ihrer Größe. Die Eingabetaste beginnt ein Bild auf einem.</translation>
+    </message>
+    <message>
+        <source>Recent paintings and samples. Return opens one.</source>
+        <translation>Zuletzt benutzte Bilder und Beispiele. Die Eingabetaste öffnet eines.</translation>
+    </message>
+</context>
+<context>
+    <name>ColourWords</name>
+    <message>
+        <source>dark red</source>
+        <translation>dunkelrot</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>light red</source>
+        <translation>hellrot</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>braun</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>light orange</source>
+        <translation>hellorange</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>oliv</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>gelb</translation>
+    </message>
+    <message>
+        <source>light yellow</source>
+        <translation>hellgelb</translation>
+    </message>
+    <message>
+        <source>dark yellow-green</source>
+        <translation>dunkelgelbgrün</translation>
+    </message>
+    <message>
+        <source>yellow-green</source>
+        <translation>gelbgrün</translation>
+    </message>
+    <message>
+        <source>light yellow-green</source>
+        <translation>hellgelbgrün</translation>
+    </message>
+    <message>
+        <source>dark green</source>
+        <translation>dunkelgrün</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>light green</source>
+        <translation>hellgrün</translation>
+    </message>
+    <message>
+        <source>dark turquoise</source>
+        <translation>dunkeltürkis</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>türkis</translation>
+    </message>
+    <message>
+        <source>light turquoise</source>
+        <translation>helltürkis</translation>
+    </message>
+    <message>
+        <source>dark blue</source>
+        <translation>dunkelblau</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>light blue</source>
+        <translation>hellblau</translation>
+    </message>
+    <message>
+        <source>dark violet</source>
+        <translation>dunkelviolett</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>violett</translation>
+    </message>
+    <message>
+        <source>light violet</source>
+        <translation>hellviolett</translation>
+    </message>
+    <message>
+        <source>dark magenta</source>
+        <translation>dunkelmagenta</translation>
+    </message>
+    <message>
+        <source>magenta</source>
+        <translation>magenta</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>schwarz</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>dunkelgrau</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>light grey</source>
+        <translation>hellgrau</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+</context>
+<context>
+    <name>SpokenNames</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>More buttons</source>
+        <translation>Weitere Schaltflächen</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message>
+        <source>stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
+        <source>feathered</source>
+        <translation>weich auslaufend</translation>
+    </message>
+    <message>
+        <source>dark edge</source>
+        <translation>dunkler Rand</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 and other colours</source>
+        <translation>%1 und andere Farben</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>gefüllt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln Segment</numerusform>
+            <numerusform>%Ln Segmente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>%Ln ausgewählt</numerusform>
+            <numerusform>%Ln ausgewählt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Selects this and nothing else</source>
+        <translation>Wählt dies aus und sonst nichts</translation>
+    </message>
+    <message>
+        <source>Adds this to the selection, or takes it away</source>
+        <translation>Nimmt dies in die Auswahl auf oder heraus</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenSpeech</name>
+    <message>
+        <source>Arrow keys move the pen, Space presses it down and lifts it. Esc puts it away.</source>
+        <translation>Pfeiltasten bewegen den Stift, die Leertaste setzt ihn auf und hebt ihn ab. Esc legt ihn weg.</translation>
+    </message>
+    <message>
+        <source>The pen is put away.</source>
+        <translation>Der Stift ist weggelegt.</translation>
+    </message>
+    <message>
+        <source>Pen down at %1.</source>
+        <translation>Stift aufgesetzt bei %1.</translation>
+    </message>
+    <message>
+        <source>Pen up at %1.</source>
+        <translation>Stift abgehoben bei %1.</translation>
+    </message>
+    <message>
+        <source>Pen up at %1: %2.</source>
+        <translation>Stift abgehoben bei %1: %2.</translation>
+    </message>
+    <message>
+        <source>Given up.</source>
+        <translation>Aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %</source>
+        <translation>Druck %1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

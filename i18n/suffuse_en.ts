@@ -24,6 +24,20 @@
             <numerusform>%Ln strokes deleted; Undo brings them back.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln stroke selected. Delete once more deletes.</numerusform>
+            <numerusform>%Ln strokes selected. Delete once more deletes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln segment selected. Delete once more deletes.</numerusform>
+            <numerusform>%Ln segments selected. Delete once more deletes.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -616,6 +630,40 @@
         <translation>
             <numerusform>%Ln stroke that lay between them lies below now.</numerusform>
             <numerusform>%Ln strokes that lay between them lie below now.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln segment</numerusform>
+            <numerusform>%Ln segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>%Ln selected</numerusform>
+            <numerusform>%Ln selected</numerusform>
         </translation>
     </message>
 </context>

@@ -1977,6 +1977,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Export draft again</source>
         <translation>重新导出草稿</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>已选择 %Ln 条笔画。再按一次删除键即可删除。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>已选择 %Ln 条线段。再按一次删除键即可删除。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3217,6 +3229,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>There is no such brush.</source>
         <translation>没有这样的画笔。</translation>
+    </message>
+    <message>
+        <source>Choose a brush to paint with it.</source>
+        <translation>选择一支画笔来绘画。</translation>
     </message>
 </context>
 <context>
@@ -6006,6 +6022,18 @@ Arrow keys work too.</source>
         <source>New paintings, recent ones, samples, and short lessons</source>
         <translation>新画作、最近的画作、示例和短课程</translation>
     </message>
+    <message>
+        <source>Paint with Ke&amp;ys</source>
+        <translation>用键盘绘画(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it</source>
+        <translation>方向键在画布上移动十字线，空格键按下和抬起当前工具</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -8649,6 +8677,10 @@ Arrow keys work too.</source>
         <source>Fill</source>
         <translation>填充</translation>
     </message>
+    <message>
+        <source>The topmost stroke comes first, with its share of the colour.</source>
+        <translation>最上方的笔画排在最前，并附其颜色占比。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>
@@ -9457,6 +9489,14 @@ Arrow keys work too.</source>
     <message>
         <source>Rotate</source>
         <translation>旋转</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1：%3 中的第 %2 条</translation>
+    </message>
+    <message>
+        <source>%1: moved by %2, %3</source>
+        <translation>%1：已移动 %2, %3</translation>
     </message>
 </context>
 <context>
@@ -10464,6 +10504,10 @@ Arrow keys work too.</source>
     <message>
         <source>Timeline</source>
         <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>A bar for each stroke, from when it was painted until it is dry.</source>
+        <translation>每条笔画一个条形，从绘制到干透。</translation>
     </message>
 </context>
 <context>
@@ -12622,6 +12666,277 @@ Arrow keys work too.</source>
     <message>
         <source>Show this at the start</source>
         <translation>启动时显示</translation>
+    </message>
+    <message>
+        <source>Sheets by their size. Return begins a painting on one.</source>
+        <translation>按尺寸排列的画纸。按回车键开始绘画。</translation>
+    </message>
+    <message>
+        <source>Recent paintings and samples. Return opens one.</source>
+        <translation>最近的画作和示例。按回车键打开。</translation>
+    </message>
+</context>
+<context>
+    <name>ColourWords</name>
+    <message>
+        <source>dark red</source>
+        <translation>深红色</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>light red</source>
+        <translation>浅红色</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>棕色</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>light orange</source>
+        <translation>浅橙色</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>橄榄色</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄色</translation>
+    </message>
+    <message>
+        <source>light yellow</source>
+        <translation>浅黄色</translation>
+    </message>
+    <message>
+        <source>dark yellow-green</source>
+        <translation>深黄绿色</translation>
+    </message>
+    <message>
+        <source>yellow-green</source>
+        <translation>黄绿色</translation>
+    </message>
+    <message>
+        <source>light yellow-green</source>
+        <translation>浅黄绿色</translation>
+    </message>
+    <message>
+        <source>dark green</source>
+        <translation>深绿色</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>light green</source>
+        <translation>浅绿色</translation>
+    </message>
+    <message>
+        <source>dark turquoise</source>
+        <translation>深青色</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>青色</translation>
+    </message>
+    <message>
+        <source>light turquoise</source>
+        <translation>浅青色</translation>
+    </message>
+    <message>
+        <source>dark blue</source>
+        <translation>深蓝色</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>light blue</source>
+        <translation>浅蓝色</translation>
+    </message>
+    <message>
+        <source>dark violet</source>
+        <translation>深紫色</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>light violet</source>
+        <translation>浅紫色</translation>
+    </message>
+    <message>
+        <source>dark magenta</source>
+        <translation>深洋红色</translation>
+    </message>
+    <message>
+        <source>magenta</source>
+        <translation>洋红色</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>粉红色</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>深灰色</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>light grey</source>
+        <translation>浅灰色</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>白色</translation>
+    </message>
+</context>
+<context>
+    <name>SpokenNames</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>More buttons</source>
+        <translation>更多按钮</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message>
+        <source>stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>feathered</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>dark edge</source>
+        <translation>深色边缘</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 and other colours</source>
+        <translation>%1等多种颜色</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>有填充</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln 条线段</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>已隐藏</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 条笔画</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 条笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>已选择 %Ln 条</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Selects this and nothing else</source>
+        <translation>仅选择此项</translation>
+    </message>
+    <message>
+        <source>Adds this to the selection, or takes it away</source>
+        <translation>将此项加入选择或移出选择</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenSpeech</name>
+    <message>
+        <source>Arrow keys move the pen, Space presses it down and lifts it. Esc puts it away.</source>
+        <translation>方向键移动画笔，空格键落笔和抬笔。Esc 收起画笔。</translation>
+    </message>
+    <message>
+        <source>The pen is put away.</source>
+        <translation>画笔已收起。</translation>
+    </message>
+    <message>
+        <source>Pen down at %1.</source>
+        <translation>在 %1 处落笔。</translation>
+    </message>
+    <message>
+        <source>Pen up at %1.</source>
+        <translation>在 %1 处抬笔。</translation>
+    </message>
+    <message>
+        <source>Pen up at %1: %2.</source>
+        <translation>在 %1 处抬笔：%2。</translation>
+    </message>
+    <message>
+        <source>Given up.</source>
+        <translation>已放弃。</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %</source>
+        <translation>压力 %1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

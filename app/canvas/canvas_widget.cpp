@@ -17,6 +17,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -89,6 +91,8 @@ CanvasWidget::~CanvasWidget()
 void CanvasWidget::follow(const Change &change)
 {
     m_selected.noteChange();
+    if (change.selection || change.draft || change.reset)
+        revealSelection(change.selection && !change.draft && !m_editor.selection().isEmpty());
     if (change.reset) {
         m_input.hand().cancel();
         fit();
@@ -161,6 +165,7 @@ void CanvasWidget::setTool(Tool *next)
     if (tool())
         disconnect(tool(), nullptr, this, nullptr);
     m_input.hand().setTool(next);
+    m_revealed = false;
     if (next)
         connect(next, &Tool::typingChanged, this, &CanvasWidget::followTyping);
     if (next)
@@ -379,6 +384,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
+    m_input.keyboardPen().paint(painter, dpr);
     paintAngle(painter, dpr);
     m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
@@ -415,7 +421,13 @@ bool CanvasWidget::isBare() const
 
 bool CanvasWidget::showsOutlines() const
 {
-    return m_aids.showOutlines && !isBare() && (!tool() || tool()->showsOutlines());
+    return m_aids.showOutlines && !isBare() && (m_revealed || !tool() || tool()->showsOutlines());
+}
+
+void CanvasWidget::revealSelection(bool revealed)
+{
+    if (std::exchange(m_revealed, revealed) != revealed && !(tool() && tool()->showsOutlines()))
+        updateOverlay();
 }
 
 /// Paints the angle beside the pointer while the canvas is turned by hand.

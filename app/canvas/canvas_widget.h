@@ -87,6 +87,10 @@ public:
     void resetRotation() { m_view.resetRotation(); }
     void mirror() { m_view.mirror(); }
 
+    /// Paints with keys, where it is on. It begins at the pointer, or in the middle of the view.
+    KeyboardPen &keyboardPen() { return m_input.keyboardPen(); }
+    void setKeyboardPenOn(bool on) { keyboardPen().setOn(on, zoomCentre()); }
+
     /// What is written over the picture for a moment.
     CanvasNote &note() { return m_note; }
 
@@ -129,6 +133,10 @@ public:
     bool isBare() const;
     /// Whether lines are drawn through the selected strokes.
     bool showsOutlines() const;
+    /// Shows what is selected, though the tool in use shows no outlines, until something is painted or another tool is
+    /// taken. What is selected anew is shown by itself.
+    void revealSelection(bool revealed = true);
+    bool isSelectionRevealed() const { return m_revealed; }
     /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
     bool showsAllErasures() const;
     /// How snapping works, and what is drawn over the picture.
@@ -234,6 +242,7 @@ private:
 
     CanvasLift m_lift{m_editor, m_worker, m_view, [this] { scheduleRender(); }};
     bool m_renderScheduled = false;
+    bool m_revealed = false; ///< the selection, though the tool shows no outlines
     quint64 m_lastSerial = 0;
 };
 

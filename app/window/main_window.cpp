@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_rows.h"
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/reading/canvas_reading.h"
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
@@ -14,6 +15,7 @@
 #include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/house_rules.h"
 #include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/habits/spoken_names.h"
 #include "app/widgets/look/icons.h"
 #include "app/window/dialog_rows.h"
 #include "app/window/files/exporting.h"
@@ -129,6 +131,8 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_makeRenderer(std::move(make))
 {
     installHouseRules();
+    installSpokenNames();
+    installCanvasReading();
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setDockNestingEnabled(true);

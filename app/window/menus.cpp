@@ -148,7 +148,7 @@ void addToolsMenu(QMenuBar &bar, const Commands &table)
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
     addMenu(*tools, Commands::tr("&Favourite Brushes"), table, {favourites});
-    append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
+    append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}, {PaintWithKeys}});
 }
 
 /// One Esc closes a menu, as elsewhere, and gives the keyboard back to what had it. Qt leaves it to the bar, where

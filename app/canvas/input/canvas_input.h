@@ -4,6 +4,7 @@
 #include "app/canvas/input/canvas_pen.h"
 #include "app/canvas/input/hand.h"
 #include "app/canvas/input/held_keys.h"
+#include "app/canvas/input/keyboard_pen.h"
 #include "app/canvas/input/touch_input.h"
 
 #include <QCursor>
@@ -34,6 +35,8 @@ public:
     const Hand &hand() const { return m_hand; }
     CanvasPen &pen() { return m_pen; }
     const CanvasPen &pen() const { return m_pen; }
+    KeyboardPen &keyboardPen() { return m_keyboardPen; }
+    const KeyboardPen &keyboardPen() const { return m_keyboardPen; }
     KeysDown &keys() { return m_keys; }
     const KeysDown &keys() const { return m_keys; }
     /// Sets keys that belong to the window even where the tool wants them.
@@ -95,6 +98,7 @@ private:
     CanvasView &m_view;
     const PaintingClock &m_clock;
     Hand m_hand;
+    KeyboardPen m_keyboardPen;
     CanvasPen m_pen;
     KeysDown m_keys;
     TouchInput m_touch;

@@ -193,6 +193,7 @@ enum class Command {
     LargerSize,
     LessOpacity,
     MoreOpacity,
+    PaintWithKeys,
     HoldToPan,
     HoldToTurn,
     HoldToHideOutlines,

@@ -5,6 +5,7 @@
 #include "app/session/current_layer.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
+#include "app/session/selecting/stroke_words.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
@@ -354,8 +355,12 @@ bool SelectTool::wantsKey(const QKeyEvent &event) const
 
 bool SelectTool::keyPress(QKeyEvent *event)
 {
-    if (!wantsKey(*event))
-        return SelectionTool::keyPress(event);
+    if (!wantsKey(*event)) {
+        const bool used = SelectionTool::keyPress(event);
+        if (const std::optional<Point> way = nudgeOf(*event); used && way)
+            sayMoved(*way);
+        return used;
+    }
     if (!isBusy())
         selectNext(event->key() == Qt::Key_Tab && !(event->modifiers() & Qt::ShiftModifier) ? 1 : -1);
     return true;
@@ -369,6 +374,36 @@ void SelectTool::selectNext(int step)
     const Rect box = seenSelection(*document.painting(), document.selection());
     if (!box.isEmpty() && m_canvas.selectionOnScreen().isEmpty())
         m_canvas.bringIntoView(Point{(box.left + box.right) / 2, (box.top + box.bottom) / 2});
+    saySelected();
+}
+
+/// Says which stroke was come to, since its handles do not tell it from others that lie there.
+void SelectTool::saySelected()
+{
+    if (selection().isEmpty())
+        return;
+    const Painting &painting = *m_editor.document().painting();
+    const std::set<StrokeId> all = selectableStrokes(*m_editor.layer().reached(), m_editor.clock().time());
+    const StrokeId chosen = *selection().strokes.begin();
+    qsizetype place = 0;
+    for (const StrokePtr &stroke : painting.strokes) {
+        place += all.contains(stroke->id);
+        if (stroke->id == chosen)
+            break;
+    }
+    //: a stroke in words, and which it is of all, from the bottom: "stroke 3, even, blue, 34 segments: 2 of 12"
+    emit m_commands.said(tr("%1: %2 of %3").arg(wordsOfSelected(painting, selection().strokes)).arg(place).arg(all.size()),
+                         8000);
+}
+
+void SelectTool::sayMoved(Point way)
+{
+    const QLocale locale;
+    //: strokes in words, and by how much they were moved: "stroke 3, even, blue, 34 segments: moved by 10, 0"
+    emit m_commands.said(tr("%1: moved by %2, %3")
+                             .arg(wordsOfSelected(*m_editor.document().painting(), m_canvas.selection().strokes),
+                                  locale.toString(way.x, 'g', 6), locale.toString(way.y, 'g', 6)),
+                         8000);
 }
 
 QWidget *SelectTool::options()

@@ -60,6 +60,8 @@ private:
     /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.
     void combine(std::set<StrokeId> found, GroupShare share, const PointerEvent &event);
     void selectNext(int step);
+    void saySelected();
+    void sayMoved(Point way);
 
     /// Whether a drag that begins there moves the selection.
     bool isMoving(const PointerEvent &event) const;

@@ -159,7 +159,7 @@ private slots:
                 "skipPauses letDry "
                 "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
                 "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
-                "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
+                "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity paintWithKeys holdToPan holdToTurn "
                 "holdToHideOutlines zoomIn zoomOut zoom100 fit zoomToSelection rotateLeft rotateRight resetRotation "
                 "mirror hideDocks "
                 "resetLayout nextPanel previousPanel fullScreen findCommand manual welcome shortcuts about")
