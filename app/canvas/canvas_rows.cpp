@@ -201,11 +201,10 @@ void addPenRow(Commands &table, CanvasWidget &canvas)
         });
     QObject::connect(&canvas.keyboardPen(), &KeyboardPen::onChanged, &table,
                      [&table] { table.update(Command::PaintWithKeys); });
-    auto *reading = new CanvasReading(canvas);
+    auto *reading = new CanvasReading(canvas, &table);
     auto *speech = new PenSpeech(canvas, *reading, &table);
     QObject::connect(speech, &PenSpeech::said, &table, [&table](const QString &text) { emit table.said(text, 8000); });
     QObject::connect(&table, &Commands::said, reading, [reading](const QString &text) { reading->say(text); });
-    QObject::connect(&table, &QObject::destroyed, reading, [reading] { delete reading; });
 }
 
 void addAidRows(Commands &table, CanvasWidget &canvas)

@@ -9,7 +9,6 @@
 #include "render/view.h"
 
 #include <QAccessibleWidget>
-#include <QPointer>
 
 #include <algorithm>
 
@@ -18,6 +17,13 @@ namespace suffuse {
 namespace {
 
 constexpr std::size_t mostEvents = 100; ///< about single strokes, of one change; more are told as one
+
+/// Of each canvas that has one.
+std::map<const QObject *, CanvasReading *> &readings()
+{
+    static std::map<const QObject *, CanvasReading *> all;
+    return all;
+}
 
 /// The canvas itself: what it is as a widget, and the strokes on it as its children.
 class ReadCanvas : public QAccessibleWidget {
@@ -72,16 +78,13 @@ public:
     }
 
 private:
-    /// The canvas gets it later than its interface, which its name brings into being.
+    /// The canvas gets it later than its interface, which its name brings into being, and loses it earlier.
     CanvasReading *reading() const
     {
-        if (!m_reading && widget())
-            m_reading = widget()->findChild<CanvasReading *>(QString(), Qt::FindDirectChildrenOnly);
-        return m_reading;
+        const auto found = readings().find(widget());
+        return found == readings().end() ? nullptr : found->second;
     }
     const std::vector<TreeItem> &top() const { return reading()->tree().in(0); }
-
-    mutable QPointer<CanvasReading> m_reading;
 };
 
 QAccessibleInterface *makeReadCanvas(const QString &, QObject *object)
@@ -98,8 +101,9 @@ void installCanvasReading()
     Q_UNUSED(installed);
 }
 
-CanvasReading::CanvasReading(CanvasWidget &canvas) : QObject(&canvas), m_canvas(canvas)
+CanvasReading::CanvasReading(CanvasWidget &canvas, QObject *parent) : QObject(parent), m_canvas(canvas)
 {
+    readings()[&canvas] = this;
     canvas.installEventFilter(this);
     QAccessible::installActivationObserver(this);
     connect(&canvas.editor().laterChanges(), &LaterChanges::changed, this, &CanvasReading::follow);
@@ -110,6 +114,7 @@ CanvasReading::CanvasReading(CanvasWidget &canvas) : QObject(&canvas), m_canvas(
 CanvasReading::~CanvasReading()
 {
     QAccessible::removeActivationObserver(this);
+    readings().erase(&m_canvas);
     for (const auto &[item, id] : m_ids)
         QAccessible::deleteAccessibleInterface(id);
 }

@@ -24,8 +24,8 @@ class CanvasReading : public QObject, private QAccessible::ActivationObserver {
     Q_OBJECT
 
 public:
-    /// The canvas owns it. It must go before the canvas does.
-    explicit CanvasReading(CanvasWidget &canvas);
+    /// It must go before the canvas does.
+    CanvasReading(CanvasWidget &canvas, QObject *parent);
     ~CanvasReading() override;
 
     CanvasWidget &canvas() const { return m_canvas; }

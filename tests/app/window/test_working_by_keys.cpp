@@ -23,7 +23,7 @@ struct Heard {
     QList<std::pair<QAccessible::Event, StrokeId>> events;
     explicit Heard(Session &s)
     {
-        QObject::connect(s.canvas().findChild<CanvasReading *>(), &CanvasReading::told, &s.canvas(),
+        QObject::connect(s.window.findChild<CanvasReading *>(), &CanvasReading::told, &s.canvas(),
                          [this](QAccessible::Event what, const TreeItem &about) { events << std::pair(what, about.stroke); });
     }
     bool has(QAccessible::Event what, StrokeId stroke) const { return events.contains(std::pair(what, stroke)); }
