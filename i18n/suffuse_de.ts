@@ -9660,6 +9660,22 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Colours</source>
         <translation>Farben</translation>
     </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Whether docks glide to their places and carets blink</source>
+        <translation>Ob Andockfenster an ihren Platz gleiten und Textmarken blinken</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
@@ -9840,6 +9856,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 ms, coarse</source>
         <translation>%1 ms, grob</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and lifts it; + and - change its pressure; Esc puts it away.</source>
+        <translation>Pfeiltasten bewegen den Stift, mit Umschalt weit und mit Alt fein; die Leertaste setzt ihn auf und hebt ihn ab; + und - ändern den Druck; Esc legt ihn weg.</translation>
     </message>
 </context>
 <context>

@@ -9593,6 +9593,22 @@ Arrow keys work too.</source>
         <source>Colours</source>
         <translation>颜色</translation>
     </message>
+    <message>
+        <source>Motion</source>
+        <translation>动态效果</translation>
+    </message>
+    <message>
+        <source>Whether docks glide to their places and carets blink</source>
+        <translation>停靠面板是否滑动到位，光标是否闪烁</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>减少</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>完整</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
@@ -9773,6 +9789,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 ms, coarse</source>
         <translation>%1 毫秒，粗略</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and lifts it; + and - change its pressure; Esc puts it away.</source>
+        <translation>方向键移动画笔，按住 Shift 移动较远，按住 Alt 微移；空格键落笔和抬笔；+ 和 - 改变压力；Esc 收起画笔。</translation>
     </message>
 </context>
 <context>

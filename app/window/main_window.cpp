@@ -17,6 +17,7 @@
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/habits/spoken_names.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/reduced_motion.h"
 #include "app/window/dialog_rows.h"
 #include "app/window/files/exporting.h"
 #include "app/window/files/file_opening.h"
@@ -132,6 +133,8 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
 {
     installHouseRules();
     installSpokenNames();
+    applyMotion();
+    setAnimated(!motionIsReduced());
     installCanvasReading();
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);

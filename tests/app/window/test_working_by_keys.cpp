@@ -12,6 +12,7 @@
 #include "undo/layers/group_edits.h"
 
 #include <QAccessible>
+#include <QLabel>
 #include <QStatusBar>
 
 using namespace suffuse;
@@ -188,6 +189,8 @@ private slots:
         key(Qt::Key_P, Qt::ControlModifier | Qt::AltModifier);
         QVERIFY(s.canvas().keyboardPen().isOn());
         QVERIFY(said(s).contains("Space"));
+        const auto *hint = s.window.statusBar()->findChild<QLabel *>("hint");
+        QVERIFY2(hint && hint->text().startsWith("Arrow keys"), qPrintable(hint->text()));
         const Point from = s.canvas().keyboardPen().point();
         key(Qt::Key_Space);
         QVERIFY(s.canvas().isPressed());
@@ -317,6 +320,29 @@ private slots:
         QTest::keyClick(&s.canvas(), Qt::Key_A, Qt::ControlModifier); // seen at once
         QTest::keyClick(&s.canvas(), Qt::Key_Delete);
         QVERIFY(s.painting().strokes.empty());
+    }
+
+    /// Whatever the pen pressed: a brush that paints one colour leaves a stroke of one.
+    void aStrokeOfOneColourIsOne()
+    {
+        for (const Brush &brush : builtinBrushes()) {
+            if (!QStringList{"round-wash", "pastel", "two-tone", "flat-marker"}.contains(brush.name))
+                continue;
+            Session s;
+            s.editor().setBrush(brush);
+            Pen pen;
+            pen.send(s.canvas(), QEvent::TabletPress, s.at({100, 100}), 0.2);
+            for (int i = 1; i <= 30; ++i) {
+                s.advance(interval);
+                const Point at{100.0 + 10 * i, 100 + 40 * std::sin(i / 5.0)};
+                pen.send(s.canvas(), QEvent::TabletMove, s.at(at), 0.2 + i / 50.0);
+            }
+            pen.send(s.canvas(), QEvent::TabletRelease, s.at({400, 100}), 0);
+            s.use(Command::SelectAll);
+            s.editor().laterChanges().flush();
+            const ColourSummary &found = s.editor().colourTarget().selected();
+            QVERIFY2(found.several == (brush.name == "two-tone"), qPrintable(brush.name));
+        }
     }
 
 private:
