@@ -275,7 +275,8 @@ void CanvasReading::follow(const Change &change)
 {
     if (!m_active) {
         m_told = m_canvas.editor().unsettled().painting();
-        m_selected = m_canvas.editor().selection().strokes;
+        if (change.reset || change.selection || change.order)
+            m_selected = m_canvas.editor().selection().strokes;
         forgetGone();
         return;
     }
