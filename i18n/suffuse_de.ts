@@ -1374,28 +1374,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: Die Bögen %2 fehlen</translation>
     </message>
     <message>
-        <source>%1: is damaged</source>
-        <translation>%1: ist beschädigt</translation>
-    </message>
-    <message>
-        <source>%1: is missing</source>
-        <translation>%1: fehlt</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
-        <translation>
-            <numerusform>%n weitere Datei fehlt oder ist beschädigt; farm verify --json nennt alle.</numerusform>
-            <numerusform>%n weitere Dateien fehlen oder sind beschädigt; farm verify --json nennt alle.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
-        <translation>
-            <numerusform>%1: %n Zeile dieses Journals ist beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
-            <numerusform>%1: %n Zeilen dieses Journals sind beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
         <translation>%1: Zwei Arbeiter haben aus Stück %2 verschiedene Bits gemacht. Einer der Rechner ist fehlerhaft: Finden Sie ihn anhand der Namen in %3, entfernen Sie dort sein Journal und führen Sie die Aufgaben noch einmal aus.</translation>
     </message>
@@ -1711,8 +1689,114 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--error %1 wurde nicht erreicht: es ist %2. Geben Sie mehr --strokes oder --iterations an.</translation>
     </message>
     <message>
+        <source>%1: is damaged</source>
+        <translation>%1: ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: is missing</source>
+        <translation>%1: fehlt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
+        <translation>
+            <numerusform>%n weitere Datei fehlt oder ist beschädigt; farm verify --json nennt alle.</numerusform>
+            <numerusform>%n weitere Dateien fehlen oder sind beschädigt; farm verify --json nennt alle.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
+        <translation>
+            <numerusform>%1: %n Zeile dieses Journals ist beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
+            <numerusform>%1: %n Zeilen dieses Journals sind beschädigt, daher ist nicht bekannt, was fertig war. Führen Sie die Aufgaben noch einmal aus: Sie zeichnen, was fehlt.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the new strokes are farther from %1 than those before: %2 of 255, and before it was %3. Give more --strokes or --iterations.</source>
         <translation>Die neuen Striche sind weiter von %1 entfernt als die vorigen: %2 von 255, zuvor waren es %3. Geben Sie mehr --strokes oder --iterations an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used</source>
+        <translation>%1 ist nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>Lists the extensions that there are.</source>
+        <translation>Zählt die Erweiterungen auf, die es gibt.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1: there is no such extension. See suffuse-cli extension list.</source>
+        <translation>%1: Eine solche Erweiterung gibt es nicht. Siehe suffuse-cli extension list.</translation>
+    </message>
+    <message>
+        <source>--set %1: give FIELD=VALUE with one of the fields %2</source>
+        <translation>--set %1: Geben Sie FIELD=VALUE an, mit einem der Felder %2</translation>
+    </message>
+    <message>
+        <source>%1; give it by --set</source>
+        <translation>%1; geben Sie es mit --set an</translation>
+    </message>
+    <message>
+        <source>Runs an extension on a painting, and writes what it makes of it.</source>
+        <translation>Wendet eine Erweiterung auf ein Bild an und schreibt, was sie daraus macht.</translation>
+    </message>
+    <message>
+        <source>A field&apos;s value; may be given several times.</source>
+        <translation>Der Wert eines Felds; darf mehrmals angegeben werden.</translation>
+    </message>
+    <message>
+        <source>The strokes that are selected, by their ids, such as 3,7,20-180.</source>
+        <translation>Die ausgewählten Striche nach ihren Nummern, etwa 3,7,20-180.</translation>
+    </message>
+    <message>
+        <source>The group that is painted on, by its name.</source>
+        <translation>Die Gruppe, in der gemalt wird, nach ihrem Namen.</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the file to write</source>
+        <translation>-o OUT fehlt: Nennen Sie die Datei, die geschrieben werden soll</translation>
+    </message>
+    <message>
+        <source>%1 makes no painting; leave -o away</source>
+        <translation>%1 macht kein Bild; lassen Sie -o weg</translation>
+    </message>
+    <message>
+        <source>%1: end the name with .suffuse or .json</source>
+        <translation>%1: Der Name muss auf .suffuse oder .json enden</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli extension COMMAND [options] …</source>
+        <translation>Aufruf: suffuse-cli extension BEFEHL [Optionen] …</translation>
+    </message>
+    <message>
+        <source>the extensions that there are, with their fields</source>
+        <translation>die Erweiterungen, die es gibt, mit ihren Feldern</translation>
+    </message>
+    <message>
+        <source>run one on a painting, and write what it makes of it</source>
+        <translation>eine auf ein Bild anwenden und schreiben, was sie daraus macht</translation>
+    </message>
+    <message>
+        <source>extension %1: there is no such command. See suffuse-cli extension --help.</source>
+        <translation>extension %1: Einen solchen Befehl gibt es nicht. Siehe suffuse-cli extension --help.</translation>
+    </message>
+    <message>
+        <source>run programs of others on a painting</source>
+        <translation>Programme anderer auf ein Bild anwenden</translation>
+    </message>
+    <message>
+        <source>Its id, as extension list names it, or the path of its folder.</source>
+        <translation>Ihre Kennung, wie extension list sie nennt, oder der Pfad ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>%1: it belongs to the farm in %2, and two farms would overwrite each other&apos;s pieces. Choose another name, or, if that farm is not wanted any more, remove its folder.</source>
+        <translation>%1: Gehört zur Farm in %2, und zwei Farmen würden einander die Stücke überschreiben. Wählen Sie einen anderen Namen oder entfernen Sie, wenn jene Farm nicht mehr gewünscht ist, ihren Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is another farm being planned?</source>
+        <translation>%1: lässt sich nicht schreiben (%2). Wird gerade eine andere Farm geplant?</translation>
     </message>
 </context>
 <context>
@@ -1759,10 +1843,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Duplizieren“ verdoppelt sie in ihrem Strich, „Löschen“ entfernt sie.</translation>
     </message>
     <message>
-        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
-        <translation>Was dazukam, wurde nach dem Augenblick gemalt, den Sie ansehen. Es wurde auf diesen Augenblick zurückgeholt, damit Sie es sehen.</translation>
-    </message>
-    <message>
         <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
         <translation>Das Eingefügte liegt außerhalb dessen, was von der Leinwand zu sehen ist. „Ansicht ▸ Auswahl einpassen“ führt dorthin.</translation>
     </message>
@@ -1787,6 +1867,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>Als SVG, für andere Programme, fehlt ein Bild.</numerusform>
             <numerusform>Als SVG, für andere Programme, fehlen %n Bilder.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
+        <translation>Was dazukam, wurde nach dem Augenblick gemalt, den Sie ansehen. Es wurde auf diesen Augenblick zurückgeholt, damit Sie es sehen.</translation>
     </message>
 </context>
 <context>
@@ -2027,6 +2111,20 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>Jetzt %Ln Striche. Wo sich ihre Farbe berührt, mischt sie sich und addiert sich nicht mehr.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln Strich ausgewählt. Nochmals Entf löscht.</numerusform>
+            <numerusform>%Ln Striche ausgewählt. Nochmals Entf löscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln Segment ausgewählt. Nochmals Entf löscht.</numerusform>
+            <numerusform>%Ln Segmente ausgewählt. Nochmals Entf löscht.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2251,10 +2349,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Änderungen an „%1“ vor dem Schließen speichern?</translation>
     </message>
     <message>
-        <source>Without saving, what was painted since the last save is lost.</source>
-        <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
-    </message>
-    <message>
         <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
         <translation>Suffuse ist die letzten Male nicht hochgekommen und hat deshalb mit den üblichen Einstellungen begonnen. Ihre sind in %1 aufgehoben.</translation>
     </message>
@@ -2309,6 +2403,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Without saving, what was painted since the last save is lost.</source>
+        <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
     </message>
 </context>
 <context>
@@ -3269,6 +3367,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>There is no such brush.</source>
         <translation>Einen solchen Pinsel gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose a brush to paint with it.</source>
+        <translation>Wählen Sie einen Pinsel, um mit ihm zu malen.</translation>
     </message>
 </context>
 <context>
@@ -6175,6 +6277,266 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Select two end nodes with Segments first.</source>
         <translation>Wählen Sie zuerst mit Segmente zwei Endknoten aus.</translation>
     </message>
+    <message>
+        <source>&amp;Show the Axes of the Symmetry</source>
+        <translation>Achsen der Symmetrie &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Also the square that moves them and the disc that turns them</source>
+        <translation>Auch das Quadrat, das sie verschiebt, und die Scheibe, die sie dreht</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Horizontal place, in canvas units</source>
+        <translation>Waagrechte Lage in Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Vertical place, in canvas units</source>
+        <translation>Senkrechte Lage in Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Rulers</source>
+        <translation>L&amp;ineale zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Along the upper and the left edge; guides are dragged out of them, and back into them</source>
+        <translation>Am oberen und am linken Rand; Hilfslinien werden aus ihnen heraus- und in sie zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Guides</source>
+        <translation>&amp;Hilfslinien zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Guides</source>
+        <translation>An Hilfslinien &amp;einrasten</translation>
+    </message>
+    <message>
+        <source>Nodes, shapes and what is moved; paint goes where the hand goes</source>
+        <translation>Knoten, Formen und was bewegt wird; Farbe folgt der Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the Guides</source>
+        <translation>Hilfslinien &amp;sperren</translation>
+    </message>
+    <message>
+        <source>They cannot be dragged, and new ones still can be made</source>
+        <translation>Sie lassen sich nicht ziehen; neue können weiter entstehen</translation>
+    </message>
+    <message>
+        <source>Add a Le&amp;vel Guide…</source>
+        <translation>&amp;Waagrechte Hilfslinie hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add an &amp;Upright Guide…</source>
+        <translation>Senk&amp;rechte Hilfslinie hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Guides</source>
+        <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Left and Right</source>
+        <translation>&amp;Links und rechts gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted on one side of an upright axis comes on the other, too</source>
+        <translation>Was auf einer Seite einer aufrechten Achse gemalt wird, kommt auch auf die andere</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Top and Bottom</source>
+        <translation>&amp;Oben und unten gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted above a level axis comes below it, too</source>
+        <translation>Was über einer waagrechten Achse gemalt wird, kommt auch darunter</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Both Ways</source>
+        <translation>&amp;Beidseitig gespiegelt</translation>
+    </message>
+    <message>
+        <source>What is painted comes in all four corners of a cross</source>
+        <translation>Was gemalt wird, kommt in alle vier Winkel eines Kreuzes</translation>
+    </message>
+    <message>
+        <source>&amp;Rotated around the Centre</source>
+        <translation>Um die Mitte ge&amp;dreht</translation>
+    </message>
+    <message>
+        <source>What is painted comes once in each arm around the centre</source>
+        <translation>Was gemalt wird, kommt einmal in jeden Arm um die Mitte</translation>
+    </message>
+    <message>
+        <source>&amp;Kaleidoscope</source>
+        <translation>&amp;Kaleidoskop</translation>
+    </message>
+    <message>
+        <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
+        <translation>Was gemalt wird, kommt in jeden Arm um die Mitte und gespiegelt daneben</translation>
+    </message>
+    <message>
+        <source>&amp;Paint in Symmetry</source>
+        <translation>S&amp;ymmetrisch malen</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Strokes, shapes and outlines come several times, mirrored or rotated, as one undo step</source>
+        <translation>Striche, Formen und Umrisse kommen mehrfach, gespiegelt oder gedreht, als ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
+        <source>Number of &amp;Arms…</source>
+        <translation>Zahl der &amp;Arme …</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Arms around the centre</source>
+        <translation>Arme um die Mitte</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the Axes…</source>
+        <translation>&amp;Winkel der Achsen …</translation>
+    </message>
+    <message>
+        <source>Degrees clockwise</source>
+        <translation>Grad im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Axes to the &amp;Middle of the Canvas</source>
+        <translation>Achsen in die &amp;Mitte der Leinwand</translation>
+    </message>
+    <message>
+        <source>The centre of the symmetry lies in the middle again, and the axes are upright and level</source>
+        <translation>Die Mitte der Symmetrie liegt wieder in der Mitte, und die Achsen stehen aufrecht und waagrecht</translation>
+    </message>
+    <message>
+        <source>Rulers and Guides</source>
+        <translation>Lineale und Hilfslinien</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Paint</source>
+        <translation>Arbeitsbereich zum &amp;Malen</translation>
+    </message>
+    <message>
+        <source>Colour, brushes and strokes beside a wide canvas</source>
+        <translation>Farbe, Pinsel und Striche neben einer breiten Leinwand</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Refine</source>
+        <translation>Arbeitsbereich zum &amp;Verfeinern</translation>
+    </message>
+    <message>
+        <source>Inspector, strokes, history and colour</source>
+        <translation>Inspektor, Striche, Verlauf und Farbe</translation>
+    </message>
+    <message>
+        <source>Workspace for &amp;Time</source>
+        <translation>Arbeitsbereich für die &amp;Zeit</translation>
+    </message>
+    <message>
+        <source>A high timeline, with inspector and strokes</source>
+        <translation>Eine hohe Zeitleiste mit Inspektor und Strichen</translation>
+    </message>
+    <message>
+        <source>&amp;Save Workspace…</source>
+        <translation>Arbeitsbereich &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep where docks and tool bars stand now, under a name</source>
+        <translation>Behalten, wo Andockfenster und Werkzeugleisten jetzt stehen, unter einem Namen</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>Arbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Canvas Units</source>
+        <translation>Lineale in &amp;Leinwand-Einheiten</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Millimetres</source>
+        <translation>Lineale in &amp;Millimetern</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Inches</source>
+        <translation>Lineale in &amp;Zoll</translation>
+    </message>
+    <message>
+        <source>New View</source>
+        <translation>Neue Ansicht</translation>
+    </message>
+    <message>
+        <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
+        <translation>Ein Fenster, das das Gemälde von anderswo zeigt, während Sie malen; jede Änderung zeigt sich in beiden</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat Last Extension</source>
+        <translation>Letzte Erweiterung &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+X</source>
+        <translation>Ctrl+Alt+X</translation>
+    </message>
+    <message>
+        <source>Once more, with the same values</source>
+        <translation>Noch einmal, mit denselben Werten</translation>
+    </message>
+    <message>
+        <source>&amp;Manage Extensions…</source>
+        <translation>Erweiterungen &amp;verwalten …</translation>
+    </message>
+    <message>
+        <source>Which extensions there are, which are in the menu, and what went wrong</source>
+        <translation>Welche Erweiterungen es gibt, welche im Menü stehen und was schiefging</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected.</source>
+        <translation>Nichts Sichtbares und Entsperrtes ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>E&amp;xtensions</source>
+        <translation>E&amp;rweiterungen</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>Paint with Ke&amp;ys</source>
+        <translation>Mit Tast&amp;en malen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it</source>
+        <translation>Pfeiltasten bewegen ein Fadenkreuz über die Leinwand, die Leertaste setzt das Werkzeug auf und hebt es ab</translation>
+    </message>
+    <message>
+        <source>There are no guides.</source>
+        <translation>Es gibt keine Hilfslinien.</translation>
+    </message>
+    <message>
+        <source>Choose a symmetry that turns, or the kaleidoscope, first.</source>
+        <translation>Wählen Sie zuerst eine drehende Symmetrie oder das Kaleidoskop.</translation>
+    </message>
+    <message>
+        <source>No extension has run yet.</source>
+        <translation>Noch lief keine Erweiterung.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6308,6 +6670,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Vorlage</translation>
     </message>
 </context>
 <context>
@@ -8869,6 +9235,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fill</source>
         <translation>Füllung</translation>
     </message>
+    <message>
+        <source>The topmost stroke comes first, with its share of the colour.</source>
+        <translation>Der oberste Strich steht zuerst, mit seinem Anteil an der Farbe.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>
@@ -9684,6 +10054,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Rotate</source>
         <translation>Drehen</translation>
     </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1: moved by %2, %3</source>
+        <translation>%1: verschoben um %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SettingsDialog</name>
@@ -9778,6 +10156,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Colours</source>
         <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Whether docks glide to their places and carets blink</source>
+        <translation>Ob Andockfenster an ihren Platz gleiten und Textmarken blinken</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
     </message>
 </context>
 <context>
@@ -9959,6 +10353,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 ms, coarse</source>
         <translation>%1 ms, grob</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and lifts it; + and - change its pressure; Esc puts it away.</source>
+        <translation>Pfeiltasten bewegen den Stift, mit Umschalt weit und mit Alt fein; die Leertaste setzt ihn auf und hebt ihn ab; + und - ändern den Druck; Esc legt ihn weg.</translation>
     </message>
 </context>
 <context>
@@ -10695,6 +11093,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>A bar for each stroke, from when it was painted until it is dry.</source>
+        <translation>Ein Balken für jeden Strich, vom Malen bis zum Trocknen.</translation>
     </message>
 </context>
 <context>
@@ -12894,6 +13296,764 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Show this at the start</source>
         <translation>Beim Start zeigen</translation>
+    </message>
+    <message>
+        <source>Sheets by their size. Return begins a painting on one.</source>
+        <translation>Blätter nach ihrer Größe. Die Eingabetaste beginnt ein Bild auf einem.</translation>
+    </message>
+    <message>
+        <source>Recent paintings and samples. Return opens one.</source>
+        <translation>Zuletzt benutzte Bilder und Beispiele. Die Eingabetaste öffnet eines.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Workspaces</name>
+    <message>
+        <source>Save Workspace</source>
+        <translation>Arbeitsbereich speichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>There is a workspace “%1” already.</source>
+        <translation>Es gibt schon einen Arbeitsbereich „%1“.</translation>
+    </message>
+    <message>
+        <source>It would be replaced by how the window is arranged now.</source>
+        <translation>Er würde dadurch ersetzt, wie das Fenster jetzt angeordnet ist.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” was saved: View ▸ Workspaces.</source>
+        <translation>Der Arbeitsbereich „%1“ wurde gespeichert: Ansicht ▸ Arbeitsbereiche.</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” is damaged. Save it anew.</source>
+        <translation>Der Arbeitsbereich „%1“ ist beschädigt. Speichern Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Workspace</source>
+        <translation>Arbeitsbereich &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Delete the workspace “%1”?</source>
+        <translation>Arbeitsbereich „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>The window stays arranged as it is.</source>
+        <translation>Das Fenster bleibt angeordnet, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferencePanel</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose a picture to look at while painting</source>
+        <translation>Ein Bild wählen, das man beim Malen ansieht</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show all of the picture</source>
+        <translation>Das ganze Bild zeigen</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>A pixel of the picture is one of the screen</source>
+        <translation>Ein Pixel des Bilds ist eines des Bildschirms</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show no picture here; its file stays</source>
+        <translation>Hier kein Bild zeigen; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Open Reference Picture</source>
+        <translation>Vorlage öffnen</translation>
+    </message>
+    <message>
+        <source>Actual pixels</source>
+        <translation>Tatsächliche Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferenceView</name>
+    <message>
+        <source>Reference picture</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cross, and Return picks the colour there.</source>
+        <translation>Pfeiltasten bewegen ein Kreuz, Eingabe nimmt die Farbe dort auf.</translation>
+    </message>
+    <message>
+        <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
+        <translation>Ziehen Sie ein Bild hierher, um es beim Malen anzusehen und Farben daraus aufzunehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ViewWindow</name>
+    <message>
+        <source>View of the painting</source>
+        <translation>Ansicht des Gemäldes</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>%1 · view at %2 %</source>
+        <translation>%1 · Ansicht mit %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: install bubblewrap, and they have no network and can write nowhere else.</source>
+        <translation>Programme sind in Zeit, Speicher und dem, was sie schreiben, begrenzt, aber nicht abgeschottet: Installieren Sie bubblewrap, dann haben sie kein Netz und können nirgends sonst schreiben.</translation>
+    </message>
+    <message>
+        <source>Programs are confined by bubblewrap: they have no network, unless they say that they need it, and can write in a temporary folder only.</source>
+        <translation>Programme sind durch bubblewrap abgeschottet: Sie haben kein Netz, es sei denn, sie sagen, dass sie es brauchen, und können nur in einem temporären Ordner schreiben.</translation>
+    </message>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: bubblewrap is installed, and does not work here (%1).</source>
+        <translation>Programme sind in Zeit, Speicher und dem, was sie schreiben, begrenzt, aber nicht abgeschottet: bubblewrap ist installiert, geht hier aber nicht (%1).</translation>
+    </message>
+    <message>
+        <source>it wrote no result</source>
+        <translation>es hat kein Ergebnis geschrieben</translation>
+    </message>
+    <message>
+        <source>its result cannot be read</source>
+        <translation>sein Ergebnis lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>its result is no file</source>
+        <translation>sein Ergebnis ist keine Datei</translation>
+    </message>
+    <message>
+        <source>its result is too large</source>
+        <translation>sein Ergebnis ist zu groß</translation>
+    </message>
+    <message>
+        <source>its result is empty</source>
+        <translation>sein Ergebnis ist leer</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected. Select strokes first.</source>
+        <translation>Nichts Sichtbares und Entsperrtes ist ausgewählt. Wählen Sie zuerst Striche aus.</translation>
+    </message>
+    <message>
+        <source>Nothing in the layer is visible and unlocked.</source>
+        <translation>In der Ebene ist nichts sichtbar und entsperrt.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>Es lässt sich kein temporärer Ordner anlegen: %1. Setzen Sie TMPDIR auf einen beschreibbaren Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is the disk full?</source>
+        <translation>%1: lässt sich nicht schreiben (%2). Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2.</source>
+        <translation>Das Programm %1 lässt sich nicht starten: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>Es wurde nach %n Sekunde beendet; länger darf es nicht dauern.</numerusform>
+            <numerusform>Es wurde nach %n Sekunden beendet; länger darf es nicht dauern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was ended, since it took more than %1 MB of memory.</source>
+        <translation>Es wurde beendet, da es mehr als %1 MB Speicher nahm.</translation>
+    </message>
+    <message>
+        <source>It was ended, since it wrote more than %1 MB.</source>
+        <translation>Es wurde beendet, da es mehr als %1 MB schrieb.</translation>
+    </message>
+    <message>
+        <source>The program was killed or crashed. The painting is as it was.</source>
+        <translation>Das Programm wurde abgebrochen oder ist abgestürzt. Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>The program failed (exit code %1). The painting is as it was.</source>
+        <translation>Das Programm ist gescheitert (Exit-Code %1). Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>It wrote: %1</source>
+        <translation>Es schrieb: %1</translation>
+    </message>
+    <message>
+        <source>Its result is not used, and the painting is as it was: %1.</source>
+        <translation>Sein Ergebnis wird nicht verwendet, und das Bild ist, wie es war: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 wurde nicht geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>a colour is red, yellow, blue and opacity, each from 0 to 1</source>
+        <translation>eine Farbe ist Rot, Gelb, Blau und Deckkraft, je von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>%1 is not in [%2, %3]</source>
+        <translation>%1 liegt nicht in [%2, %3]</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is none of %2</source>
+        <translation>„%1“ ist keines von %2</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>geben Sie true oder false an</translation>
+    </message>
+    <message>
+        <source>give a text of at most %1 characters</source>
+        <translation>geben Sie einen Text von höchstens %1 Zeichen an</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>%1: the name must end with .%2</source>
+        <translation>%1: Der Name muss auf .%2 enden</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: Eine solche Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: Einen solchen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” is neither true nor false</source>
+        <translation>„%1“ ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is larger than 1 MB</source>
+        <translation>%1: lässt sich nicht lesen oder ist größer als 1 MB</translation>
+    </message>
+    <message>
+        <source>%1: %2 has the id “%3”, too; give it another one</source>
+        <translation>%1: Auch %2 hat die Kennung „%3“; geben Sie ihr eine andere</translation>
+    </message>
+    <message>
+        <source>Python 3 is missing. Install python3.</source>
+        <translation>Python 3 fehlt. Installieren Sie python3.</translation>
+    </message>
+    <message>
+        <source>The program %1 is missing, or cannot be started. Install it.</source>
+        <translation>Das Programm %1 fehlt oder lässt sich nicht starten. Installieren Sie es.</translation>
+    </message>
+    <message>
+        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
+        <translation>%1 findet die Python-Module %2 nicht. Installieren Sie sie: suffuse nach docs/python.md, die anderen durch Pakete wie python3-numpy.</translation>
+    </message>
+    <message>
+        <source>name the program, and what it is started with</source>
+        <translation>nennen Sie das Programm und womit es gestartet wird</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>“%1” is not “%2”</source>
+        <translation>„%1“ ist nicht „%2“</translation>
+    </message>
+    <message>
+        <source>version %1 is not known; this program reads version %2</source>
+        <translation>Version %1 ist nicht bekannt; dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>“%1” does not look like %2</source>
+        <translation>„%1“ sieht nicht aus wie %2</translation>
+    </message>
+    <message>
+        <source>a text has 1 to 2000 characters</source>
+        <translation>ein Text hat 1 bis 2000 Zeichen</translation>
+    </message>
+    <message>
+        <source>give a text, or one for each language</source>
+        <translation>geben Sie einen Text an, oder einen für jede Sprache</translation>
+    </message>
+    <message>
+        <source>give at most %1 texts of 1 to 4096 characters</source>
+        <translation>geben Sie höchstens %1 Texte von 1 bis 4096 Zeichen an</translation>
+    </message>
+    <message>
+        <source>there are at most 3 submenus within each other</source>
+        <translation>es gibt höchstens 3 Untermenüs ineinander</translation>
+    </message>
+    <message>
+        <source>there are at most %1 fields</source>
+        <translation>es gibt höchstens %1 Felder</translation>
+    </message>
+    <message>
+        <source>two fields are called %1</source>
+        <translation>zwei Felder heißen %1</translation>
+    </message>
+    <message>
+        <source>the field&apos;s type must stand before its default</source>
+        <translation>die Art des Felds (type) muss vor seinem Wert (default) stehen</translation>
+    </message>
+    <message>
+        <source>there are at most %1 choices</source>
+        <translation>es gibt höchstens %1 Möglichkeiten</translation>
+    </message>
+    <message>
+        <source>is not above least</source>
+        <translation>ist nicht größer als least</translation>
+    </message>
+    <message>
+        <source>whole numbers are from -1000000000 to 1000000000</source>
+        <translation>ganze Zahlen gehen von -1000000000 bis 1000000000</translation>
+    </message>
+    <message>
+        <source>“%1” is no ending; give it without its dot</source>
+        <translation>„%1“ ist keine Endung; geben Sie sie ohne Punkt an</translation>
+    </message>
+    <message>
+        <source>a part of the painting was passed, so canvas, palette and underlay must stay as they are</source>
+        <translation>ein Teil des Bildes wurde übergeben, daher müssen Leinwand, Palette und Unterlage bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Es wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>It went well.</source>
+        <translation>Es ist gelungen.</translation>
+    </message>
+    <message>
+        <source>The result does not fit into memory.</source>
+        <translation>Das Ergebnis passt nicht in den Speicher.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionDialog</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Ausführen</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>Was sie jetzt enthält, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>It was stopped. The painting is as it was.</source>
+        <translation>Es wurde angehalten. Das Bild ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile, so the result is not used. Run it again.</source>
+        <translation>Das Bild hat sich inzwischen geändert, daher wird das Ergebnis nicht verwendet. Führen Sie es noch einmal aus.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionFields</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Ordner und Namen wählen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManageExtensionsDialog</name>
+    <message>
+        <source>Manage Extensions</source>
+        <translation>Erweiterungen verwalten</translation>
+    </message>
+    <message>
+        <source>Extensions</source>
+        <translation>Erweiterungen</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Erweiterung</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>About the extension</source>
+        <translation>Über die Erweiterung</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>&amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Your own extensions lie there, each in a folder with a manifest</source>
+        <translation>Ihre eigenen Erweiterungen liegen dort, jede in einem Ordner mit einem Manifest</translation>
+    </message>
+    <message>
+        <source>Read &amp;Again</source>
+        <translation>&amp;Neu lesen</translation>
+    </message>
+    <message>
+        <source>Looks for extensions anew, after files were changed</source>
+        <translation>Sucht neu nach Erweiterungen, nachdem Dateien geändert wurden</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Ihnen</translation>
+    </message>
+    <message>
+        <source>Suffuse</source>
+        <translation>Suffuse</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Nicht zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>There are no extensions yet. Put a folder with a manifest into yours.</source>
+        <translation>Es gibt noch keine Erweiterungen. Legen Sie einen Ordner mit einem Manifest in Ihren.</translation>
+    </message>
+    <message>
+        <source>It uses the network.</source>
+        <translation>Sie benutzt das Netz.</translation>
+    </message>
+    <message>
+        <source>The last run: %1</source>
+        <translation>Der letzte Lauf: %1</translation>
+    </message>
+    <message>
+        <source>Your extensions lie in %1.</source>
+        <translation>Ihre Erweiterungen liegen in %1.</translation>
+    </message>
+    <message>
+        <source>What the chosen extension does, what is wrong with it, and what it wrote when it last ran</source>
+        <translation>Was die gewählte Erweiterung tut, was an ihr nicht stimmt, und was sie beim letzten Lauf geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Those that are checked stand in the menu</source>
+        <translation>Die angekreuzten stehen im Menü</translation>
+    </message>
+</context>
+<context>
+    <name>ColourWords</name>
+    <message>
+        <source>dark red</source>
+        <translation>dunkelrot</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rot</translation>
+    </message>
+    <message>
+        <source>light red</source>
+        <translation>hellrot</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>braun</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>orange</translation>
+    </message>
+    <message>
+        <source>light orange</source>
+        <translation>hellorange</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>oliv</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>gelb</translation>
+    </message>
+    <message>
+        <source>light yellow</source>
+        <translation>hellgelb</translation>
+    </message>
+    <message>
+        <source>dark yellow-green</source>
+        <translation>dunkelgelbgrün</translation>
+    </message>
+    <message>
+        <source>yellow-green</source>
+        <translation>gelbgrün</translation>
+    </message>
+    <message>
+        <source>light yellow-green</source>
+        <translation>hellgelbgrün</translation>
+    </message>
+    <message>
+        <source>dark green</source>
+        <translation>dunkelgrün</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grün</translation>
+    </message>
+    <message>
+        <source>light green</source>
+        <translation>hellgrün</translation>
+    </message>
+    <message>
+        <source>dark turquoise</source>
+        <translation>dunkeltürkis</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>türkis</translation>
+    </message>
+    <message>
+        <source>light turquoise</source>
+        <translation>helltürkis</translation>
+    </message>
+    <message>
+        <source>dark blue</source>
+        <translation>dunkelblau</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blau</translation>
+    </message>
+    <message>
+        <source>light blue</source>
+        <translation>hellblau</translation>
+    </message>
+    <message>
+        <source>dark violet</source>
+        <translation>dunkelviolett</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>violett</translation>
+    </message>
+    <message>
+        <source>light violet</source>
+        <translation>hellviolett</translation>
+    </message>
+    <message>
+        <source>dark magenta</source>
+        <translation>dunkelmagenta</translation>
+    </message>
+    <message>
+        <source>magenta</source>
+        <translation>magenta</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>schwarz</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>dunkelgrau</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>light grey</source>
+        <translation>hellgrau</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>weiß</translation>
+    </message>
+</context>
+<context>
+    <name>SpokenNames</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>More buttons</source>
+        <translation>Weitere Schaltflächen</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message>
+        <source>stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
+        <source>feathered</source>
+        <translation>weich auslaufend</translation>
+    </message>
+    <message>
+        <source>dark edge</source>
+        <translation>dunkler Rand</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 and other colours</source>
+        <translation>%1 und andere Farben</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>gefüllt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln Segment</numerusform>
+            <numerusform>%Ln Segmente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln Strich</numerusform>
+            <numerusform>%Ln Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>%Ln ausgewählt</numerusform>
+            <numerusform>%Ln ausgewählt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Selects this and nothing else</source>
+        <translation>Wählt dies aus und sonst nichts</translation>
+    </message>
+    <message>
+        <source>Adds this to the selection, or takes it away</source>
+        <translation>Nimmt dies in die Auswahl auf oder heraus</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenSpeech</name>
+    <message>
+        <source>Arrow keys move the pen, Space presses it down and lifts it. Esc puts it away.</source>
+        <translation>Pfeiltasten bewegen den Stift, die Leertaste setzt ihn auf und hebt ihn ab. Esc legt ihn weg.</translation>
+    </message>
+    <message>
+        <source>The pen is put away.</source>
+        <translation>Der Stift ist weggelegt.</translation>
+    </message>
+    <message>
+        <source>Pen down at %1.</source>
+        <translation>Stift aufgesetzt bei %1.</translation>
+    </message>
+    <message>
+        <source>Pen up at %1.</source>
+        <translation>Stift abgehoben bei %1.</translation>
+    </message>
+    <message>
+        <source>Pen up at %1: %2.</source>
+        <translation>Stift abgehoben bei %1: %2.</translation>
+    </message>
+    <message>
+        <source>Given up.</source>
+        <translation>Aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %</source>
+        <translation>Druck %1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

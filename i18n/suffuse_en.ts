@@ -31,6 +31,20 @@
             <numerusform>%Ln strokes now. Where their paint meets it mixes, and no longer adds up.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln stroke selected. Delete once more deletes.</numerusform>
+            <numerusform>%Ln strokes selected. Delete once more deletes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>%Ln segment selected. Delete once more deletes.</numerusform>
+            <numerusform>%Ln segments selected. Delete once more deletes.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -607,16 +621,6 @@
     </message>
 </context>
 <context>
-    <name>FitLayer</name>
-    <message numerus="yes">
-        <source>%Ln stroke(s) came in, and a ground below them.</source>
-        <translation>
-            <numerusform>%Ln stroke came in, and a ground below it.</numerusform>
-            <numerusform>%Ln strokes came in, and a ground below them.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>suffuse::FitDialog</name>
     <message numerus="yes">
         <source>%Ln stroke(s)</source>
@@ -647,6 +651,60 @@
         <translation>
             <numerusform>%Ln stroke that lay between them lies below now.</numerusform>
             <numerusform>%Ln strokes that lay between them lie below now.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FitLayer</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s) came in, and a ground below them.</source>
+        <translation>
+            <numerusform>%Ln stroke came in, and a ground below it.</numerusform>
+            <numerusform>%Ln strokes came in, and a ground below them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>It was ended after %n second, which is as long as it may take.</numerusform>
+            <numerusform>It was ended after %n seconds, which is as long as it may take.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln segment</numerusform>
+            <numerusform>%Ln segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>%Ln selected</numerusform>
+            <numerusform>%Ln selected</numerusform>
         </translation>
     </message>
 </context>

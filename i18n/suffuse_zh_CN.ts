@@ -1366,26 +1366,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：缺少第 %2 张</translation>
     </message>
     <message>
-        <source>%1: is damaged</source>
-        <translation>%1：已损坏</translation>
-    </message>
-    <message>
-        <source>%1: is missing</source>
-        <translation>%1：缺失</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
-        <translation>
-            <numerusform>另有 %n 个文件缺失或损坏；farm verify --json 会列出全部。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
-        <translation>
-            <numerusform>%1：该日志有 %n 行已损坏，因此无法得知哪些已完成。请再次运行任务：它们会绘制缺失的部分。</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: two workers made different bits of piece %2. One of the machines is faulty: find it by the names in %3, remove its journal there, and run the tasks again.</source>
         <translation>%1：两个工作进程对第 %2 份算出的比特不同。其中一台机器有故障：请按 %3 中的名称找出它，删除它在那里的日志，然后重新运行任务。</translation>
     </message>
@@ -1700,8 +1680,112 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--error %1 未达到：现为 %2。请增大 --strokes 或 --iterations。</translation>
     </message>
     <message>
+        <source>%1: is damaged</source>
+        <translation>%1：已损坏</translation>
+    </message>
+    <message>
+        <source>%1: is missing</source>
+        <translation>%1：缺失</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more file(s) are missing or damaged; farm verify --json names all.</source>
+        <translation>
+            <numerusform>另有 %n 个文件缺失或损坏；farm verify --json 会列出全部。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) of this journal are damaged, so nobody knows what was finished. Run the tasks again: they draw what is missing.</source>
+        <translation>
+            <numerusform>%1：该日志有 %n 行已损坏，因此无法得知哪些已完成。请再次运行任务：它们会绘制缺失的部分。</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>the new strokes are farther from %1 than those before: %2 of 255, and before it was %3. Give more --strokes or --iterations.</source>
         <translation>新的笔画与 %1 的差距比原来更大：%2（共 255），原来是 %3。请增大 --strokes 或 --iterations。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used</source>
+        <translation>%1 无法使用</translation>
+    </message>
+    <message>
+        <source>Lists the extensions that there are.</source>
+        <translation>列出现有的扩展。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1：无法读取</translation>
+    </message>
+    <message>
+        <source>%1: there is no such extension. See suffuse-cli extension list.</source>
+        <translation>%1：没有这样的扩展。请参阅 suffuse-cli extension list。</translation>
+    </message>
+    <message>
+        <source>--set %1: give FIELD=VALUE with one of the fields %2</source>
+        <translation>--set %1：请给出 FIELD=VALUE，字段为 %2 之一</translation>
+    </message>
+    <message>
+        <source>%1; give it by --set</source>
+        <translation>%1；请用 --set 给出</translation>
+    </message>
+    <message>
+        <source>Runs an extension on a painting, and writes what it makes of it.</source>
+        <translation>对画作运行扩展，并写出它生成的结果。</translation>
+    </message>
+    <message>
+        <source>A field&apos;s value; may be given several times.</source>
+        <translation>字段的值；可多次给出。</translation>
+    </message>
+    <message>
+        <source>The strokes that are selected, by their ids, such as 3,7,20-180.</source>
+        <translation>选中的笔画的编号，例如 3,7,20-180。</translation>
+    </message>
+    <message>
+        <source>The group that is painted on, by its name.</source>
+        <translation>正在绘制的组的名称。</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the file to write</source>
+        <translation>缺少 -o OUT：请指定要写入的文件</translation>
+    </message>
+    <message>
+        <source>%1 makes no painting; leave -o away</source>
+        <translation>%1 不生成画作；请去掉 -o</translation>
+    </message>
+    <message>
+        <source>%1: end the name with .suffuse or .json</source>
+        <translation>%1：文件名须以 .suffuse 或 .json 结尾</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli extension COMMAND [options] …</source>
+        <translation>用法：suffuse-cli extension 命令 [选项] …</translation>
+    </message>
+    <message>
+        <source>the extensions that there are, with their fields</source>
+        <translation>现有的扩展及其字段</translation>
+    </message>
+    <message>
+        <source>run one on a painting, and write what it makes of it</source>
+        <translation>对画作运行一个扩展，并写出结果</translation>
+    </message>
+    <message>
+        <source>extension %1: there is no such command. See suffuse-cli extension --help.</source>
+        <translation>extension %1：没有这样的命令。请参阅 suffuse-cli extension --help。</translation>
+    </message>
+    <message>
+        <source>run programs of others on a painting</source>
+        <translation>对画作运行他人的程序</translation>
+    </message>
+    <message>
+        <source>Its id, as extension list names it, or the path of its folder.</source>
+        <translation>其标识（如 extension list 所列），或其文件夹的路径。</translation>
+    </message>
+    <message>
+        <source>%1: it belongs to the farm in %2, and two farms would overwrite each other&apos;s pieces. Choose another name, or, if that farm is not wanted any more, remove its folder.</source>
+        <translation>%1：属于 %2 中的渲染农场，两个渲染农场会互相覆盖对方的图块。请换一个名称；如果不再需要那个渲染农场，请删除其文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is another farm being planned?</source>
+        <translation>%1：无法写入（%2）。是否正在规划另一个渲染农场？</translation>
     </message>
 </context>
 <context>
@@ -1745,10 +1829,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>擦除不能脱离它所去除的颜料单独复制。“再制”会在笔画内复制它，“删除”会移除它。</translation>
     </message>
     <message>
-        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
-        <translation>新加入的笔画画在您正在看的时刻之后。它们已移到这一时刻，好让您看到。</translation>
-    </message>
-    <message>
         <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
         <translation>粘贴的内容位于画布可见部分之外。“视图 ▸ 缩放到所选内容”可前往该处。</translation>
     </message>
@@ -1771,6 +1851,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>
             <numerusform>作为供其他程序使用的 SVG，图片被省略：%n 幅。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
+        <translation>新加入的笔画画在您正在看的时刻之后。它们已移到这一时刻，好让您看到。</translation>
     </message>
 </context>
 <context>
@@ -2007,6 +2091,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>现在是 %Ln 条笔画。颜料相接之处互相混合，不再叠加。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>已选择 %Ln 条笔画。再按一次删除键即可删除。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s) selected. Delete once more deletes.</source>
+        <translation>
+            <numerusform>已选择 %Ln 条线段。再按一次删除键即可删除。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2231,10 +2327,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>关闭前要保存对“%1”的更改吗？</translation>
     </message>
     <message>
-        <source>Without saving, what was painted since the last save is lost.</source>
-        <translation>若不保存，上次保存后所画的内容将丢失。</translation>
-    </message>
-    <message>
         <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
         <translation>前几次 Suffuse 未能启动，因此本次使用默认设置启动。您的设置保存在 %1。</translation>
     </message>
@@ -2289,6 +2381,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>&amp;Replace</source>
         <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Without saving, what was painted since the last save is lost.</source>
+        <translation>若不保存，上次保存后所画的内容将丢失。</translation>
     </message>
 </context>
 <context>
@@ -3247,6 +3343,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>There is no such brush.</source>
         <translation>没有这样的画笔。</translation>
+    </message>
+    <message>
+        <source>Choose a brush to paint with it.</source>
+        <translation>选择一支画笔来绘画。</translation>
     </message>
 </context>
 <context>
@@ -6148,6 +6248,266 @@ Arrow keys work too.</source>
         <source>Select two end nodes with Segments first.</source>
         <translation>请先用“线段”选择两个端点。</translation>
     </message>
+    <message>
+        <source>&amp;Show the Axes of the Symmetry</source>
+        <translation>显示对称轴(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Also the square that moves them and the disc that turns them</source>
+        <translation>也显示用于移动的方块和用于旋转的圆盘</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>参考线</translation>
+    </message>
+    <message>
+        <source>Horizontal place, in canvas units</source>
+        <translation>水平位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Vertical place, in canvas units</source>
+        <translation>垂直位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Rulers</source>
+        <translation>显示标尺(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Along the upper and the left edge; guides are dragged out of them, and back into them</source>
+        <translation>沿上边和左边；可从标尺拖出参考线，也可拖回</translation>
+    </message>
+    <message>
+        <source>Show the &amp;Guides</source>
+        <translation>显示参考线(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Guides</source>
+        <translation>吸附到参考线(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Nodes, shapes and what is moved; paint goes where the hand goes</source>
+        <translation>节点、形状和移动的内容会吸附；绘画则跟随手的动作</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the Guides</source>
+        <translation>锁定参考线(&amp;L)</translation>
+    </message>
+    <message>
+        <source>They cannot be dragged, and new ones still can be made</source>
+        <translation>不能拖动参考线，但仍可新建</translation>
+    </message>
+    <message>
+        <source>Add a Le&amp;vel Guide…</source>
+        <translation>添加水平参考线(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Add an &amp;Upright Guide…</source>
+        <translation>添加垂直参考线(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Guides</source>
+        <translation>移除所有参考线(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Left and Right</source>
+        <translation>左右镜像(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What is painted on one side of an upright axis comes on the other, too</source>
+        <translation>在竖直轴一侧画的内容也会出现在另一侧</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Top and Bottom</source>
+        <translation>上下镜像(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What is painted above a level axis comes below it, too</source>
+        <translation>在水平轴上方画的内容也会出现在下方</translation>
+    </message>
+    <message>
+        <source>Mirrored &amp;Both Ways</source>
+        <translation>双向镜像(&amp;B)</translation>
+    </message>
+    <message>
+        <source>What is painted comes in all four corners of a cross</source>
+        <translation>画的内容会出现在十字的四个角落</translation>
+    </message>
+    <message>
+        <source>&amp;Rotated around the Centre</source>
+        <translation>绕中心旋转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>What is painted comes once in each arm around the centre</source>
+        <translation>画的内容会在中心周围的每个臂中各出现一次</translation>
+    </message>
+    <message>
+        <source>&amp;Kaleidoscope</source>
+        <translation>万花筒(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
+        <translation>画的内容会出现在中心周围的每个臂中，并在旁边出现其镜像</translation>
+    </message>
+    <message>
+        <source>&amp;Paint in Symmetry</source>
+        <translation>对称绘画(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Strokes, shapes and outlines come several times, mirrored or rotated, as one undo step</source>
+        <translation>笔画、形状和轮廓会以镜像或旋转的方式出现多份，合为一个撤销步骤</translation>
+    </message>
+    <message>
+        <source>Number of &amp;Arms…</source>
+        <translation>臂数(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>Arms around the centre</source>
+        <translation>中心周围的臂</translation>
+    </message>
+    <message>
+        <source>An&amp;gle of the Axes…</source>
+        <translation>轴的角度(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Degrees clockwise</source>
+        <translation>顺时针度数</translation>
+    </message>
+    <message>
+        <source>Axes to the &amp;Middle of the Canvas</source>
+        <translation>轴移到画布中央(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The centre of the symmetry lies in the middle again, and the axes are upright and level</source>
+        <translation>对称中心回到画布中央，轴恢复竖直和水平</translation>
+    </message>
+    <message>
+        <source>Rulers and Guides</source>
+        <translation>标尺和参考线</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Paint</source>
+        <translation>绘画工作区(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Colour, brushes and strokes beside a wide canvas</source>
+        <translation>宽阔的画布旁是颜色、画笔和笔画</translation>
+    </message>
+    <message>
+        <source>Workspace to &amp;Refine</source>
+        <translation>修整工作区(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Inspector, strokes, history and colour</source>
+        <translation>检查器、笔画、历史记录和颜色</translation>
+    </message>
+    <message>
+        <source>Workspace for &amp;Time</source>
+        <translation>时间工作区(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A high timeline, with inspector and strokes</source>
+        <translation>较高的时间轴，以及检查器和笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Save Workspace…</source>
+        <translation>保存工作区(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep where docks and tool bars stand now, under a name</source>
+        <translation>以一个名称保存面板和工具栏现在的位置</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>工作区</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Canvas Units</source>
+        <translation>标尺以画布单位计(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Millimetres</source>
+        <translation>标尺以毫米计(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Rulers in &amp;Inches</source>
+        <translation>标尺以英寸计(&amp;I)</translation>
+    </message>
+    <message>
+        <source>New View</source>
+        <translation>新建视图</translation>
+    </message>
+    <message>
+        <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
+        <translation>绘画时从别处显示画作的窗口；每次修改会同时显示在两个窗口中</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat Last Extension</source>
+        <translation>重复上次的扩展(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+X</source>
+        <translation>Ctrl+Alt+X</translation>
+    </message>
+    <message>
+        <source>Once more, with the same values</source>
+        <translation>用相同的值再运行一次</translation>
+    </message>
+    <message>
+        <source>&amp;Manage Extensions…</source>
+        <translation>管理扩展(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Which extensions there are, which are in the menu, and what went wrong</source>
+        <translation>有哪些扩展、哪些在菜单中、以及出了什么问题</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected.</source>
+        <translation>没有选中可见且未锁定的内容。</translation>
+    </message>
+    <message>
+        <source>E&amp;xtensions</source>
+        <translation>扩展(&amp;X)</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>Paint with Ke&amp;ys</source>
+        <translation>用键盘绘画(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it</source>
+        <translation>方向键在画布上移动十字线，空格键按下和抬起当前工具</translation>
+    </message>
+    <message>
+        <source>There are no guides.</source>
+        <translation>没有参考线。</translation>
+    </message>
+    <message>
+        <source>Choose a symmetry that turns, or the kaleidoscope, first.</source>
+        <translation>请先选择旋转对称或万花筒。</translation>
+    </message>
+    <message>
+        <source>No extension has run yet.</source>
+        <translation>尚未运行过扩展。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -6281,6 +6641,10 @@ Arrow keys work too.</source>
     <message>
         <source>History</source>
         <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +9167,10 @@ Arrow keys work too.</source>
         <source>Fill</source>
         <translation>填充</translation>
     </message>
+    <message>
+        <source>The topmost stroke comes first, with its share of the colour.</source>
+        <translation>最上方的笔画排在最前，并附其颜色占比。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PushTool</name>
@@ -9616,6 +9984,14 @@ Arrow keys work too.</source>
         <source>Rotate</source>
         <translation>旋转</translation>
     </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1：%3 中的第 %2 条</translation>
+    </message>
+    <message>
+        <source>%1: moved by %2, %3</source>
+        <translation>%1：已移动 %2, %3</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SettingsDialog</name>
@@ -9710,6 +10086,22 @@ Arrow keys work too.</source>
     <message>
         <source>Colours</source>
         <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>动态效果</translation>
+    </message>
+    <message>
+        <source>Whether docks glide to their places and carets blink</source>
+        <translation>停靠面板是否滑动到位，光标是否闪烁</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>减少</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>完整</translation>
     </message>
 </context>
 <context>
@@ -9891,6 +10283,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 ms, coarse</source>
         <translation>%1 毫秒，粗略</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and lifts it; + and - change its pressure; Esc puts it away.</source>
+        <translation>方向键移动画笔，按住 Shift 移动较远，按住 Alt 微移；空格键落笔和抬笔；+ 和 - 改变压力；Esc 收起画笔。</translation>
     </message>
 </context>
 <context>
@@ -10622,6 +11018,10 @@ Arrow keys work too.</source>
     <message>
         <source>Timeline</source>
         <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>A bar for each stroke, from when it was painted until it is dry.</source>
+        <translation>每条笔画一个条形，从绘制到干透。</translation>
     </message>
 </context>
 <context>
@@ -12810,6 +13210,759 @@ Arrow keys work too.</source>
     <message>
         <source>Show this at the start</source>
         <translation>启动时显示</translation>
+    </message>
+    <message>
+        <source>Sheets by their size. Return begins a painting on one.</source>
+        <translation>按尺寸排列的画纸。按回车键开始绘画。</translation>
+    </message>
+    <message>
+        <source>Recent paintings and samples. Return opens one.</source>
+        <translation>最近的画作和示例。按回车键打开。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Workspaces</name>
+    <message>
+        <source>Save Workspace</source>
+        <translation>保存工作区</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>There is a workspace “%1” already.</source>
+        <translation>已有名为“%1”的工作区。</translation>
+    </message>
+    <message>
+        <source>It would be replaced by how the window is arranged now.</source>
+        <translation>它将被窗口现在的布局替换。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” was saved: View ▸ Workspaces.</source>
+        <translation>工作区“%1”已保存：视图 ▸ 工作区。</translation>
+    </message>
+    <message>
+        <source>The workspace “%1” is damaged. Save it anew.</source>
+        <translation>工作区“%1”已损坏，请重新保存。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Workspace</source>
+        <translation>删除工作区(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the workspace “%1”?</source>
+        <translation>删除工作区“%1”吗？</translation>
+    </message>
+    <message>
+        <source>The window stays arranged as it is.</source>
+        <translation>窗口保持现在的布局。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferencePanel</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to look at while painting</source>
+        <translation>选择绘画时参考的图片</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合</translation>
+    </message>
+    <message>
+        <source>Show all of the picture</source>
+        <translation>显示整张图片</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>A pixel of the picture is one of the screen</source>
+        <translation>图片的一个像素对应屏幕的一个像素</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Show no picture here; its file stays</source>
+        <translation>这里不再显示图片；文件不受影响</translation>
+    </message>
+    <message>
+        <source>Open Reference Picture</source>
+        <translation>打开参考图片</translation>
+    </message>
+    <message>
+        <source>Actual pixels</source>
+        <translation>实际像素</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReferenceView</name>
+    <message>
+        <source>Reference picture</source>
+        <translation>参考图片</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cross, and Return picks the colour there.</source>
+        <translation>方向键移动十字，回车键取那里的颜色。</translation>
+    </message>
+    <message>
+        <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
+        <translation>把图片拖到这里，绘画时可以参考它并从中取色。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ViewWindow</name>
+    <message>
+        <source>View of the painting</source>
+        <translation>画作的视图</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>%1 · view at %2 %</source>
+        <translation>%1 · 视图 %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Extensions</name>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: install bubblewrap, and they have no network and can write nowhere else.</source>
+        <translation>程序在时间、内存和写入量上受到限制，但未被隔离：请安装 bubblewrap，之后它们没有网络，也不能写入其他位置。</translation>
+    </message>
+    <message>
+        <source>Programs are confined by bubblewrap: they have no network, unless they say that they need it, and can write in a temporary folder only.</source>
+        <translation>程序由 bubblewrap 隔离：除非声明需要，否则没有网络，并且只能在临时文件夹中写入。</translation>
+    </message>
+    <message>
+        <source>Programs are limited in time, memory and what they write, but not confined: bubblewrap is installed, and does not work here (%1).</source>
+        <translation>程序在时间、内存和写入量上受到限制，但未被隔离：bubblewrap 已安装，但在此处无法工作（%1）。</translation>
+    </message>
+    <message>
+        <source>it wrote no result</source>
+        <translation>它没有写出结果</translation>
+    </message>
+    <message>
+        <source>its result cannot be read</source>
+        <translation>其结果无法读取</translation>
+    </message>
+    <message>
+        <source>its result is no file</source>
+        <translation>其结果不是文件</translation>
+    </message>
+    <message>
+        <source>its result is too large</source>
+        <translation>其结果过大</translation>
+    </message>
+    <message>
+        <source>its result is empty</source>
+        <translation>其结果为空</translation>
+    </message>
+    <message>
+        <source>Nothing that is visible and unlocked is selected. Select strokes first.</source>
+        <translation>没有选中可见且未锁定的内容。请先选择笔画。</translation>
+    </message>
+    <message>
+        <source>Nothing in the layer is visible and unlocked.</source>
+        <translation>图层中没有可见且未锁定的内容。</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>无法创建临时文件夹：%1。请将 TMPDIR 设为可写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2). Is the disk full?</source>
+        <translation>%1：无法写入（%2）。磁盘是否已满？</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2.</source>
+        <translation>无法启动程序 %1：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It was ended after %n second(s), which is as long as it may take.</source>
+        <translation>
+            <numerusform>它在 %n 秒后被终止，这是允许的最长时间。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was ended, since it took more than %1 MB of memory.</source>
+        <translation>它被终止，因为占用了超过 %1 MB 的内存。</translation>
+    </message>
+    <message>
+        <source>It was ended, since it wrote more than %1 MB.</source>
+        <translation>它被终止，因为写入了超过 %1 MB。</translation>
+    </message>
+    <message>
+        <source>The program was killed or crashed. The painting is as it was.</source>
+        <translation>程序被终止或已崩溃。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>The program failed (exit code %1). The painting is as it was.</source>
+        <translation>程序失败（退出码 %1）。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>It wrote: %1</source>
+        <translation>它写道：%1</translation>
+    </message>
+    <message>
+        <source>Its result is not used, and the painting is as it was: %1.</source>
+        <translation>其结果未被采用，画作保持原样：%1。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 未被写入：%2。</translation>
+    </message>
+    <message>
+        <source>a colour is red, yellow, blue and opacity, each from 0 to 1</source>
+        <translation>颜色由红、黄、蓝和不透明度组成，各为 0 到 1</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>请给出一个数</translation>
+    </message>
+    <message>
+        <source>%1 is not in [%2, %3]</source>
+        <translation>%1 不在 [%2, %3] 内</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 不是整数</translation>
+    </message>
+    <message>
+        <source>“%1” is none of %2</source>
+        <translation>“%1”不是 %2 之一</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>请给出 true 或 false</translation>
+    </message>
+    <message>
+        <source>give a text of at most %1 characters</source>
+        <translation>请给出至多 %1 个字符的文本</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>请选择文件</translation>
+    </message>
+    <message>
+        <source>%1: the name must end with .%2</source>
+        <translation>%1：文件名须以 .%2 结尾</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1：没有这个文件</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1：没有这个文件夹</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>“%1”不是数</translation>
+    </message>
+    <message>
+        <source>“%1” is neither true nor false</source>
+        <translation>“%1”既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read, or is larger than 1 MB</source>
+        <translation>%1：无法读取，或大于 1 MB</translation>
+    </message>
+    <message>
+        <source>%1: %2 has the id “%3”, too; give it another one</source>
+        <translation>%1：%2 也使用标识“%3”；请换一个</translation>
+    </message>
+    <message>
+        <source>Python 3 is missing. Install python3.</source>
+        <translation>缺少 Python 3。请安装 python3。</translation>
+    </message>
+    <message>
+        <source>The program %1 is missing, or cannot be started. Install it.</source>
+        <translation>程序 %1 缺失或无法启动。请安装它。</translation>
+    </message>
+    <message>
+        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
+        <translation>%1 找不到 Python 模块 %2。请安装：suffuse 按 docs/python.md 所述，其他的用 python3-numpy 之类的软件包。</translation>
+    </message>
+    <message>
+        <source>name the program, and what it is started with</source>
+        <translation>请指定程序及其启动参数</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>“%1” is not “%2”</source>
+        <translation>“%1”不是“%2”</translation>
+    </message>
+    <message>
+        <source>version %1 is not known; this program reads version %2</source>
+        <translation>版本 %1 未知；本程序读取版本 %2</translation>
+    </message>
+    <message>
+        <source>“%1” does not look like %2</source>
+        <translation>“%1”不符合 %2</translation>
+    </message>
+    <message>
+        <source>a text has 1 to 2000 characters</source>
+        <translation>文本应有 1 到 2000 个字符</translation>
+    </message>
+    <message>
+        <source>give a text, or one for each language</source>
+        <translation>请给出一个文本，或每种语言各一个</translation>
+    </message>
+    <message>
+        <source>give at most %1 texts of 1 to 4096 characters</source>
+        <translation>请给出至多 %1 个 1 到 4096 个字符的文本</translation>
+    </message>
+    <message>
+        <source>there are at most 3 submenus within each other</source>
+        <translation>子菜单最多嵌套 3 层</translation>
+    </message>
+    <message>
+        <source>there are at most %1 fields</source>
+        <translation>至多 %1 个字段</translation>
+    </message>
+    <message>
+        <source>two fields are called %1</source>
+        <translation>两个字段都叫 %1</translation>
+    </message>
+    <message>
+        <source>the field&apos;s type must stand before its default</source>
+        <translation>字段的 type 必须写在 default 之前</translation>
+    </message>
+    <message>
+        <source>there are at most %1 choices</source>
+        <translation>至多 %1 个选项</translation>
+    </message>
+    <message>
+        <source>is not above least</source>
+        <translation>不大于 least</translation>
+    </message>
+    <message>
+        <source>whole numbers are from -1000000000 to 1000000000</source>
+        <translation>整数范围为 -1000000000 到 1000000000</translation>
+    </message>
+    <message>
+        <source>“%1” is no ending; give it without its dot</source>
+        <translation>“%1”不是扩展名；请去掉点号</translation>
+    </message>
+    <message>
+        <source>a part of the painting was passed, so canvas, palette and underlay must stay as they are</source>
+        <translation>传入的是画作的一部分，因此画布、调色板和底图必须保持不变</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>It went well.</source>
+        <translation>运行成功。</translation>
+    </message>
+    <message>
+        <source>The result does not fit into memory.</source>
+        <translation>结果无法放入内存。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionDialog</name>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 已存在。要替换吗？</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>其现有内容将丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>It was stopped. The painting is as it was.</source>
+        <translation>已停止。画作保持原样。</translation>
+    </message>
+    <message>
+        <source>The painting has changed meanwhile, so the result is not used. Run it again.</source>
+        <translation>画作在此期间已更改，因此结果未被采用。请再次运行。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExtensionFields</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>选择文件夹和文件名</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ManageExtensionsDialog</name>
+    <message>
+        <source>Manage Extensions</source>
+        <translation>管理扩展</translation>
+    </message>
+    <message>
+        <source>Extensions</source>
+        <translation>扩展</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>扩展</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>About the extension</source>
+        <translation>关于该扩展</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>打开文件夹(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Your own extensions lie there, each in a folder with a manifest</source>
+        <translation>您自己的扩展位于其中，每个都在带有清单的文件夹中</translation>
+    </message>
+    <message>
+        <source>Read &amp;Again</source>
+        <translation>重新读取(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Looks for extensions anew, after files were changed</source>
+        <translation>文件更改后重新查找扩展</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>您</translation>
+    </message>
+    <message>
+        <source>Suffuse</source>
+        <translation>Suffuse</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>无法使用</translation>
+    </message>
+    <message>
+        <source>There are no extensions yet. Put a folder with a manifest into yours.</source>
+        <translation>还没有扩展。请将带有清单的文件夹放入您的文件夹。</translation>
+    </message>
+    <message>
+        <source>It uses the network.</source>
+        <translation>它使用网络。</translation>
+    </message>
+    <message>
+        <source>The last run: %1</source>
+        <translation>上次运行：%1</translation>
+    </message>
+    <message>
+        <source>Your extensions lie in %1.</source>
+        <translation>您的扩展位于 %1。</translation>
+    </message>
+    <message>
+        <source>What the chosen extension does, what is wrong with it, and what it wrote when it last ran</source>
+        <translation>所选扩展的作用、其中的问题，以及上次运行时写出的内容</translation>
+    </message>
+    <message>
+        <source>Those that are checked stand in the menu</source>
+        <translation>已勾选的扩展显示在菜单中</translation>
+    </message>
+</context>
+<context>
+    <name>ColourWords</name>
+    <message>
+        <source>dark red</source>
+        <translation>深红色</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>light red</source>
+        <translation>浅红色</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>棕色</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>light orange</source>
+        <translation>浅橙色</translation>
+    </message>
+    <message>
+        <source>olive</source>
+        <translation>橄榄色</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄色</translation>
+    </message>
+    <message>
+        <source>light yellow</source>
+        <translation>浅黄色</translation>
+    </message>
+    <message>
+        <source>dark yellow-green</source>
+        <translation>深黄绿色</translation>
+    </message>
+    <message>
+        <source>yellow-green</source>
+        <translation>黄绿色</translation>
+    </message>
+    <message>
+        <source>light yellow-green</source>
+        <translation>浅黄绿色</translation>
+    </message>
+    <message>
+        <source>dark green</source>
+        <translation>深绿色</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>light green</source>
+        <translation>浅绿色</translation>
+    </message>
+    <message>
+        <source>dark turquoise</source>
+        <translation>深青色</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>青色</translation>
+    </message>
+    <message>
+        <source>light turquoise</source>
+        <translation>浅青色</translation>
+    </message>
+    <message>
+        <source>dark blue</source>
+        <translation>深蓝色</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>light blue</source>
+        <translation>浅蓝色</translation>
+    </message>
+    <message>
+        <source>dark violet</source>
+        <translation>深紫色</translation>
+    </message>
+    <message>
+        <source>violet</source>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>light violet</source>
+        <translation>浅紫色</translation>
+    </message>
+    <message>
+        <source>dark magenta</source>
+        <translation>深洋红色</translation>
+    </message>
+    <message>
+        <source>magenta</source>
+        <translation>洋红色</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>粉红色</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>dark grey</source>
+        <translation>深灰色</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>light grey</source>
+        <translation>浅灰色</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>白色</translation>
+    </message>
+</context>
+<context>
+    <name>SpokenNames</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>More buttons</source>
+        <translation>更多按钮</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeWords</name>
+    <message>
+        <source>stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>feathered</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>dark edge</source>
+        <translation>深色边缘</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 and other colours</source>
+        <translation>%1等多种颜色</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>有填充</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln segment(s)</source>
+        <translation>
+            <numerusform>%Ln 条线段</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>已隐藏</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 条笔画</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasReading</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln 条笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln selected</source>
+        <translation>
+            <numerusform>已选择 %Ln 条</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Selects this and nothing else</source>
+        <translation>仅选择此项</translation>
+    </message>
+    <message>
+        <source>Adds this to the selection, or takes it away</source>
+        <translation>将此项加入选择或移出选择</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenSpeech</name>
+    <message>
+        <source>Arrow keys move the pen, Space presses it down and lifts it. Esc puts it away.</source>
+        <translation>方向键移动画笔，空格键落笔和抬笔。Esc 收起画笔。</translation>
+    </message>
+    <message>
+        <source>The pen is put away.</source>
+        <translation>画笔已收起。</translation>
+    </message>
+    <message>
+        <source>Pen down at %1.</source>
+        <translation>在 %1 处落笔。</translation>
+    </message>
+    <message>
+        <source>Pen up at %1.</source>
+        <translation>在 %1 处抬笔。</translation>
+    </message>
+    <message>
+        <source>Pen up at %1: %2.</source>
+        <translation>在 %1 处抬笔：%2。</translation>
+    </message>
+    <message>
+        <source>Given up.</source>
+        <translation>已放弃。</translation>
+    </message>
+    <message>
+        <source>Pressure %1 %</source>
+        <translation>压力 %1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

@@ -29,6 +29,8 @@ const char *nameOf(Variable variable)
         return "DISPLAY";
     case Variable::WaylandDisplay:
         return "WAYLAND_DISPLAY";
+    case Variable::Desktop:
+        return "XDG_CURRENT_DESKTOP";
     case Variable::QtPlatform:
         return "QT_QPA_PLATFORM";
     }

@@ -18,6 +18,7 @@ enum class Variable {
     StateHome,      ///< XDG_STATE_HOME: the desktop's folder for what programs keep between runs
     Display,        ///< DISPLAY, of X11
     WaylandDisplay, ///< WAYLAND_DISPLAY
+    Desktop,        ///< XDG_CURRENT_DESKTOP: which desktop runs, GNOME for example
     QtPlatform,     ///< QT_QPA_PLATFORM: how Qt reaches a screen, or that it does without
 };
 

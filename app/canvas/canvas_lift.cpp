@@ -46,7 +46,8 @@ QTransform inPixels(const View &view, const Affine &map)
 CanvasLift::CanvasLift(Editor &editor, FrameThread &frames, const CanvasView &view, std::function<void()> schedule)
     : m_editor(editor), m_frames(frames), m_view(view), m_schedule(std::move(schedule))
 {
-    m_editor.setFloatingView(this);
+    if (!m_editor.floatingView()) // A canvas that only looks on comes later.
+        m_editor.setFloatingView(this);
 }
 
 CanvasLift::~CanvasLift()

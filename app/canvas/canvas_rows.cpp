@@ -1,6 +1,10 @@
 #include "app/canvas/canvas_rows.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/guide_rows.h"
+#include "app/canvas/handles/symmetry_rows.h"
+#include "app/canvas/reading/canvas_reading.h"
+#include "app/canvas/reading/pen_speech.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
@@ -28,6 +32,14 @@ bool givesUp(const CanvasWidget &canvas)
         return false;
     canvas.tool()->cancel();
     return true;
+}
+
+/// Whether something is selected that neither the canvas nor the dock with the keyboard shows: nobody knows then what
+/// would be deleted.
+bool isUnseen(const CanvasWidget &canvas)
+{
+    return canvas.hasFocus() && !canvas.selection().isEmpty() && !canvas.tool()->showsOutlines() &&
+           !canvas.isSelectionRevealed();
 }
 
 void changeAid(CanvasWidget &canvas, bool CanvasAids::*aid, bool on)
@@ -85,6 +97,11 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
             if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
                                            : givesUp(canvas) || canvas.tool()->deleteSelected())
                 return;
+            if (isUnseen(canvas)) {
+                canvas.revealSelection();
+                emit table.said(commands::unseenSelection(editor), 8000);
+                return;
+            }
             const QString done = commands::deleteSelected(editor);
             // A tool that shows no outlines leaves open what was selected.
             if (!done.isEmpty() && !canvas.tool()->showsOutlines())
@@ -174,6 +191,25 @@ void addHeldRows(Commands &table, CanvasWidget &canvas)
         });
 }
 
+void addPenRow(Commands &table, CanvasWidget &canvas)
+{
+    table
+        .add(Command::PaintWithKeys, "paintWithKeys", Commands::tr("Paint with Ke&ys"), "",
+             {QKeySequence(Commands::tr("Ctrl+Alt+P"))},
+             Commands::tr("Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it"))
+        .checkedWhen([&canvas] { return canvas.keyboardPen().isOn(); })
+        .runs([&canvas] {
+            canvas.setFocus(Qt::OtherFocusReason);
+            canvas.setKeyboardPenOn(!canvas.keyboardPen().isOn());
+        });
+    QObject::connect(&canvas.keyboardPen(), &KeyboardPen::onChanged, &table,
+                     [&table] { table.update(Command::PaintWithKeys); });
+    auto *reading = new CanvasReading(canvas, &table);
+    auto *speech = new PenSpeech(canvas, *reading, &table);
+    QObject::connect(speech, &PenSpeech::said, &table, [&table](const QString &text) { emit table.said(text, 8000); });
+    QObject::connect(&table, &Commands::said, reading, [reading](const QString &text) { reading->say(text); });
+}
+
 void addAidRows(Commands &table, CanvasWidget &canvas)
 {
     using enum Command;
@@ -204,6 +240,11 @@ void addAidRows(Commands &table, CanvasWidget &canvas)
              Commands::tr("Under a veil, what was painted beside the canvas; it is in no picture that is exported"))
         .checkable(aids.showBeyond)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showBeyond, on); });
+    table
+        .add(ShowSymmetry, "showSymmetry", Commands::tr("&Show the Axes of the Symmetry"), "", {},
+             Commands::tr("Also the square that moves them and the disc that turns them"))
+        .checkable(aids.showSymmetry)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showSymmetry, on); });
 }
 
 } // namespace
@@ -215,7 +256,10 @@ void addCanvasRows(Commands &table, CanvasWidget &canvas)
     addViewRows(table, canvas);
     addToolRows(table, canvas);
     addHeldRows(table, canvas);
+    addPenRow(table, canvas);
     addAidRows(table, canvas);
+    addSymmetryRows(table, canvas);
+    addGuideRows(table, canvas);
     QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
     QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
         if (!canvas.editor().laterChanges().isWaiting()) // Otherwise the table is updated with the changes that wait.

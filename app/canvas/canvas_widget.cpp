@@ -1,8 +1,12 @@
 #include "app/canvas/canvas_widget.h"
 
+#include "app/canvas/handles/guide_handle.h"
+#include "app/canvas/handles/rulers.h"
+#include "app/canvas/handles/symmetry_handle.h"
 #include "app/canvas/input/layer_note.h"
 #include "app/session/colour_convert.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
 #include "app/session/settings/renderer_options.h"
@@ -17,6 +21,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -26,9 +32,9 @@ constexpr double followMargin = 60; ///< logical pixels around what the view fol
 
 } // namespace
 
-CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
-    : QWidget(parent), m_editor(editor), m_worker(settings::rendererOptions(), std::move(make)),
-      m_input(*this, m_view, editor.clock()), m_selected(editor),
+CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make, CanvasUse use)
+    : QWidget(parent), m_editor(editor), m_use(use), m_worker(settings::rendererOptions(), std::move(make)),
+      m_input(*this, m_view, m_handles, editor.clock()), m_selected(editor),
       m_repaint(*this, editor, m_view, m_selected, [this] { return tool() ? tool()->paintMargin() : 0.0; })
 {
     setObjectName("canvas");
@@ -44,6 +50,12 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     m_repaint.setPresenter(m_presenter);
     connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
     connectInput();
+    if (use == CanvasUse::Work) {
+        addHandles();
+    } else {
+        m_input.setLooksOnly();
+        m_aids.showOutlines = false;
+    }
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
@@ -57,7 +69,8 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
-    connect(&m_worker, &FrameThread::handRests, this, &CanvasWidget::handRests);
+    if (use == CanvasUse::Work)
+        connect(&m_worker, &FrameThread::handRests, this, &CanvasWidget::handRests);
 }
 
 void CanvasWidget::connectInput()
@@ -77,9 +90,23 @@ void CanvasWidget::connectInput()
     connect(&m_input, &CanvasInput::fitWanted, this, &CanvasWidget::fit);
 }
 
+void CanvasWidget::addHandles()
+{
+    const auto dpr = [this] { return devicePixelRatioF(); };
+    m_handles.add(std::make_unique<SymmetryHandle>(
+        m_editor.aids(), m_view, [this] { return m_aids.showSymmetry && !isBare(); }, dpr));
+    m_handles.add(std::make_unique<GuideHandle>(
+        m_editor.aids(), m_view,
+        GuideHandle::Surroundings{[this] { return m_aids; }, [this] { return isBare(); },
+                                  [this](Point pixel) { return tool() && tool()->leavesToGuides(pixel); }, dpr,
+                                  [this](int guide) { emit guideAsked(guide); }}));
+    connect(&m_editor.aids(), &DrawingAids::aboutToReset, this, [this] { m_handles.cancel(); });
+    connect(&m_editor.aids(), &DrawingAids::changed, this, [this] { updateOverlay(); });
+}
+
 CanvasWidget::~CanvasWidget()
 {
-    m_editor.laterChanges().setCanvasShown(false);
+    tellShown(false);
     m_editor.disconnect(this); // The tools are destroyed later, and give up then what they have in hand.
     m_editor.document().disconnect(this);
     m_editor.clock().disconnect(this);
@@ -89,6 +116,8 @@ CanvasWidget::~CanvasWidget()
 void CanvasWidget::follow(const Change &change)
 {
     m_selected.noteChange();
+    if (change.selection || change.draft || change.reset)
+        revealSelection(change.selection && !change.draft && !m_editor.selection().isEmpty());
     if (change.reset) {
         m_input.hand().cancel();
         fit();
@@ -161,6 +190,7 @@ void CanvasWidget::setTool(Tool *next)
     if (tool())
         disconnect(tool(), nullptr, this, nullptr);
     m_input.hand().setTool(next);
+    m_revealed = false;
     if (next)
         connect(next, &Tool::typingChanged, this, &CanvasWidget::followTyping);
     if (next)
@@ -370,6 +400,9 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
+    painter.setRenderHint(QPainter::Antialiasing);
+    m_handles.paint(painter, view(), m_colours, dpr);
+    painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
         m_missing.paint(painter, view(), m_editor.unsettled().painting(), m_colours, dpr);
     if (showsOutlines())
@@ -379,10 +412,14 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
+    m_input.keyboardPen().paint(painter, dpr);
     paintAngle(painter, dpr);
+    if (m_aids.showRulers)
+        paintRulers(painter, view(), unitOf(m_aids.rulerUnits), m_colours, dpr);
     m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
-    m_editor.laterChanges().painted();
+    if (m_use == CanvasUse::Work)
+        m_editor.laterChanges().painted();
 }
 
 void CanvasWidget::paintSelection(QPainter &painter, double dpr)
@@ -415,7 +452,13 @@ bool CanvasWidget::isBare() const
 
 bool CanvasWidget::showsOutlines() const
 {
-    return m_aids.showOutlines && !isBare() && (!tool() || tool()->showsOutlines());
+    return m_aids.showOutlines && !isBare() && (m_revealed || !tool() || tool()->showsOutlines());
+}
+
+void CanvasWidget::revealSelection(bool revealed)
+{
+    if (std::exchange(m_revealed, revealed) != revealed && !(tool() && tool()->showsOutlines()))
+        updateOverlay();
 }
 
 /// Paints the angle beside the pointer while the canvas is turned by hand.
@@ -431,6 +474,7 @@ void CanvasWidget::readPalette()
     m_colours.pasteboard = dark ? QColor(43, 45, 49) : QColor(209, 211, 215);
     m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
     m_colours.accent = QColor(4, 46, 124);
+    m_colours.guide = QColor(0, 92, 92);
 }
 
 void CanvasWidget::changeEvent(QEvent *event)
@@ -442,10 +486,17 @@ void CanvasWidget::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
+/// Panels wait for the canvas on which one works, and for no other.
+void CanvasWidget::tellShown(bool shown)
+{
+    if (m_use == CanvasUse::Work)
+        m_editor.laterChanges().setCanvasShown(shown);
+}
+
 /// While the canvas is on the screen, panels hear of a change when the canvas has been painted.
 void CanvasWidget::showEvent(QShowEvent *event)
 {
-    m_editor.laterChanges().setCanvasShown(true);
+    tellShown(true);
     readColours(); // The window is on a screen now.
     if (const QWindow *handle = window()->windowHandle())
         connect(handle, &QWindow::screenChanged, this, &CanvasWidget::readColours, Qt::UniqueConnection);
@@ -454,7 +505,7 @@ void CanvasWidget::showEvent(QShowEvent *event)
 
 void CanvasWidget::hideEvent(QHideEvent *event)
 {
-    m_editor.laterChanges().setCanvasShown(false);
+    tellShown(false);
     QWidget::hideEvent(event);
 }
 

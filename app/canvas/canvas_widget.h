@@ -3,6 +3,7 @@
 
 #include "app/canvas/canvas_lift.h"
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay/canvas_note.h"
 #include "app/canvas/overlay/erasure_lines.h"
@@ -27,13 +28,17 @@ namespace suffuse {
 class Editor;
 struct Change;
 
+/// Whether one works on a canvas or, since the painting is painted elsewhere, only looks at it.
+enum class CanvasUse { Work, Look };
+
 /// Shows the last finished frame at once wherever the view is, and shows the sharp one instead when it is ready.
 /// All pixels of its interface are device pixels.
 class CanvasWidget : public QWidget, private CanvasContent {
     Q_OBJECT
 
 public:
-    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRendererAtOnce);
+    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRendererAtOnce,
+                          CanvasUse use = CanvasUse::Work);
     ~CanvasWidget() override;
 
     Editor &editor() { return m_editor; }
@@ -87,6 +92,10 @@ public:
     void resetRotation() { m_view.resetRotation(); }
     void mirror() { m_view.mirror(); }
 
+    /// Paints with keys, where it is on. It begins at the pointer, or in the middle of the view.
+    KeyboardPen &keyboardPen() { return m_input.keyboardPen(); }
+    void setKeyboardPenOn(bool on) { keyboardPen().setOn(on, zoomCentre()); }
+
     /// What is written over the picture for a moment.
     CanvasNote &note() { return m_note; }
 
@@ -129,6 +138,10 @@ public:
     bool isBare() const;
     /// Whether lines are drawn through the selected strokes.
     bool showsOutlines() const;
+    /// Shows what is selected, though the tool in use shows no outlines, until something is painted or another tool is
+    /// taken. What is selected anew is shown by itself.
+    void revealSelection(bool revealed = true);
+    bool isSelectionRevealed() const { return m_revealed; }
     /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
     bool showsAllErasures() const;
     /// How snapping works, and what is drawn over the picture.
@@ -158,6 +171,7 @@ signals:
     void coloursChanged();                       ///< what `colours` says is different
     void backendChanged();                       ///< the text of the backend, or the notice about it, has changed
     void underlayFailed(const QString &problem); ///< the underlay cannot be shown
+    void guideAsked(int guide);                  ///< the exact place of a guide is wanted, by its number
     void penTurned(bool eraser);                 ///< emitted before the first report of the pen's other end
 
 protected:
@@ -209,17 +223,21 @@ private:
     void frameReady(const FrameInfo &frame);
     void viewMoved();
     void connectInput();
+    void addHandles();
+    void tellShown(bool shown);
     void readPalette();
     /// Input methods work while what is typed goes into a text.
     void followTyping();
     Point zoomCentre() const;
 
     Editor &m_editor;
+    const CanvasUse m_use;
     FrameThread m_worker;
     UnderlayLoader m_underlay;
     CanvasColours m_screenColours;
     Presenter *m_presenter = nullptr;
     CanvasView m_view;
+    CanvasHandles m_handles; ///< of the symmetry, and guides
     CanvasInput m_input;
     OverlayColours m_colours;
     CanvasAids m_aids;
@@ -234,6 +252,7 @@ private:
 
     CanvasLift m_lift{m_editor, m_worker, m_view, [this] { scheduleRender(); }};
     bool m_renderScheduled = false;
+    bool m_revealed = false; ///< the selection, though the tool shows no outlines
     quint64 m_lastSerial = 0;
 };
 

@@ -45,6 +45,8 @@ public:
     virtual bool showsOutlines() const { return true; }
     /// Whether selected strokes have dashed lines along what takes paint away while it is in use.
     virtual bool showsErasures() const { return false; }
+    /// Whether a press at a pixel moves a guide of the canvas that runs there, since the tool has nothing to do with it.
+    virtual bool leavesToGuides(Point /*pixel*/) const { return false; }
     /// Whose colour the colour dock is to show while the tool is in use.
     virtual ColourTarget::ToolUse colourUse() const { return ColourTarget::ToolUse::Refines; }
     /// Whether a press has come and no release yet.

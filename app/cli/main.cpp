@@ -31,6 +31,7 @@ constexpr std::array commands = {
     Command{"farm", farmCommand, QT_TRANSLATE_NOOP("Cli", "let many machines draw pictures in tiles, and films")},
     Command{"fit", fitCommand, QT_TRANSLATE_NOOP("Cli", "make a painting of a picture")},
     Command{"refit", refitCommand, QT_TRANSLATE_NOOP("Cli", "make fewer strokes that look like those of a painting")},
+    Command{"extension", extensionCommand, QT_TRANSLATE_NOOP("Cli", "run programs of others on a painting")},
     Command{"recover", recoverCommand, QT_TRANSLATE_NOOP("Cli", "what was not saved when the editor ended")},
     Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},
 };

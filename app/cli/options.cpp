@@ -55,6 +55,8 @@ QString meaningOf(const QString &argument)
         return QCoreApplication::translate("Cli", "How far below the canvas' upper edge, in canvas units.");
     if (argument == QLatin1String("ID"))
         return QCoreApplication::translate("Cli", "Which one, as the list names it.");
+    if (argument == QLatin1String("EXTENSION"))
+        return QCoreApplication::translate("Cli", "Its id, as extension list names it, or the path of its folder.");
     if (argument == QLatin1String("FOLDER"))
         return QCoreApplication::translate("Cli", "The folder of the farm, which all machines share.");
     return {};
@@ -99,7 +101,7 @@ QString CommandLine::repeatedOption() const
     QSet<QString> given;
     for (const QString &name : m_parser.optionNames()) {
         const QString option = m_options.value(name);
-        if (given.contains(option))
+        if (given.contains(option) && !m_repeatable.contains(option))
             return withDashes(name);
         given.insert(option);
     }

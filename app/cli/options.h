@@ -24,6 +24,7 @@ int fitCommand(const QStringList &arguments);
 int refitCommand(const QStringList &arguments);
 int renderCommand(const QStringList &arguments);
 int farmCommand(const QStringList &arguments);
+int extensionCommand(const QStringList &arguments);
 int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);
 int probeCommand(const QStringList &arguments);
@@ -41,6 +42,8 @@ public:
 
     /// Adds an option; without `value` (its name in the help) it is a switch.
     void add(const QStringList &names, const QString &description, const QString &value = {});
+    /// Lets an option be given several times.
+    void allowRepeated(const QString &option) { m_repeatable.append(option); }
     /// Lets the first argument be given several times.
     void allowSeveral() { m_isSeveral = true; }
     /// Parses. An exit code where the command ends here: help, unknown options, one given twice, a wrong number of
@@ -50,6 +53,8 @@ public:
     /// False too for an option that the command does not have.
     bool isSet(const QString &option) const { return m_options.contains(option) && m_parser.isSet(option); }
     QString value(const QString &option) const { return m_parser.value(option); }
+    /// Of an option that may be given several times.
+    QStringList values(const QString &option) const { return m_parser.values(option); }
     /// The positional argument i, or empty; of the first one the first.
     QString argument(int i) const { return m_positional.value(i > 0 && m_isSeveral ? i + more() : i); }
     /// All of the first one, where it may be given several times.
@@ -67,6 +72,7 @@ private:
     QCommandLineParser m_parser;
     QHash<QString, QString> m_options; ///< each name, and the first one of its option
     QStringList m_valueOptions;        ///< with dashes
+    QStringList m_repeatable;
     QStringList m_positional;
     bool m_isSeveral = false;
 };

@@ -1,6 +1,7 @@
 #include "app/cli/refit_work.h"
 
 #include "app/cli/fit_options.h"
+#include "app/cli/stroke_choice.h"
 #include "model/formats/files.h"
 #include "render/backends.h"
 
@@ -19,49 +20,16 @@ constexpr int mostRefitStrokes = 20'000;
 constexpr int fewestTried = 4; ///< strokes, where an error is asked for
 constexpr int fewerBy = 4;     ///< Unless it is said how many, that many strokes become one.
 
-/// The strokes that "3,7,20-180" names. The error is a usage error.
-Result<std::unordered_set<StrokeId>> idsOf(const QString &text, const Painting &painting)
-{
-    std::unordered_set<StrokeId> out;
-    for (const QString &part : text.split(QLatin1Char(','))) {
-        const QStringList ends = part.split(QLatin1Char('-'));
-        bool isFirst = false, isLast = false;
-        const qulonglong first = ends.first().toULongLong(&isFirst), last = ends.last().toULongLong(&isLast);
-        if (!isFirst || !isLast || ends.size() > 2 || last < first)
-            return Error{
-                QCoreApplication::translate("Cli", "--select %1: give ids of strokes, such as 3,7,20-180").arg(text)};
-        const std::size_t before = out.size();
-        for (const StrokePtr &stroke : painting.strokes)
-            if (stroke->id >= first && stroke->id <= last)
-                out.insert(stroke->id);
-        if (out.size() == before)
-            return Error{QCoreApplication::translate("Cli",
-                                                     "--select %1: there is no stroke %2; suffuse-cli convert IN "
-                                                     "OUT.json shows the ids")
-                             .arg(text, part)};
-    }
-    return out;
-}
-
 /// The strokes of the group of that name, and of the groups within it. The error is a usage error.
 Result<std::unordered_set<StrokeId>> strokesOfLayer(const QString &name, const Painting &painting)
 {
-    GroupId layer = 0;
-    for (const Group &group : painting.groups) {
-        if (group.name != name)
-            continue;
-        if (layer)
-            return Error{
-                QCoreApplication::translate("Cli", "--layer %1: several groups have that name; rename one of them")
-                    .arg(name)};
-        layer = group.id;
-    }
+    const Result<GroupId> layer = layerNamed(name, painting);
     if (!layer)
-        return Error{QCoreApplication::translate("Cli", "--layer %1: there is no group of that name").arg(name)};
+        return Error{layer.error()};
     std::unordered_set<StrokeId> out;
     for (const StrokePtr &stroke : painting.strokes)
         for (const Group *g = painting.findGroup(stroke->group); g; g = painting.findGroup(g->parent))
-            if (g->id == layer)
+            if (g->id == *layer)
                 out.insert(stroke->id);
     return out;
 }
@@ -117,7 +85,7 @@ Result<RefitRequest> refitRequestOf(const CommandLine &line)
 Result<std::unordered_set<StrokeId>> chosenStrokes(const CommandLine &line, const Painting &painting)
 {
     if (line.isSet("select"))
-        return idsOf(line.value("select"), painting);
+        return strokesNamed(line.value("select"), painting);
     if (line.isSet("layer"))
         return strokesOfLayer(line.value("layer"), painting);
     std::unordered_set<StrokeId> out;

@@ -2,9 +2,11 @@
 
 #include "app/dialogs/colour_page.h"
 #include "app/dialogs/pen_page.h"
+#include "app/session/settings/motion.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/habits/help_page.h"
 #include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/reduced_motion.h"
 #include "app/widgets/look/theme.h"
 #include "model/formats/atomic_save.h"
 
@@ -51,6 +53,7 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
         applyTheme();
     });
 
+    addMotion(*form);
     addDrawing(*form);
     addSaving(*form);
     page->addStretch(1);
@@ -65,6 +68,22 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     column->addWidget(buttons);
     giveMnemonics(*this);
     setMinimumWidth(360);
+}
+
+/// It is followed at once, as the theme is, and comes back with Cancel.
+void SettingsDialog::addMotion(QFormLayout &form)
+{
+    const settings::Motion before = settings::motion();
+    const auto follow = [](settings::Motion motion) {
+        settings::setMotion(motion);
+        applyMotion();
+    };
+    QComboBox *motion = addCombo(form, tr("Motion"), tr("Whether docks glide to their places and carets blink"));
+    motion->addItems({tr("System"), tr("Reduced"), tr("Full")});
+    motion->setCurrentIndex(int(before));
+    connect(motion, &QComboBox::currentIndexChanged, this,
+            [follow](int index) { follow(settings::Motion(index)); });
+    connect(this, &QDialog::rejected, this, [before, follow] { follow(before); });
 }
 
 /// The page for the canvas: what computes its picture, and with how many threads.

@@ -39,6 +39,7 @@ public:
     void reject() override;
 
 private:
+    void addMotion(QFormLayout &form);
     void addDrawing(QFormLayout &form);
     void addSaving(QFormLayout &form);
     QComboBox *addCombo(QFormLayout &form, const QString &name, const QString &tip);

@@ -373,14 +373,18 @@ PaintingPtr CurrentLayer::withDraft() const
     auto painting = std::make_shared<Painting>(*m_document.painting());
     if (m_place.groups)
         painting->groups = *m_place.groups;
-    StrokePtr draft = m_document.draft();
-    if (draft->group != m_place.group) {
-        auto member = std::make_shared<Stroke>(*draft);
-        member->group = m_place.group;
-        draft = std::move(member);
-    }
-    painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(m_place.index),
-                             std::move(draft));
+    std::size_t index = m_place.index;
+    const auto putIn = [&](StrokePtr stroke) {
+        if (stroke->group != m_place.group) {
+            auto member = std::make_shared<Stroke>(*stroke);
+            member->group = m_place.group;
+            stroke = std::move(member);
+        }
+        painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(index++), std::move(stroke));
+    };
+    putIn(m_document.draft());
+    for (const StrokePtr &stroke : m_document.draftCompany())
+        putIn(stroke);
     return painting;
 }
 

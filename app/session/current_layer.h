@@ -79,7 +79,7 @@ public:
     Edit takePasted(Edit edit);
     /// Whether paint comes on top of all, and shows there.
     bool isTop() const;
-    /// The painting with the draft in the place where it will be. There must be a draft.
+    /// The painting with the draft, and what comes with it, in the place where they will be. There must be a draft.
     PaintingPtr withDraft() const;
 
 signals:

@@ -2,6 +2,7 @@
 
 #include "app/session/colour/colour_target.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/files/opened_file.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
@@ -66,6 +67,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     connect(&m_document, &Document::changed, this, &Editor::followDocument);
     m_colourTarget = std::make_unique<ColourTarget>(*this);
     m_layer = std::make_unique<CurrentLayer>(m_document, m_clock);
+    m_aids = std::make_unique<DrawingAids>();
     connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 
@@ -511,6 +513,7 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_keepsHistory = m_historyIsSaved = false;
     m_historyBytes = 0;
     m_leftOut = origin.leftOut;
+    m_aids->reset(painting->canvas.area());
     m_document.reset(std::move(painting)); // whoever hears of it knows at once which file it is of
     emit opened();
     emit m_clock.timeChanged();

@@ -26,6 +26,7 @@ namespace suffuse {
 
 class ColourTarget;
 class CurrentLayer;
+class DrawingAids;
 struct OpenedFile;
 
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
@@ -98,6 +99,10 @@ public:
     /// The group that what is painted goes into.
     CurrentLayer &layer() { return *m_layer; }
     const CurrentLayer &layer() const { return *m_layer; }
+
+    /// Symmetry and guides.
+    DrawingAids &aids() { return *m_aids; }
+    const DrawingAids &aids() const { return *m_aids; }
 
     /// The moment that is looked at.
     PaintingClock &clock() { return m_clock; }
@@ -213,6 +218,7 @@ private:
     Brush m_brush;
     std::unique_ptr<ColourTarget> m_colourTarget;
     std::unique_ptr<CurrentLayer> m_layer;
+    std::unique_ptr<DrawingAids> m_aids;
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
     bool m_isRecovered = false;

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_rows.h"
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/reading/canvas_reading.h"
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
@@ -14,8 +15,11 @@
 #include "app/widgets/habits/entry_field.h"
 #include "app/widgets/habits/house_rules.h"
 #include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/habits/spoken_names.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/reduced_motion.h"
 #include "app/window/dialog_rows.h"
+#include "app/window/extending.h"
 #include "app/window/files/exporting.h"
 #include "app/window/files/file_opening.h"
 #include "app/window/files/file_restoring.h"
@@ -29,8 +33,10 @@
 #include "app/window/layout/side_windows.h"
 #include "app/window/layout/status_line.h"
 #include "app/window/layout/tool_rack.h"
+#include "app/window/layout/view_windows.h"
 #include "app/window/layout/window_layout.h"
 #include "app/window/layout/workspace_view.h"
+#include "app/window/layout/workspaces.h"
 #include "app/window/menus.h"
 #include "app/window/palette_entries.h"
 #include "app/window/pointer/at_pointer.h"
@@ -129,6 +135,10 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_makeRenderer(std::move(make))
 {
     installHouseRules();
+    installSpokenNames();
+    applyMotion();
+    setAnimated(!motionIsReduced());
+    installCanvasReading();
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -183,10 +193,13 @@ void MainWindow::makeParts(const Workplace &place)
     m_importing = new Importing(place, m_parts);
     new Exporting(place, m_parts);
     new Pasting(place, m_parts);
+    m_extending = new Extending(place, m_parts);
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
+    m_workspaces = new Workspaces(place, [this](DockSet set) { resetLayout(set); }, m_parts);
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
+    new ViewWindows(place, m_makeRenderer, m_parts);
     new Helping(place, m_parts);
     m_welcoming = new Welcoming(place, *m_opening, m_parts);
 }
@@ -222,7 +235,7 @@ void MainWindow::addRows()
     m_commands
         ->add(ResetLayout, "resetLayout", Commands::tr("Reset La&yout"), "", {},
               Commands::tr("Docks and tool bars go back to where they stand at the first start"))
-        .runs([this] { whenHandIsFree(*m_canvas, *this, [this] { resetLayout(); }); });
+        .runs([this] { whenHandIsFree(*m_canvas, *this, [this] { resetLayout(DockSet::Usual); }); });
     m_commands
         ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},
               Commands::tr("Commands, brushes, docks and recent files by their names"))
@@ -244,6 +257,9 @@ void MainWindow::showRows()
     const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
     connect(menus.recent, &QMenu::aboutToShow, m_opening,
             [this, menu = menus.recent] { m_opening->fillRecentMenu(*menu); });
+    connect(menus.workspaces, &QMenu::aboutToShow, m_workspaces,
+            [this, menu = menus.workspaces] { m_workspaces->fillMenu(*menu); });
+    m_extending->fill(*menus.extensions);
     m_docksMenu = menus.docks;
     for (QDockWidget *dock : m_docks->all())
         m_docksMenu->addAction(dock->toggleViewAction());
@@ -258,9 +274,9 @@ void MainWindow::placeToolBars()
     addToolBar(Qt::TopToolBarArea, m_toolOptions);
 }
 
-void MainWindow::resetLayout()
+void MainWindow::resetLayout(DockSet set)
 {
-    m_docks->arrangeAnew();
+    m_docks->arrangeAnew(set);
     placeToolBars();
     for (QToolBar *bar : {m_tools, static_cast<QToolBar *>(m_toolOptions)})
         bar->show();
@@ -269,7 +285,7 @@ void MainWindow::resetLayout()
 std::vector<PaletteEntry> MainWindow::paletteEntries()
 {
     return suffuse::paletteEntries(
-        m_editor, *m_commands, m_docksMenu->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
+        m_editor, *m_commands, m_docksMenu->actions(), m_extending->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
         [this](const QString &path) { openFile(path); });
 }
 

@@ -13,6 +13,7 @@ namespace suffuse {
 
 class CanvasWidget;
 class Docks;
+class Extending;
 class FileOpening;
 class FileSaving;
 class Importing;
@@ -20,6 +21,8 @@ class KeptBrush;
 class KeyboardFocus;
 class ToolOptionsBar;
 class Welcoming;
+class Workspaces;
+enum class DockSet;
 struct LostDocument;
 struct PaletteEntry;
 struct Workplace;
@@ -81,7 +84,7 @@ private:
     void addRows();
     void showRows();
     void placeToolBars();
-    void resetLayout();
+    void resetLayout(DockSet set);
     void changeSettings();
     void updateTitle();
 
@@ -99,6 +102,8 @@ private:
     Welcoming *m_welcoming = nullptr;
     Importing *m_importing = nullptr;
     Docks *m_docks = nullptr;
+    Workspaces *m_workspaces = nullptr;
+    Extending *m_extending = nullptr;
     QMenu *m_docksMenu = nullptr;
 };
 

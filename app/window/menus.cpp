@@ -77,7 +77,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
     append(*edit, table, {{RecolourArtwork, MapToSwatches}, {Settings}});
 }
 
-QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
+void addViewMenu(QMenuBar &bar, const Commands &table, OpenMenus &open)
 {
     QMenu *view = addMenu(bar, Commands::tr("&View"), table,
                           {{ZoomIn, ZoomOut, Zoom100, Fit, ZoomToSelection},
@@ -86,10 +86,19 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
                             ShowUnderlay, UnderlayToLayer},
                            {SoftProof, GamutWarning, ProofProfile}});
     view->addSeparator();
-    QMenu *docks = view->addMenu(Commands::tr("&Docks"));
-    for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen})
+    addMenu(*view, Commands::tr("Symmetry"), table,
+            {{PaintInSymmetry},
+             {SymmetryAcross, SymmetryDown, SymmetryBoth, SymmetryTurns, SymmetryKaleidoscope},
+             {SymmetryArms, SymmetryAngle, SymmetryToMiddle, ShowSymmetry}});
+    addMenu(*view, Commands::tr("Rulers and Guides"), table,
+            {{ShowRulers, RulersInUnits, RulersInMillimetres, RulersInInches},
+             {ShowGuides, SnapToGuides, LockGuides},
+             {AddLevelGuide, AddUprightGuide, RemoveGuides}});
+    open.docks = view->addMenu(Commands::tr("&Docks"));
+    open.workspaces = addMenu(*view, Commands::tr("Workspaces"), table,
+                              {{WorkspacePaint, WorkspaceRefine, WorkspaceTime}, {SaveWorkspace}});
+    for (const Command command : {HideDocks, ResetLayout, NextPanel, PreviousPanel, FullScreen, NewView})
         view->addAction(&table[command]);
-    return docks;
 }
 
 void addObjectMenu(QMenuBar &bar, const Commands &table)
@@ -148,7 +157,7 @@ void addToolsMenu(QMenuBar &bar, const Commands &table)
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
     addMenu(*tools, Commands::tr("&Favourite Brushes"), table, {favourites});
-    append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
+    append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}, {PaintWithKeys}});
 }
 
 /// One Esc closes a menu, as elsewhere, and gives the keyboard back to what had it. Qt leaves it to the bar, where
@@ -205,7 +214,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
     OpenMenus open;
     open.recent = addFileMenu(bar, table);
     addEditMenu(bar, table);
-    open.docks = addViewMenu(bar, table);
+    addViewMenu(bar, table, open);
     addObjectMenu(bar, table);
     addLayerMenu(bar, table);
     addTimeMenu(bar, table);
@@ -213,6 +222,7 @@ OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
             {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,
               ReverseStrokes}});
     addToolsMenu(bar, table);
+    open.extensions = addMenu(bar, Commands::tr("E&xtensions"), table, {{RepeatExtension}, {ManageExtensions}});
     addMenu(bar, Commands::tr("&Help"), table, {{Manual, Welcome}, {FindCommand, Shortcuts}, {About}});
     leaveBarWithMenus(bar);
     return open;

@@ -14,6 +14,8 @@ class Commands;
 struct OpenMenus {
     QMenu *recent = nullptr; ///< files that were open before
     QMenu *docks = nullptr;
+    QMenu *workspaces = nullptr; ///< those that were saved come behind those that are there
+    QMenu *extensions = nullptr;
 };
 
 /// All rows must be in the table.

@@ -42,6 +42,7 @@ PaletteEntry entryOf(QAction &action)
 } // namespace
 
 std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, const QList<QAction *> &docks,
+                                         const QList<QAction *> &extensions,
                                          const std::function<void(QAction &toggle)> &toggleDock,
                                          const std::function<void(const QString &path)> &openFile)
 {
@@ -54,6 +55,8 @@ std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, 
             entries.push_back(entryOf(*toggle));
             entries.back().run = [toggleDock, toggle] { toggleDock(*toggle); };
         }
+    for (QAction *extension : extensions)
+        entries.push_back(entryOf(*extension));
     for (const Brush &brush : BrushLibrary::instance().brushes())
         entries.push_back({under(words(QT_TRANSLATE_NOOP("suffuse::CommandPalette", "Brush")), brushTitle(brush.name)),
                            brush.name,

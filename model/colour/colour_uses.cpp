@@ -305,8 +305,13 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
             continue;
         most = segments;
         summary.other = colour;
-        summary.several = true;
     }
+    const Perceived seenUsual = perceivedOf(usual);
+    summary.several = std::ranges::any_of(counts, [&](const Count &count) {
+        return !samePaint(count.colour, usual) && !looksLike(perceivedOf(count.colour), seenUsual);
+    });
+    if (!summary.several)
+        summary.other.reset();
     return summary;
 }
 

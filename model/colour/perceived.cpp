@@ -35,6 +35,12 @@ double distanceOf(const Perceived &a, const Perceived &b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+bool looksLike(const Perceived &a, const Perceived &b)
+{
+    constexpr double apart = 0.06; // three times what is just seen side by side
+    return distanceOf(a, b) < apart;
+}
+
 ColourPalette::ColourPalette(std::vector<Colour> colours) : m_colours(std::move(colours))
 {
     for (const Colour &colour : m_colours)

@@ -176,6 +176,8 @@ PaintingPtr Document::snapshot() const
         return m_painting;
     auto painting = std::make_shared<Painting>(*m_painting);
     painting->strokes.push_back(m_draft);
+    for (const StrokePtr &stroke : m_draftCompany)
+        painting->strokes.push_back(stroke);
     return painting;
 }
 
@@ -243,11 +245,14 @@ void Document::exchangeSelection(Edit &edit, Change &change)
         edit.selection = std::move(after);
 }
 
-void Document::setDraft(StrokePtr draft)
+void Document::setDraft(StrokePtr draft, std::vector<StrokePtr> company)
 {
-    if (draft == m_draft)
+    if (!draft)
+        company.clear();
+    if (draft == m_draft && company == m_draftCompany)
         return;
     m_draft = std::move(draft);
+    m_draftCompany = std::move(company);
     Change change;
     change.draft = true;
     emit changed(change);
@@ -257,6 +262,7 @@ void Document::reset(PaintingPtr painting)
 {
     m_painting = painting ? std::move(painting) : std::make_shared<const Painting>();
     m_draft.reset();
+    m_draftCompany.clear();
     m_selection.clear();
     m_nextStroke = m_painting->nextStrokeId();
     m_nextGroup = 1;

@@ -28,9 +28,11 @@ public:
     /// no longer exist leave the selection.
     void exchange(Edit &edit);
 
-    /// Sets the stroke in hand, which is drawn on top and is in no undo step; null removes it.
-    void setDraft(StrokePtr draft);
+    /// Sets the stroke in hand, which is drawn on top and is in no undo step, and the strokes that come with it, such as
+    /// its mirrored copies. Null removes all of them.
+    void setDraft(StrokePtr draft, std::vector<StrokePtr> company = {});
     const StrokePtr &draft() const { return m_draft; }
+    const std::vector<StrokePtr> &draftCompany() const { return m_draftCompany; }
 
     /// Takes another painting. Selection and draft are cleared.
     void reset(PaintingPtr painting);
@@ -52,6 +54,7 @@ private:
 
     PaintingPtr m_painting;
     StrokePtr m_draft;
+    std::vector<StrokePtr> m_draftCompany; ///< empty without a draft
     Selection m_selection;
     StrokeId m_nextStroke = 1;
     GroupId m_nextGroup = 1;

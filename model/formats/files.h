@@ -2,6 +2,8 @@
 #pragma once
 
 #include "model/brush/brush.h"
+#include "model/geometry/guide.h"
+#include "model/geometry/symmetry.h"
 #include "model/painting/painting.h"
 #include "model/result.h"
 
@@ -69,6 +71,8 @@ struct WorkspaceState {
     GroupId layer = 0;                    ///< the group that was painted on; 0: none
     std::vector<GroupId> open = {};       ///< the groups that were open in the list of strokes
     std::optional<BegunLayer> begun = {}; ///< what was painted on, where it has no stroke yet; layer is 0 then
+    std::optional<Symmetry> symmetry = {}; ///< in which one paints; no value: as every painting begins
+    std::vector<Guide> guides = {};
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };
 

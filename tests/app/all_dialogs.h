@@ -5,6 +5,8 @@
 #include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
+#include "app/dialogs/extensions/extension_dialog.h"
+#include "app/dialogs/extensions/manage_extensions_dialog.h"
 #include "app/dialogs/fit/fit_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
@@ -15,6 +17,7 @@
 #include "app/dialogs/welcome/welcome_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along/along_dialog.h"
+#include "app/session/extensions/extension_library.h"
 #include "app/window/files/recovery.h"
 #include "app/window/palette_entries.h"
 #include "tests/app/shapes.h"
@@ -49,6 +52,16 @@ inline std::vector<DialogMaker> allDialogs()
         {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},
         {"vary", [](MainWindow &w) { return std::make_unique<VaryDialog>(w.editor(), &w); }},
         {"recolour", [](MainWindow &w) { return std::make_unique<RecolourDialog>(w.editor(), &w); }},
+        {"hatch",
+         [](MainWindow &w) {
+             return std::make_unique<ExtensionDialog>(w.editor(), *ExtensionLibrary::instance().usable("hatch"), &w);
+         }},
+        {"contact sheet",
+         [](MainWindow &w) {
+             return std::make_unique<ExtensionDialog>(w.editor(), *ExtensionLibrary::instance().usable("contact-sheet"),
+                                                      &w);
+         }},
+        {"extensions", [](MainWindow &w) { return std::make_unique<ManageExtensionsDialog>(&w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
         {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
         {"welcome", [](MainWindow &w) { return std::make_unique<WelcomeDialog>(&w); }},

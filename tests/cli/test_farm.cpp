@@ -9,6 +9,7 @@
 #include <QDirIterator>
 #include <QJsonArray>
 #include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <thread>
@@ -43,7 +44,8 @@ public:
     {
         QStringList names;
         for (QDirIterator it(path("out"), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); it.hasNext();)
-            names << it.next();
+            if (const QString name = it.next(); !name.endsWith(".farm")) // it says whose this is
+                names << name;
         names.sort();
         QCryptographicHash hash(QCryptographicHash::Sha256);
         for (const QString &name : names) {
@@ -150,7 +152,43 @@ private slots:
         for (const QString &name : filesIn(folder.path()))
             if (name.endsWith(".png"))
                 QCOMPARE(bytesOf(folder.filePath(name)), bytesOf(film.path("out/" + name)));
-        QCOMPARE(filesIn(film.path("out")).size(), 13);
+        QCOMPARE(filesIn(film.path("out")).filter(QRegularExpression("png$")).size(), 13);
+    }
+
+    /// Two farms that are given one name would overwrite each other's pieces.
+    void onePictureHasOneFarm_data() { sameHashes_data(); }
+    void onePictureHasOneFarm()
+    {
+        QFETCH(QStringList, what);
+        const Farm farm(what);
+        QCOMPARE(farm.planned.code, 0);
+        const auto plan = [&](const QString &folder) {
+            QStringList arguments{"farm", "plan", farm.path("a.json"), "-o", farm.path(folder), "--backend", "cpu"};
+            for (QString each : what)
+                arguments << each.replace("OUT", farm.path("out"));
+            return runCli(arguments);
+        };
+        QCOMPARE(plan("farm").code, 0); // the same once more
+        const CliOutcome refused = plan("other");
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.contains(("belongs to the farm in " + farm.path("farm")).toUtf8()) &&
+                     refused.err.contains("Choose another name"),
+                 qPrintable(refused.text()));
+        QVERIFY(!QFile::exists(farm.path("other/plan.json")));
+
+        // Where the other one was planned all the same, the first one notices.
+        for (const QString &mark : filesIn(farm.path("out")).filter(".farm"))
+            QVERIFY(QFile::remove(farm.path("out/" + mark)));
+        QCOMPARE(plan("other").code, 0);
+        for (const CliOutcome &outcome : {farm.run("1/1"), farm.does("join")}) {
+            QCOMPARE(outcome.code, 1);
+            QVERIFY2(outcome.err.contains("belongs to the farm in"), qPrintable(outcome.text()));
+        }
+
+        // Once the other one's folder is gone, the picture is nobody's.
+        QVERIFY(QDir(farm.path("other")).removeRecursively());
+        QCOMPARE(farm.run("1/1").code, 0);
+        QCOMPARE(farm.does("join").code, 0);
     }
 
     void statusNamesFrames()
@@ -337,8 +375,9 @@ private slots:
         const CliOutcome joined = runOnFullDisk({"farm", "join", farm.path("farm")}, 8);
         QCOMPARE(joined.code, 1);
         QVERIFY2(joined.err.contains("the disk is full"), qPrintable(joined.text()));
-        QVERIFY(filesIn(farm.path("out")).isEmpty());
+        QCOMPARE(filesIn(farm.path("out")), QStringList(".a.tif.farm"));
         QCOMPARE(farm.does("join").code, 0);
+        QCOMPARE(filesIn(farm.path("out")), QStringList("a.tif"));
 
         QTemporaryDir folder;
         const QStringList tiles{"render", farm.path("a.json"), "--tiles",   folder.filePath("a.dzi"),

@@ -23,7 +23,7 @@ struct Rule {
 
 const QList<Rule> &rules()
 {
-    static const QStringList below = {"model/", "undo/", "render/", "app/session/"};
+    static const QStringList below = {"model/", "undo/", "render/", "app/extensions/", "app/session/"};
     static const QStringList widgets = {"QtCore", "QtGui", "QtWidgets"};
     // A picture's parts know no backend, a backend no other one, and none the factory, which knows them all.
     static const QStringList backends = {
@@ -145,7 +145,9 @@ const QList<Rule> &rules()
          {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg"},
          {"GL", "zlib.h"}},
         // The inner walls of app: session, widgets, canvas; tools and panels beside each other; dialogs; window.
-        {"app/session/", {"model/", "undo/", "render/", "app/session/"}, {"QtCore", "QtGui"}, {}},
+        // Programs of others on paintings, for the window and the command line alike.
+        {"app/extensions/", {"model/", "app/extensions/"}, {"QtCore"}, {}},
+        {"app/session/", below, {"QtCore", "QtGui"}, {}},
         {"app/widgets/", below + QStringList{"app/widgets/"}, widgets + QStringList{"QtSvg"}, {}},
         {"app/canvas/",
          below + QStringList{"app/widgets/", "app/canvas/"},
@@ -162,7 +164,10 @@ const QList<Rule> &rules()
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
         {"app/window/files/running_program", {"app/window/"}, widgets + QStringList{"QtDBus"}, {}},
         // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
-        {"app/cli/", {"model/", "render/", "app/cli/", "undo/lettering/module_api.h"}, {"QtCore"}, {"link.h"}},
+        {"app/cli/",
+         {"model/", "render/", "app/cli/", "app/extensions/", "undo/lettering/module_api.h"},
+         {"QtCore"},
+         {"link.h"}},
         // The Python module asks as the command line does.
         {"app/python/",
          {"model/", "undo/", "render/", "app/cli/options.h", "app/cli/film_work.h", "app/cli/refit_work.h",

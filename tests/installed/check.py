@@ -3,6 +3,7 @@
 check.py CMAKE BUILD: installs BUILD into a folder of its own. A test whose tool is missing is skipped, with its name.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -67,6 +68,17 @@ class Installed(unittest.TestCase):
         samples = sorted(path.name for path in (self.share / "suffuse/samples").iterdir())
         self.assertEqual(samples, sorted(path.name for path in (SOURCE / "packaging/samples").glob("*.suffuse")))
         self.assertGreaterEqual(len(self.commands), 10)
+
+    def test_extensions(self):
+        """Those that came along are found, and each has what its manifest starts."""
+        listed = json.loads(run(self.cli, "extension", "list", "--json", env=self.env))
+        shipped = sorted(path.parent.name for path in (SOURCE / "packaging/extensions").glob("*/manifest.json"))
+        self.assertEqual(sorted(each["id"] for each in listed["extensions"]), shipped)
+        for each in listed["extensions"]:
+            self.assertEqual((each["problem"], each["own"]), ("", False))
+            folder = pathlib.Path(each["folder"])
+            self.assertTrue(folder.is_relative_to(self.share), folder)
+            self.assertTrue(list(folder.glob("*.py")), folder)
 
     def test_programs_that_desktops_start(self):
         service = (self.share / f"dbus-1/services/{ID}.service").read_text()

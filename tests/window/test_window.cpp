@@ -110,7 +110,7 @@ void TestWindow::docksFloatAndComeBack()
     s.paintLine({150, 200}, {850, 500});
     s.dry();
     const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
-    QCOMPARE(docks.size(), 7);
+    QCOMPARE(docks.size(), 8);
     for (QDockWidget *dock : docks) {
         dock->setFloating(true);
         QTest::qWait(30);

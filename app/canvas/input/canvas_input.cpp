@@ -1,6 +1,7 @@
 #include "app/canvas/input/canvas_input.h"
 
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/tool.h"
 #include "app/session/painting_clock.h"
 #include "app/widgets/habits/floating_card.h"
@@ -32,14 +33,20 @@ bool isSynthesized(const QMouseEvent &event)
 
 } // namespace
 
-CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, const PaintingClock &clock)
-    : m_canvas(canvas), m_view(view), m_clock(clock), m_hand(view), m_touch(canvas, m_hand, view, m_pen, clock)
+CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, CanvasHandles &handles, const PaintingClock &clock)
+    : m_canvas(canvas), m_view(view), m_handles(handles), m_clock(clock), m_hand(view, handles),
+      m_keyboardPen(canvas, m_hand, view, clock), m_touch(canvas, m_hand, view, m_pen, clock)
 {
     qApp->installEventFilter(this); // The filter hears when the pen comes near the tablet.
+    connect(&m_hand, &Hand::handleChanged, this, &CanvasInput::cursorChanged);
     connect(&m_hand, &Hand::navigationChanged, this, [this] {
         emit cursorChanged();
         if (m_hand.navigation() == Navigation::None)
             emit overlayChanged(); // The angle beside the pointer disappears.
+    });
+    connect(&m_keyboardPen, &KeyboardPen::overlayChanged, this, [this] {
+        emit overlayChanged();
+        noteBusy();
     });
 }
 
@@ -56,6 +63,11 @@ QCursor CanvasInput::cursor() const
         return Qt::OpenHandCursor;
     if (m_hand.navigation() == Navigation::Rotate || m_keys.turns())
         return Qt::SizeAllCursor;
+    if (!m_hand.isPressed())
+        if (const std::optional<QCursor> handle = m_handles.cursorAt(m_hand.lastPixel()))
+            return *handle;
+    if (m_looksOnly)
+        return Qt::OpenHandCursor;
     return m_hand.tool() ? m_hand.tool()->cursor() : QCursor(Qt::ArrowCursor);
 }
 
@@ -94,14 +106,16 @@ PointerEvent CanvasInput::report(const QSinglePointEvent &event, PointerDevice d
 
 Navigation CanvasInput::navigationFor(const QSinglePointEvent &event) const
 {
-    if (event.button() == Qt::LeftButton)
-        return m_keys.navigation(event.modifiers());
+    if (event.button() == Qt::LeftButton) {
+        const Navigation held = m_keys.navigation(event.modifiers());
+        return m_looksOnly && held == Navigation::None ? Navigation::Pan : held;
+    }
     return event.button() == Qt::MiddleButton ? Navigation::Pan : Navigation::None;
 }
 
 void CanvasInput::mousePress(const QMouseEvent &event)
 {
-    if (m_pen.isDown() || isSynthesized(event))
+    if (m_pen.isDown() || m_keyboardPen.isDown() || isSynthesized(event))
         return;
     const PointerEvent e = report(event, PointerDevice::Mouse);
     m_pressStamp = event.timestamp();
@@ -111,13 +125,13 @@ void CanvasInput::mousePress(const QMouseEvent &event)
 
 void CanvasInput::mouseMove(const QMouseEvent &event)
 {
-    if (!m_pen.isDown() && !isSynthesized(event))
+    if (!m_pen.isDown() && !m_keyboardPen.isDown() && !isSynthesized(event))
         m_hand.move(report(event, PointerDevice::Mouse));
 }
 
 void CanvasInput::mouseRelease(const QMouseEvent &event)
 {
-    if (!m_pen.isDown() && !isSynthesized(event))
+    if (!m_pen.isDown() && !m_keyboardPen.isDown() && !isSynthesized(event))
         m_hand.release(report(event, PointerDevice::Mouse));
 }
 
@@ -200,6 +214,8 @@ void CanvasInput::finish()
 {
     if (m_pen.isDown())
         lostPen();
+    else if (m_keyboardPen.isDown())
+        m_keyboardPen.finish();
     else if (!m_hand.isFree())
         finishHand(PointerDevice::Mouse);
 }
@@ -292,8 +308,9 @@ bool CanvasInput::take(QEvent *event)
     case QEvent::ShortcutOverride: {
         const auto &key = static_cast<QKeyEvent &>(*event);
         // Escape gives up what is in hand before it means anything else.
-        const bool givesUp = key.key() == Qt::Key_Escape && isBusy();
-        if (!givesUp && m_keys.navigationOf(key) == Navigation::None && !m_keys.isBareKey(key) && !isToolKey(key))
+        const bool givesUp = key.key() == Qt::Key_Escape && (isBusy() || m_hand.holdsHandle());
+        if (!givesUp && m_keys.navigationOf(key) == Navigation::None && !m_keys.isBareKey(key) && !isToolKey(key) &&
+            !m_keyboardPen.wantsKey(key))
             return false;
         event->accept();
         return true;
@@ -322,6 +339,10 @@ bool CanvasInput::keyPress(QKeyEvent *event)
 {
     if (m_hand.tool() && m_hand.tool()->takesText() && m_hand.tool()->keyPress(event))
         return true;
+    if (m_keyboardPen.wantsKey(*event)) {
+        m_keyboardPen.keyPress(*event);
+        return true;
+    }
     const Navigation held = m_keys.navigationOf(*event);
     if (held != Navigation::None && !m_hand.isPressed()) {
         m_keys.pressNavigation(held, event->key());
@@ -329,7 +350,7 @@ bool CanvasInput::keyPress(QKeyEvent *event)
     } else if (m_keys.isBareKey(*event)) {
         m_keys.pressBare(event->key());
         emit overlayChanged();
-    } else if (event->key() == Qt::Key_Escape && isBusy()) {
+    } else if (event->key() == Qt::Key_Escape && (isBusy() || m_hand.holdsHandle())) {
         m_hand.cancel();
     } else {
         return m_hand.tool() && m_hand.tool()->keyPress(event);
@@ -339,6 +360,7 @@ bool CanvasInput::keyPress(QKeyEvent *event)
 
 bool CanvasInput::keyRelease(const QKeyEvent &event)
 {
+    m_keyboardPen.keyRelease(event);
     if (event.isAutoRepeat())
         return true;
     const bool wasBare = m_keys.isBare();
@@ -380,6 +402,9 @@ void CanvasInput::focusOut(Qt::FocusReason reason)
                        QApplication::activePopupWidget() || QApplication::activeModalWidget();
     if (opens && !m_hand.isFree()) // Later, since the tool itself may be opening something.
         QMetaObject::invokeMethod(this, &CanvasInput::finish, Qt::QueuedConnection);
+    if (m_keyboardPen.isDown()) // Its keys go elsewhere now, and nothing else could lift it.
+        QMetaObject::invokeMethod(this, &CanvasInput::finish, Qt::QueuedConnection);
+    m_keyboardPen.forgetKeys();
     const bool wasBare = m_keys.isBare();
     m_keys.forget(); // The release of the keys will go elsewhere.
     if (wasBare)

@@ -4,6 +4,7 @@
 #include "app/canvas/input/canvas_pen.h"
 #include "app/canvas/input/hand.h"
 #include "app/canvas/input/held_keys.h"
+#include "app/canvas/input/keyboard_pen.h"
 #include "app/canvas/input/touch_input.h"
 
 #include <QCursor>
@@ -28,14 +29,18 @@ class CanvasInput : public QObject {
     Q_OBJECT
 
 public:
-    CanvasInput(QWidget &canvas, CanvasView &view, const PaintingClock &clock);
+    CanvasInput(QWidget &canvas, CanvasView &view, CanvasHandles &handles, const PaintingClock &clock);
 
     Hand &hand() { return m_hand; }
     const Hand &hand() const { return m_hand; }
     CanvasPen &pen() { return m_pen; }
     const CanvasPen &pen() const { return m_pen; }
+    KeyboardPen &keyboardPen() { return m_keyboardPen; }
+    const KeyboardPen &keyboardPen() const { return m_keyboardPen; }
     KeysDown &keys() { return m_keys; }
     const KeysDown &keys() const { return m_keys; }
+    /// From now on a drag of the left button moves the view.
+    void setLooksOnly() { m_looksOnly = true; }
     /// Sets keys that belong to the window even where the tool wants them.
     void setWindowKeys(const QList<QKeySequence> &keys) { m_windowKeys = keys; }
     /// The modifier keys that were held at the last event.
@@ -93,13 +98,16 @@ private:
 
     QWidget &m_canvas;
     CanvasView &m_view;
+    const CanvasHandles &m_handles;
     const PaintingClock &m_clock;
     Hand m_hand;
+    KeyboardPen m_keyboardPen;
     CanvasPen m_pen;
     KeysDown m_keys;
     TouchInput m_touch;
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
+    bool m_looksOnly = false;
     bool m_pointerInside = false;
     std::optional<QPoint> m_leftAt; ///< where the pointer rests on the screen, though it was said to leave
     int m_busy = 0;           ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed

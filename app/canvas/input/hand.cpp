@@ -1,6 +1,7 @@
 #include "app/canvas/input/hand.h"
 
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/tool.h"
 
 namespace suffuse {
@@ -21,6 +22,19 @@ void Hand::setNavigation(Navigation navigation)
     emit navigationChanged();
 }
 
+bool Hand::holdsHandle() const
+{
+    return m_handles.isHeld();
+}
+
+void Hand::noteHandle()
+{
+    const bool over = m_handles.cursorAt(m_lastPixel).has_value();
+    if (over || m_overHandle)
+        emit handleChanged();
+    m_overHandle = over;
+}
+
 void Hand::press(const PointerEvent &event, Navigation navigation)
 {
     m_lastPixel = event.pixel;
@@ -29,6 +43,10 @@ void Hand::press(const PointerEvent &event, Navigation navigation)
     m_button = event.button;
     if (navigation != Navigation::None) {
         setNavigation(navigation);
+    } else if (event.button == Qt::LeftButton && m_handles.press(event)) {
+        if (m_tool)
+            m_tool->leave();
+        noteHandle();
     } else if (event.button == Qt::RightButton && event.device == PointerDevice::Mouse) {
         m_button = Qt::NoButton; // what opens may hear of the release
         emit asked(event);
@@ -45,13 +63,19 @@ void Hand::move(const PointerEvent &event)
         m_view.panBy(event.pixel - m_lastPixel);
     } else if (m_navigation == Navigation::Rotate) {
         m_view.turnBy(m_lastPixel, event.pixel);
+    } else if (holdsHandle()) {
+        m_handles.move(event);
     } else if (m_tool && m_pressed) {
         emit toolMoved(event);
         m_tool->move(event);
+    } else if (m_tool && m_handles.cursorAt(event.pixel)) {
+        m_tool->leave(); // A press there is not the tool's.
     } else if (m_tool) {
         m_tool->hover(event);
     }
     m_lastPixel = event.pixel;
+    if (isFree())
+        noteHandle();
     emit moved(event.point.x, event.point.y);
 }
 
@@ -63,6 +87,9 @@ void Hand::release(const PointerEvent &event)
     m_button = Qt::NoButton;
     if (m_navigation != Navigation::None) {
         setNavigation(Navigation::None);
+    } else if (holdsHandle()) {
+        m_handles.release(event);
+        noteHandle();
     } else if (m_pressed) {
         m_pressed = false;
         if (m_tool)
@@ -82,6 +109,7 @@ void Hand::leave()
 void Hand::cancel()
 {
     m_pressed = false;
+    m_handles.cancel();
     if (m_navigation == Navigation::None)
         m_button = Qt::NoButton;
     if (m_tool)

@@ -8,15 +8,19 @@
 
 namespace suffuse {
 
+class CanvasHandles;
 class CanvasView;
 class Tool;
 
-/// Takes the pointer's reports, whatever device they come from. It gives them to the tool, or moves the view by them.
+/// Takes the pointer's reports, whatever device they come from. It gives them to the tool, to what is to be dragged on the
+/// canvas whatever the tool, or moves the view by them.
 class Hand : public QObject {
     Q_OBJECT
 
 public:
-    explicit Hand(CanvasView &view, QObject *parent = nullptr) : QObject(parent), m_view(view) {}
+    Hand(CanvasView &view, CanvasHandles &handles, QObject *parent = nullptr)
+        : QObject(parent), m_view(view), m_handles(handles)
+    {}
 
     /// Sets the tool, which belongs to the caller, or none (null). The tool before it is cancelled.
     void setTool(Tool *tool);
@@ -24,8 +28,10 @@ public:
     /// Whether the tool has seen a press and no release yet.
     bool isPressed() const { return m_pressed; }
     Navigation navigation() const { return m_navigation; }
-    /// Whether neither the tool is pressed nor the view is being moved.
-    bool isFree() const { return !m_pressed && m_navigation == Navigation::None; }
+    /// Whether a handle of the canvas is being dragged.
+    bool holdsHandle() const;
+    /// Whether neither the tool is pressed nor a handle or the view is being moved.
+    bool isFree() const { return !m_pressed && m_navigation == Navigation::None && !holdsHandle(); }
     /// The button whose release is awaited.
     Qt::MouseButton button() const { return m_button; }
     Point lastPixel() const { return m_lastPixel; }
@@ -47,13 +53,18 @@ signals:
     void toolMoved(const suffuse::PointerEvent &event);
     void toolReleased();
     void navigationChanged();
+    void handleChanged(); ///< the pointer comes over another handle, or one is taken or let go
     /// The right button, or the pen's button, has asked what is there.
     void asked(const suffuse::PointerEvent &event);
 
 private:
     void setNavigation(Navigation navigation);
 
+    void noteHandle();
+
     CanvasView &m_view;
+    CanvasHandles &m_handles;
+    bool m_overHandle = false;
     Tool *m_tool = nullptr;
     bool m_pressed = false;
     Navigation m_navigation = Navigation::None;

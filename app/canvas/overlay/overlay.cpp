@@ -2,6 +2,8 @@
 
 #include "app/canvas/view_transform.h"
 
+#include <QFontInfo>
+#include <QGuiApplication>
 #include <QLocale>
 
 #include <cmath>
@@ -86,10 +88,11 @@ namespace {
 
 constexpr double platePad = 6; ///< logical pixels beside a text on its plate
 
+/// The system's font at its size, since painters here work in device pixels.
 void setPlateFont(QPainter &painter, double dpr)
 {
-    QFont font = painter.font();
-    font.setPixelSize(qRound(13 * dpr));
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(qRound(QFontInfo(font).pixelSize() * dpr));
     painter.setFont(font);
 }
 

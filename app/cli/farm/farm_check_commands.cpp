@@ -1,4 +1,5 @@
 // What is there of a farm: status, verify, join.
+#include "app/cli/farm/farm_claim.h"
 #include "app/cli/farm/farm_commands.h"
 #include "app/cli/progress.h"
 #include "render/threads/parallel.h"
@@ -254,6 +255,8 @@ int farmJoinCommand(const QStringList &arguments)
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
+    if (const QString problem = problemOfClaims(*plan); !problem.isEmpty())
+        return fail(problem);
     std::vector<DamagedJournal> damaged;
     const Result<FarmRecords> records = readRecords(*plan, 0, plan->pieces(), &damaged);
     if (!records)
@@ -268,6 +271,7 @@ int farmJoinCommand(const QStringList &arguments)
             QCoreApplication::translate("Cli", "Nothing was joined. Run the tasks again: they draw what is missing."));
     if (const Result<void> joined = join(*plan, *records); !joined)
         return fail(joined.error());
+    releaseOuts(*plan);
     QString text;
     for (const FarmPainting &p : plan->paintings)
         text += (p.isFrames ? p.frames.out : p.tiles.path()) + '\n';

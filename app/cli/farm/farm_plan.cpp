@@ -1,5 +1,6 @@
 #include "app/cli/farm/farm_plan.h"
 
+#include "app/cli/farm/farm_claim.h"
 #include "render/film/film_writer.h"
 
 #include <QCoreApplication>
@@ -133,6 +134,8 @@ Result<FarmPlan> writePlan(const FarmPlan &plan)
                          "Cli", "%1: there is another plan already. Remove the folder, or choose another one.")
                          .arg(plan.folder)};
     }
+    if (const QString problem = problemOfClaims(plan); !problem.isEmpty())
+        return Error{problem};
     for (const QString &folder : {plan.folder, plan.journals(), plan.packs()})
         if (!QDir().mkpath(folder))
             return Error{QCoreApplication::translate("Cli",
@@ -157,6 +160,10 @@ Result<FarmPlan> writePlan(const FarmPlan &plan)
     }
     if (const Result<void> written = replaceFile(path, bytes, true); !written)
         return Error{written.error()};
+    if (const Result<void> claimed = claimOuts(plan); !claimed) {
+        QFile::remove(path);
+        return Error{claimed.error()};
+    }
     return readPlan(plan.folder);
 }
 

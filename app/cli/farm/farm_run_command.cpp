@@ -1,3 +1,4 @@
+#include "app/cli/farm/farm_claim.h"
 #include "app/cli/farm/farm_commands.h"
 #include "app/cli/progress.h"
 #include "model/document/timelapse.h"
@@ -213,6 +214,8 @@ int farmRunCommand(const QStringList &arguments)
     const Result<FarmPlan> plan = readPlan(line.argument(0));
     if (!plan)
         return fail(plan.error());
+    if (const QString problem = problemOfClaims(*plan); !problem.isEmpty())
+        return fail(problem);
     const QString task = line.isSet("task") ? line.value("task") : QStringLiteral("1/1");
     const Result<Share> share = shareOf(task, plan->pieces());
     if (!share)

@@ -69,7 +69,7 @@ QTextBlockFormat spacesOf(const QTextBlock &block, const Look &look)
 void setPicture(QTextCursor &cursor, const QTextFragment &fragment, const Look &look)
 {
     QTextImageFormat image = fragment.charFormat().toImageFormat();
-    const QSizeF size = pictureSize(QImageReader(pictureFile(image.name())).size(), look.width);
+    const QSizeF size = shownSize(QImageReader(pictureFile(image.name())).size(), look.width);
     if (size.isEmpty())
         return;
     image.setWidth(size.width());
@@ -149,7 +149,7 @@ QString pictureFile(const QString &name)
     return ":/manual/pictures/" + name.section('/', -1);
 }
 
-QSizeF pictureSize(const QSize &pixels, int room)
+QSizeF shownSize(const QSize &pixels, int room)
 {
     constexpr double pixelsEach = 1.5; // as docs/manual/pictures.py draws them
     constexpr int least = 80;

@@ -13,7 +13,7 @@ namespace suffuse {
 /// The file of a picture that a page names, by its last part.
 QString pictureFile(const QString &name);
 /// How large a picture of so many pixels is shown, in logical pixels; no wider than `room`.
-QSizeF pictureSize(const QSize &pixels, int room);
+QSizeF shownSize(const QSize &pixels, int room);
 
 /// What is left free around a page, logical pixels.
 double pageMargin(const QFont &font);

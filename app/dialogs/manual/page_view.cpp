@@ -119,7 +119,7 @@ QVariant PageView::loadResource(int type, const QUrl &name)
     if (type != QTextDocument::ImageResource)
         return {};
     QImage picture(pictureFile(name.path()));
-    const QSizeF size = pictureSize(picture.size(), m_pictures) * devicePixelRatioF();
+    const QSizeF size = shownSize(picture.size(), m_pictures) * devicePixelRatioF();
     if (size.isEmpty())
         return {};
     picture = picture.scaled(size.toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

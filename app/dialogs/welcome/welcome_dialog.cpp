@@ -93,6 +93,7 @@ void WelcomeDialog::addSheets(QHBoxLayout &row)
     auto *column = new QVBoxLayout;
     column->addWidget(sectionTitle(tr("New painting"), this));
     m_sheets = makeList(sheetSize, tr("New painting"), this);
+    m_sheets->setAccessibleDescription(tr("Sheets by their size. Return begins a painting on one."));
     QString section;
     for (std::size_t i = 0; i < m_presets.size(); ++i) {
         const SheetPreset &preset = m_presets[i];
@@ -121,6 +122,7 @@ void WelcomeDialog::addPaintings(QHBoxLayout &row)
     auto *column = new QVBoxLayout;
     column->addWidget(sectionTitle(tr("Open a painting"), this));
     m_paintings = makeList(keptSize, tr("Open a painting"), this);
+    m_paintings->setAccessibleDescription(tr("Recent paintings and samples. Return opens one."));
     QStringList recent = settings::recentFiles();
     for (const QString &path : std::as_const(recent))
         addPainting(path, tr("Recent"));

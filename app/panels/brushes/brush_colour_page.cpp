@@ -17,6 +17,7 @@ BrushColourPage::BrushColourPage(QWidget *parent) : BrushPage(parent)
     auto *row = new QHBoxLayout;
     m_second = new ColourSwatch(this);
     m_second->setAccessibleName(tr("Second colour"));
+    m_second->setAccessibleDescription(tr("The row Second colour of the curves says when it comes through."));
     auto *take = new QPushButton(tr("&Take the Current Colour"), this);
     take->setToolTip(tr("Makes the current colour the second one"));
     row->addWidget(new QLabel(tr("Second colour"), this));

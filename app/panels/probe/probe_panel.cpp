@@ -71,6 +71,7 @@ ProbePanel::ProbePanel(Editor &editor, QWidget *parent) : QWidget(parent), m_edi
     m_view->setIndentation(14);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setAccessibleName(tr("Strokes under the pointer"));
+    m_view->setAccessibleDescription(tr("The topmost stroke comes first, with its share of the colour."));
     column->addWidget(m_view, 1);
     m_plot = new AgePlot(this);
     m_plot->setAccessibleName(tr("Density over the age"));

@@ -7,7 +7,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double margin = 12; ///< logical pixels at both ends when all is shown
+constexpr double endMargin = 12; ///< logical pixels at both ends when all is shown
 constexpr double finest = 20; ///< microseconds a pixel
 /// The whole length has no more pixels than these, so that scroll bars can count them.
 constexpr double mostPixels = 1e9;
@@ -27,7 +27,7 @@ double lengthOf(const TimeSpan &span)
 /// The microseconds a pixel at which all is shown.
 double fittedScale(const TimeSpan &span, double width)
 {
-    return std::max(lengthOf(span) / std::max(width - 2 * margin, 1.0), finest);
+    return std::max(lengthOf(span) / std::max(width - 2 * endMargin, 1.0), finest);
 }
 
 } // namespace
@@ -57,7 +57,7 @@ void ShownTime::follow(const TimeSpan &span, double width)
 {
     if (m_fitted) {
         m_scale = fittedScale(span, width);
-        m_from = span.begin - Microseconds(margin * m_scale);
+        m_from = span.begin - Microseconds(endMargin * m_scale);
     }
     m_scale = std::max(m_scale, lengthOf(span) / mostPixels);
 }
@@ -65,33 +65,33 @@ void ShownTime::follow(const TimeSpan &span, double width)
 void ShownTime::zoomAt(double x, double factor, const TimeSpan &span, double width)
 {
     const Microseconds fixed = m_from + Microseconds(std::llround(x * m_scale));
-    const double widest = lengthOf(span) / std::max(width - 2 * margin, 1.0);
+    const double widest = lengthOf(span) / std::max(width - 2 * endMargin, 1.0);
     m_scale = std::clamp(m_scale / factor, finest, std::max(widest, finest));
     m_fitted = m_scale >= widest;
-    const Microseconds edge = Microseconds(margin * m_scale);
+    const Microseconds edge = Microseconds(endMargin * m_scale);
     const Microseconds last = span.end + edge - Microseconds(width * m_scale);
     m_from = std::max(span.begin - edge, std::min(fixed - Microseconds(std::llround(x * m_scale)), last));
 }
 
 void ShownTime::scrollTo(double pixels, const TimeSpan &span)
 {
-    m_from = span.begin + Microseconds(std::llround((pixels - margin) * m_scale));
+    m_from = span.begin + Microseconds(std::llround((pixels - endMargin) * m_scale));
     m_fitted = false;
 }
 
 void ShownTime::turnPageTo(Microseconds time)
 {
-    m_from = time - Microseconds(margin * m_scale);
+    m_from = time - Microseconds(endMargin * m_scale);
 }
 
 double ShownTime::pixelsBefore(const TimeSpan &span) const
 {
-    return margin + double(m_from - span.begin) / m_scale;
+    return endMargin + double(m_from - span.begin) / m_scale;
 }
 
 double ShownTime::pixelsBeyond(const TimeSpan &span, double width) const
 {
-    return std::max(0.0, std::ceil(lengthOf(span) / m_scale + 2 * margin - width));
+    return std::max(0.0, std::ceil(lengthOf(span) / m_scale + 2 * endMargin - width));
 }
 
 } // namespace suffuse

@@ -40,6 +40,7 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     setAccessibleName(tr("Timeline"));
+    setAccessibleDescription(tr("A bar for each stroke, from when it was painted until it is dry."));
     viewport()->setMouseTracking(true);
     viewport()->grabGesture(Qt::PinchGesture);
     setMinimumHeight(rulerHeight() + 40);

@@ -2,10 +2,13 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
+#include "model/colour/perceived.h"
 #include "undo/colour_edits.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -30,6 +33,25 @@ float seenOpacity(const ColourPart &end, float opacity)
         return opacity;
     const float other = (end.gradient ? end.stroke->fill->colour : end.stroke->fill->gradient->colour).opacity;
     return other > 0 ? other : 1;
+}
+
+/// Whether all paint looks like one colour, though a brush may have strayed from it.
+bool looksLikeOne(const ColourParts &parts, const Colour &usual)
+{
+    const Perceived seen = perceivedOf(usual);
+    Colour last = usual;
+    const auto differs = [&](const Colour &colour) {
+        return !samePaint(std::exchange(last, colour), colour) && !looksLike(perceivedOf(colour), seen);
+    };
+    for (const ColourPart &part : parts) {
+        const Stroke &stroke = *part.stroke;
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+            if (part.has(k) && !onlyBounds(stroke, k) && differs(stroke.segments[k].colour))
+                return false;
+        if ((part.fill && differs(stroke.fill->colour)) || (part.gradient && differs(stroke.fill->gradient->colour)))
+            return false;
+    }
+    return true;
 }
 
 } // namespace
@@ -230,10 +252,12 @@ void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
                         tr("Change colour"), entry);
         return;
     }
-    const ColourShift shift = m_mode == Mode::Shift ? shiftBetween(from, colour) : ColourShift();
+    // What a brush has strayed by stays, where people see one colour and are not asked what to do with several.
+    const bool sets = m_mode == Mode::Set && !looksLikeOne(start.parts, from);
+    const ColourShift shift = sets ? ColourShift() : shiftBetween(from, colour);
     colourSelection(
-        [=, this](const Colour &each) {
-            const bool becomesIt = m_mode == Mode::Set || samePaint(each, from);
+        [=](const Colour &each) {
+            const bool becomesIt = sets || samePaint(each, from);
             return becomesIt ? withOpacity(colour, each.opacity) : shifted(each, shift);
         },
         tr("Change colour"), entry);

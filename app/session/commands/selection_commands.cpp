@@ -73,6 +73,16 @@ QString deleteSelected(Editor &editor)
                     : QCoreApplication::translate("Commands", "%Ln stroke(s) deleted; Undo brings back.", "", gone);
 }
 
+QString unseenSelection(const Editor &editor)
+{
+    const Selection &selection = editor.selection();
+    return selection.segments.empty()
+               ? QCoreApplication::translate("Commands", "%Ln stroke(s) selected. Delete once more deletes.", "",
+                                             int(selection.strokes.size()))
+               : QCoreApplication::translate("Commands", "%Ln segment(s) selected. Delete once more deletes.", "",
+                                             int(selection.segments.size()));
+}
+
 void duplicateSelected(Editor &editor)
 {
     editor.push(duplicateSelection(editor.document(), {0, 0}), QCoreApplication::translate("Commands", "Duplicate"));

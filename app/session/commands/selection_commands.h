@@ -13,6 +13,8 @@ bool canDelete(const Editor &editor);
 /// Deletes what is selected, or else the layer if it has no stroke. Where the layer is deleted as a whole, the one
 /// beside it is the layer. Returns what to say of it; an empty text if nothing could be deleted.
 QString deleteSelected(Editor &editor);
+/// What to say where something is to be deleted that nobody sees to be selected.
+QString unseenSelection(const Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
 /// their stroke. Then the copies are selected.
 void duplicateSelected(Editor &editor);

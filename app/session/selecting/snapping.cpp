@@ -2,6 +2,8 @@
 
 #include "model/shaping/nodes/reshape.h"
 
+#include <limits>
+
 namespace suffuse {
 
 Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftOut &leftOut)
@@ -17,6 +19,14 @@ Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftO
             if (!leftOut || !leftOut(*stroke, k))
                 m_nodes.push_back(nodePosition(*stroke, k));
     }
+}
+
+Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const std::vector<Guide> &guides,
+                   const LeftOut &leftOut)
+    : Snapping(painting, aids, leftOut)
+{
+    if (aids.showGuides && aids.snapToGuides)
+        m_guides = guides;
 }
 
 const Point *Snapping::nearestNode(Point point, double limit, double *distance) const
@@ -35,9 +45,13 @@ const Point *Snapping::nearestNode(Point point, double limit, double *distance) 
     return nearest;
 }
 
-double Snapping::toGrid(double v) const
+double Snapping::toLine(double v, bool upright) const
 {
-    return m_step * std::round(v / m_step) - v;
+    double way = m_step > 0 ? m_step * std::round(v / m_step) - v : std::numeric_limits<double>::infinity();
+    for (const Guide &guide : m_guides)
+        if (guide.upright == upright && std::abs(guide.place - v) < std::abs(way))
+            way = guide.place - v;
+    return way;
 }
 
 Snap Snapping::snap(Point point, const View &view, double dpr) const
@@ -59,18 +73,18 @@ Snap Snapping::snapMove(const std::vector<Point> &points, Point by, const View &
         if (at)
             *at = *node;
     }
-    if (best.to != SnapTo::Nothing || !(m_step > 0))
+    if (best.to != SnapTo::Nothing || (!(m_step > 0) && m_guides.empty()))
         return best;
-    // The grid has lines across and lines down. Along each axis the point that is nearest to a line decides.
+    // There are lines across and lines down. Along each axis the point that is nearest to a line decides.
     double dx = limit, dy = limit;
     Point mark = points.empty() ? by : points.front() + by;
     for (const Point &point : points) {
         const Point moved = point + by;
-        if (const double d = toGrid(moved.x); std::abs(d) < std::abs(dx)) {
+        if (const double d = toLine(moved.x, true); std::abs(d) < std::abs(dx)) {
             dx = d;
             mark.x = moved.x + d;
         }
-        if (const double d = toGrid(moved.y); std::abs(d) < std::abs(dy)) {
+        if (const double d = toLine(moved.y, false); std::abs(d) < std::abs(dy)) {
             dy = d;
             mark.y = moved.y + d;
         }
@@ -79,7 +93,7 @@ Snap Snapping::snapMove(const std::vector<Point> &points, Point by, const View &
         return best;
     if (at)
         *at = mark;
-    return {by + Point{dx == limit ? 0 : dx, dy == limit ? 0 : dy}, SnapTo::Grid};
+    return {by + Point{dx == limit ? 0 : dx, dy == limit ? 0 : dy}, SnapTo::Line};
 }
 
 } // namespace suffuse

@@ -1,6 +1,7 @@
-// Snapping: draws a point that is being dragged to nodes of strokes and to the grid.
+// Snapping: draws a point that is being dragged to nodes of strokes, to guides and to the grid.
 #pragma once
 
+#include "model/geometry/guide.h"
 #include "model/painting/painting.h"
 #include "render/view.h"
 
@@ -12,6 +13,9 @@ namespace suffuse {
 inline constexpr double minGridStep = 1e-6;
 inline constexpr double maxGridStep = 1e6;
 
+/// What rulers count; 150 canvas units are an inch, as on new sheets of paper.
+enum class RulerUnits { Canvas, Millimetres, Inches };
+
 /// Aids of the canvas. Each window has its own; the next window begins with those that were changed last.
 struct CanvasAids {
     bool snapToNodes = false;
@@ -21,10 +25,16 @@ struct CanvasAids {
     bool showOutlines = true;  ///< outlines of the selected strokes
     bool showErasures = false; ///< lines along what takes paint away, of the selected strokes
     bool showBeyond = false;   ///< paint beyond the canvas, under a veil
+    bool showSymmetry = true;  ///< axes of the symmetry, and what drags them
+    bool showRulers = false;
+    RulerUnits rulerUnits = RulerUnits::Canvas;
+    bool showGuides = true;    ///< nothing snaps to those that are not seen
+    bool snapToGuides = true;
+    bool lockGuides = false;   ///< no press takes hold of one
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 
-enum class SnapTo { Nothing, Node, Grid };
+enum class SnapTo { Nothing, Node, Line };
 
 /// A point, and what it was snapped to.
 struct Snap {
@@ -45,20 +55,24 @@ public:
     Snapping() = default;
     /// Snaps to nodes of visible strokes that are not left out, and to the grid, as the aids ask for.
     Snapping(const Painting &painting, const CanvasAids &aids, const LeftOut &leftOut = {});
+    /// The same, and to those of the guides that the aids show and let snap.
+    Snapping(const Painting &painting, const CanvasAids &aids, const std::vector<Guide> &guides,
+             const LeftOut &leftOut = {});
 
-    /// Returns the nearest node within reach, else the grid lines within reach, else the point itself.
+    /// Returns the nearest node within reach, else the guides or lines of the grid within reach, else the point itself.
     Snap snap(Point point, const View &view, double dpr) const;
     /// For points that move together by `by`: returns the move that brings one of them to a node or, along each axis,
-    /// to a line of the grid; `by` itself where none comes near. `at` gets the place to which it was brought.
+    /// to a guide or a line of the grid; `by` itself where none comes near. `at` gets the place to which it was brought.
     Snap snapMove(const std::vector<Point> &points, Point by, const View &view, double dpr, Point *at = nullptr) const;
 
 private:
     /// The nearest node, or null where none is nearer than `limit`.
     const Point *nearestNode(Point point, double limit, double *distance) const;
-    /// The distance from a coordinate to the nearest line of the grid.
-    double toGrid(double v) const;
+    /// The way from a coordinate to the nearest upright or level line; infinite where there is none.
+    double toLine(double v, bool upright) const;
 
     std::vector<Point> m_nodes;
+    std::vector<Guide> m_guides;
     double m_step = 0; ///< 0: no grid
 };
 

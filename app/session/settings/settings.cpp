@@ -107,6 +107,14 @@ CanvasAids canvasAids()
     aids.showOutlines = s.value("aids/showOutlines", aids.showOutlines).toBool();
     aids.showErasures = s.value("aids/showErasures").toBool();
     aids.showBeyond = s.value("aids/showBeyond").toBool();
+    aids.showSymmetry = s.value("aids/showSymmetry", aids.showSymmetry).toBool();
+    aids.showRulers = s.value("aids/showRulers", aids.showRulers).toBool();
+    const int units = s.value("aids/rulerUnits").toInt();
+    if (units >= 0 && units <= int(RulerUnits::Inches))
+        aids.rulerUnits = RulerUnits(units);
+    aids.showGuides = s.value("aids/showGuides", aids.showGuides).toBool();
+    aids.snapToGuides = s.value("aids/snapToGuides", aids.snapToGuides).toBool();
+    aids.lockGuides = s.value("aids/lockGuides", aids.lockGuides).toBool();
     const double step = s.value("aids/gridStep", aids.gridStep).toDouble();
     if (step >= minGridStep && step <= maxGridStep)
         aids.gridStep = step;
@@ -123,6 +131,12 @@ void setCanvasAids(const CanvasAids &aids)
     s.setValue("aids/showOutlines", aids.showOutlines);
     s.setValue("aids/showErasures", aids.showErasures);
     s.setValue("aids/showBeyond", aids.showBeyond);
+    s.setValue("aids/showSymmetry", aids.showSymmetry);
+    s.setValue("aids/showRulers", aids.showRulers);
+    s.setValue("aids/rulerUnits", int(aids.rulerUnits));
+    s.setValue("aids/showGuides", aids.showGuides);
+    s.setValue("aids/snapToGuides", aids.snapToGuides);
+    s.setValue("aids/lockGuides", aids.lockGuides);
 }
 
 PenSettings penSettings()

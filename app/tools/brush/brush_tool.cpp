@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
@@ -134,6 +135,9 @@ void BrushTool::press(const PointerEvent &event)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     say({});
     m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
+    m_copies.clear();
+    if (!m_extended) // Its copies would hang on nothing.
+        m_copies.begin(m_editor.document(), m_editor.aids().symmetry());
     m_lastTime = event.time;
     m_editor.clock().hold(true, event.late);
     PointerEvent first = event;
@@ -142,7 +146,7 @@ void BrushTool::press(const PointerEvent &event)
     const double stringLength = double(brush.stabiliser.length) * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
     m_builder->add(sampleOf(first));
-    m_editor.document().setDraft(m_builder->stroke());
+    showDraft();
     showOutlineAt(event);
 }
 
@@ -161,8 +165,14 @@ void BrushTool::add(const PointerEvent &event)
     m_lastTime = std::max(m_lastTime, event.time);
     if (const auto sample = m_stabiliser.take(sampleOf(event))) {
         m_builder->add(*sample);
-        m_editor.document().setDraft(m_builder->stroke());
+        showDraft();
     }
+}
+
+void BrushTool::showDraft()
+{
+    const StrokePtr stroke = m_builder->stroke();
+    m_editor.document().setDraft(stroke, m_copies.of(stroke));
 }
 
 void BrushTool::move(const PointerEvent &event)
@@ -208,7 +218,7 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
     if (end)
         if (Edit edit = extendStroke(document, *end, *stroke); !edit.isEmpty())
             return m_editor.push(std::move(edit), tr("Extend stroke"));
-    m_editor.push(m_editor.layer().take(addStrokes(document, {stroke}, false)), tr("Brush stroke"));
+    m_editor.push(m_editor.layer().take(addStrokes(document, m_copies.with(stroke), false)), tr("Brush stroke"));
 }
 
 void BrushTool::tellAbout(const Stroke &stroke)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/painting/stabiliser.h"
+#include "app/session/painting/stroke_copies.h"
 #include "app/tools/brush/brush_sizing.h"
 #include "app/tools/brush/eyedropper_tool.h"
 #include "app/tools/canvas_tool.h"
@@ -51,6 +52,7 @@ public:
 
 private:
     void add(const PointerEvent &event);
+    void showDraft();
     PenSample sampleOf(const PointerEvent &event) const;
     void paintString(QPainter &painter, const View &view, double dpr) const;
     void paintOutline(QPainter &painter, const View &view, double dpr) const;
@@ -64,6 +66,7 @@ private:
     QRectF outlineBox() const;
 
     std::unique_ptr<StrokeBuilder> m_builder;
+    StrokeCopies m_copies; ///< of the stroke in hand
     PenStabiliser m_stabiliser;
     BrushSizing m_sizing;
     Microseconds m_lastTime = 0;

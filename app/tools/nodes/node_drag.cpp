@@ -1,6 +1,7 @@
 #include "app/tools/nodes/node_drag.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 
@@ -129,12 +130,14 @@ void NodeDrag::gatherPlaces()
     m_snapping = {};
     if (!m_hit.mark.node || !m_gesture.isOpen())
         return;
-    m_snapping =
-        Snapping(*m_canvas.editor().document().painting(), m_canvas.aids(), [this](const Stroke &stroke, int node) {
-            const auto it = m_nodes.find(stroke.id);
-            return it != m_nodes.end() &&
-                   (m_reach > 0 || std::find(it->second.begin(), it->second.end(), node) != it->second.end());
-        });
+    Editor &editor = m_canvas.editor();
+    m_snapping = Snapping(*editor.document().painting(), m_canvas.aids(), editor.aids().guides(),
+                          [this](const Stroke &stroke, int node) {
+                              const auto it = m_nodes.find(stroke.id);
+                              return it != m_nodes.end() &&
+                                     (m_reach > 0 ||
+                                      std::find(it->second.begin(), it->second.end(), node) != it->second.end());
+                          });
 }
 
 void NodeDrag::setReach(double reach)

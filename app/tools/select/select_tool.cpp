@@ -3,8 +3,10 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/seen_selection.h"
+#include "app/session/selecting/stroke_words.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
@@ -249,7 +251,7 @@ bool SelectTool::beginDrag(const PointerEvent &event)
     m_dragged = m_canvas.selection().strokes;
     m_gesture = m_editor.begin(name);
     m_gesture.take(m_dragged);
-    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
+    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_editor.aids().guides(), m_canvas.selection(),
                  moves                                        ? TransformSnap::What::Strokes
                  : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
                                                               : TransformSnap::What::Handle,
@@ -354,8 +356,12 @@ bool SelectTool::wantsKey(const QKeyEvent &event) const
 
 bool SelectTool::keyPress(QKeyEvent *event)
 {
-    if (!wantsKey(*event))
-        return SelectionTool::keyPress(event);
+    if (!wantsKey(*event)) {
+        const bool used = SelectionTool::keyPress(event);
+        if (const std::optional<Point> way = nudgeOf(*event); used && way)
+            sayMoved(*way);
+        return used;
+    }
     if (!isBusy())
         selectNext(event->key() == Qt::Key_Tab && !(event->modifiers() & Qt::ShiftModifier) ? 1 : -1);
     return true;
@@ -369,6 +375,36 @@ void SelectTool::selectNext(int step)
     const Rect box = seenSelection(*document.painting(), document.selection());
     if (!box.isEmpty() && m_canvas.selectionOnScreen().isEmpty())
         m_canvas.bringIntoView(Point{(box.left + box.right) / 2, (box.top + box.bottom) / 2});
+    saySelected();
+}
+
+/// Says which stroke was come to, since its handles do not tell it from others that lie there.
+void SelectTool::saySelected()
+{
+    if (selection().isEmpty())
+        return;
+    const Painting &painting = *m_editor.document().painting();
+    const std::set<StrokeId> all = selectableStrokes(*m_editor.layer().reached(), m_editor.clock().time());
+    const StrokeId chosen = *selection().strokes.begin();
+    qsizetype place = 0;
+    for (const StrokePtr &stroke : painting.strokes) {
+        place += all.contains(stroke->id);
+        if (stroke->id == chosen)
+            break;
+    }
+    //: a stroke in words, and which it is of all, from the bottom: "stroke 3, even, blue, 34 segments: 2 of 12"
+    emit m_commands.said(tr("%1: %2 of %3").arg(wordsOfSelected(painting, selection().strokes)).arg(place).arg(all.size()),
+                         8000);
+}
+
+void SelectTool::sayMoved(Point way)
+{
+    const QLocale locale;
+    //: strokes in words, and by how much they were moved: "stroke 3, even, blue, 34 segments: moved by 10, 0"
+    emit m_commands.said(tr("%1: moved by %2, %3")
+                             .arg(wordsOfSelected(*m_editor.document().painting(), m_canvas.selection().strokes),
+                                  locale.toString(way.x, 'g', 6), locale.toString(way.y, 'g', 6)),
+                         8000);
 }
 
 QWidget *SelectTool::options()
@@ -397,6 +433,13 @@ void SelectTool::leave()
     m_hovered.reset();
     m_canvas.updateSelection();
     emit hintChanged();
+}
+
+bool SelectTool::leavesToGuides(Point pixel) const
+{
+    const View &view = m_canvas.view();
+    return !handles().at(pixel, view, m_canvas.devicePixelRatioF()) &&
+           pickAll(*m_editor.layer().reached(), m_editor.clock().time(), view.toCanvas(pixel), tolerance()).empty();
 }
 
 QCursor SelectTool::cursor() const

@@ -36,6 +36,7 @@ public:
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
+    bool leavesToGuides(Point pixel) const override;
 
     /// The handles around the selection, as they are shown.
     const TransformHandles &handles() const;
@@ -60,6 +61,8 @@ private:
     /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.
     void combine(std::set<StrokeId> found, GroupShare share, const PointerEvent &event);
     void selectNext(int step);
+    void saySelected();
+    void sayMoved(Point way);
 
     /// Whether a drag that begins there moves the selection.
     bool isMoving(const PointerEvent &event) const;

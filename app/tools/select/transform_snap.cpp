@@ -32,11 +32,11 @@ std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> 
 
 } // namespace
 
-void TransformSnap::begin(const Painting &painting, const CanvasAids &aids, const Selection &moved, What what,
-                          Point start)
+void TransformSnap::begin(const Painting &painting, const CanvasAids &aids, const std::vector<Guide> &guides,
+                          const Selection &moved, What what, Point start)
 {
     const bool centre = what == What::Centre; // The centre may lie on a node of the strokes that it turns.
-    m_snapping = Snapping(painting, aids,
+    m_snapping = Snapping(painting, aids, guides,
                           [&](const Stroke &stroke, int) { return !centre && moved.strokes.contains(stroke.id); });
     m_found = {};
     m_points.clear();

@@ -12,7 +12,8 @@ public:
     enum class What { Strokes, Handle, Centre };
 
     /// Gathers what the drag can snap to. `start` is where it began, canvas units.
-    void begin(const Painting &painting, const CanvasAids &aids, const Selection &moved, What what, Point start);
+    void begin(const Painting &painting, const CanvasAids &aids, const std::vector<Guide> &guides,
+               const Selection &moved, What what, Point start);
     /// Returns the move that is nearest to `by` and snaps, or `by` itself. Canvas units.
     Point move(Point by, const View &view, double dpr);
     /// Returns the place that is nearest to a point and snaps, or the point itself. Canvas units.

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
@@ -90,19 +91,20 @@ void DrawingTool::begin(Microseconds born)
 {
     say({});
     m_id = m_editor.document().takeStrokeId();
+    m_copies.begin(m_editor.document(), m_editor.aids().symmetry());
     m_born = born;
 }
 
 void DrawingTool::begin(const PointerEvent &event)
 {
-    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids(), m_editor.aids().guides());
     begin(event.time);
     m_editor.clock().hold(true, event.late);
 }
 
 void DrawingTool::beginWithoutPointer(Microseconds born)
 {
-    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids());
+    m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids(), m_editor.aids().guides());
     begin(born);
     m_editor.clock().hold(true);
 }
@@ -127,9 +129,19 @@ void DrawingTool::cancel()
 void DrawingTool::addOrSay(const StrokePtr &stroke, const QString &name)
 {
     if (stroke)
-        m_editor.push(m_editor.layer().take(addStrokes(m_editor.document(), {stroke}, true)), name);
+        push(stroke, name);
     else
         say(tr("What was drawn encloses no area: nothing was added."));
+}
+
+void DrawingTool::push(const StrokePtr &stroke, const QString &name)
+{
+    m_editor.push(m_editor.layer().take(addStrokes(m_editor.document(), m_copies.with(stroke), true)), name);
+}
+
+void DrawingTool::showDraft(const StrokePtr &stroke, bool alone)
+{
+    m_editor.document().setDraft(stroke, alone ? std::vector<StrokePtr>() : m_copies.of(stroke));
 }
 
 Point DrawingTool::snapped(const PointerEvent &event) const

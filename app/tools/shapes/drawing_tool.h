@@ -1,6 +1,7 @@
 // What the tools that draw shapes, outlines and lassos have in common.
 #pragma once
 
+#include "app/session/painting/stroke_copies.h"
 #include "app/session/selecting/snapping.h"
 #include "app/tools/canvas_tool.h"
 #include "app/tools/shapes/shape_paint.h"
@@ -53,7 +54,11 @@ protected:
     Point placeOf(const PointerEvent &event, Point from) const;
     /// The stroke in hand along curves; null where nothing can be painted.
     StrokePtr painted(const std::vector<Cubic> &curves) const;
-    /// Adds a stroke as a step of this name. Where it is null, the status bar says that there is no area.
+    /// Shows a stroke as what is in hand, with the copies that the symmetry makes of it or alone.
+    void showDraft(const StrokePtr &stroke, bool alone = false);
+    /// Adds a stroke and its copies, selected, as a step of this name.
+    void push(const StrokePtr &stroke, const QString &name);
+    /// The same, but where the stroke is null, the status bar says that there is no area.
     void addOrSay(const StrokePtr &stroke, const QString &name);
 
     StrokeId m_id = 0; ///< of the stroke in hand; 0: none
@@ -64,6 +69,7 @@ private:
     QString m_name;
     ShapePaint m_paint;
     Snapping m_snapping;
+    StrokeCopies m_copies; ///< of the stroke in hand
 };
 
 } // namespace suffuse

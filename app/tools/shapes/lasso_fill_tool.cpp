@@ -128,7 +128,7 @@ std::vector<Cubic> LassoFillTool::outline() const
 
 void LassoFillTool::show()
 {
-    m_editor.document().setDraft(painted(outline()));
+    showDraft(painted(outline()));
     m_canvas.updateOverlay();
 }
 

@@ -297,7 +297,7 @@ StrokePtr PenTool::strokeInHand(bool isClosed) const
 
 void PenTool::show()
 {
-    m_editor.document().setDraft(strokeInHand(m_isClosing));
+    showDraft(strokeInHand(m_isClosing), m_extended.has_value());
     showNumbers();
     m_canvas.updateOverlay();
 }

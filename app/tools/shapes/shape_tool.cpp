@@ -212,7 +212,7 @@ void ShapeTool::aim(const PointerEvent &event)
 
 void ShapeTool::show()
 {
-    m_editor.document().setDraft(strokeBetween(m_a, m_b));
+    showDraft(strokeBetween(m_a, m_b));
     m_canvas.updateOverlay();
 }
 
@@ -239,8 +239,7 @@ void ShapeTool::release(const PointerEvent &event)
 void ShapeTool::finish(const StrokePtr &stroke)
 {
     const QString names[] = {tr("Rectangle"), tr("Ellipse"), tr("Polygon"), tr("Star")};
-    const Edit added = addStrokes(m_editor.document(), {stroke}, true);
-    m_editor.push(m_editor.layer().take(added), names[int(m_form.kind)]);
+    push(stroke, names[int(m_form.kind)]);
 }
 
 bool ShapeTool::wantsKey(const QKeyEvent &event) const

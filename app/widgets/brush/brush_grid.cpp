@@ -31,6 +31,7 @@ BrushGrid::BrushGrid(QWidget *parent) : QListWidget(parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setAccessibleName(tr("Brushes"));
+    setAccessibleDescription(tr("Choose a brush to paint with it."));
     viewport()->setAutoFillBackground(false);
     const auto showAnew = [this](const QString &name) {
         if (QListWidgetItem *item = itemOf(name))

@@ -2,6 +2,7 @@
 
 #include "app/widgets/habits/dialog_scroll.h"
 #include "app/widgets/habits/place_beside.h"
+#include "app/widgets/habits/spoken_names.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -123,6 +124,8 @@ public:
             // With this policy, Qt would give the focus before the wheel event reaches the widget.
             if (auto *widget = qobject_cast<QWidget *>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
                 widget->setFocusPolicy(Qt::StrongFocus);
+            if (auto *widget = qobject_cast<QWidget *>(watched))
+                nameOwnWidgetOfQt(*widget);
             break;
         case QEvent::Wheel:
             if (wheelAlters(watched) && !static_cast<QWidget *>(watched)->hasFocus()) {

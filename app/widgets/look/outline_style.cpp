@@ -1,6 +1,7 @@
 #include "app/widgets/look/outline_style.h"
 
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/reduced_motion.h"
 #include "app/widgets/look/theme.h"
 
 #include <QAbstractItemView>
@@ -230,6 +231,8 @@ QSize OutlineStyle::sizeFromContents(ContentsType type, const QStyleOption *opti
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
                             QStyleHintReturn *result) const
 {
+    if (hint == SH_Widget_Animation_Duration && motionIsReduced())
+        return 0;
     // This is the same on every desktop.
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 1 : QProxyStyle::styleHint(hint, option, widget, result);
 }

@@ -64,6 +64,8 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
 void SliderField::rename(const QString &name, const QString &toolTip)
 {
     m_label->setText(name);
+    if (const int least = m_label->minimumWidth(); least > 0) // That of the names before would cut a longer one.
+        m_label->setMinimumWidth(std::max(least, m_label->sizeHint().width()));
     m_toolTip = toolTip;
     m_label->setToolTip(toolTip + "\n" + tr("Double-click: back to the default."));
     m_slider->setAccessibleName(tr("%1, slider").arg(name));

@@ -41,6 +41,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostDocument> documents, QWidget *par
 
     m_list = new QTreeWidget(this);
     m_list->setAccessibleName(tr("Paintings that can be recovered"));
+    m_list->setAccessibleDescription(text->text());
     m_list->setHeaderLabels({tr("Painting"), tr("Last Change"), tr("Strokes"), tr("Folder")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);

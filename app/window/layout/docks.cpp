@@ -6,6 +6,7 @@
 #include "app/panels/history/history_panel.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/probe/probe_panel.h"
+#include "app/panels/reference/reference_panel.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/timeline/timeline_panel.h"
 #include "app/session/commands/commands.h"
@@ -114,6 +115,14 @@ QDockWidget *Docks::makeProbe()
     return dock;
 }
 
+QDockWidget *Docks::makeReference()
+{
+    const auto picks = [this] { return m_place.commands[Command::Eyedropper].isChecked(); };
+    QDockWidget *dock = add("referenceDock", "colour", tr("Reference"), new ReferencePanel(m_place.open.editor, picks));
+    dock->hide();
+    return dock;
+}
+
 QDockWidget *Docks::makeTimeline()
 {
     auto *panel = new TimelinePanel(m_place.open.editor, m_place.open.playback, m_place.commands);
@@ -156,6 +165,7 @@ void Docks::makeDocks()
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     m_probe = makeProbe();
     m_timeline = makeTimeline();
+    m_reference = makeReference();
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     stack();
     shareRoom();
@@ -181,6 +191,7 @@ void Docks::stack()
         window.tabifyDockWidget(inspector, strokes);
     window.tabifyDockWidget(low ? colour : strokes, rest[0]);
     window.tabifyDockWidget(rest[0], rest[1]);
+    window.tabifyDockWidget(rest[1], m_reference);
 }
 
 /// Gives stacked docks their sizes, and brings to the front what is to be seen.
@@ -203,7 +214,7 @@ void Docks::shareRoom()
     (low ? brushes : high ? strokes : inspector)->raise();
 }
 
-void Docks::arrangeAnew()
+void Docks::arrangeAnew(DockSet set)
 {
     if (QAction &hides = m_place.commands[Command::HideDocks]; hides.isChecked())
         hides.trigger();
@@ -216,8 +227,31 @@ void Docks::arrangeAnew()
     }
     stack();
     for (QDockWidget *dock : std::as_const(m_docks))
-        dock->setVisible(dock != m_probe);
+        dock->setVisible(dock != m_probe && dock != m_reference);
     shareRoom();
+    if (set != DockSet::Usual)
+        showOnly(set);
+}
+
+/// Hides what is not of a set, and brings to the front what its work needs most.
+void Docks::showOnly(DockSet set)
+{
+    constexpr double timelineShare = 0.4; ///< of the window's height, in the workspace that is about time
+    const bool paints = set == DockSet::Paint, refines = set == DockSet::Refine;
+    QList<QDockWidget *> shown{paints ? m_brushes : m_inspector, m_strokesDock};
+    if (set != DockSet::Time)
+        shown << m_docks[0];
+    if (refines)
+        shown << m_docks[4];
+    if (set == DockSet::Time)
+        shown << m_timeline;
+    for (QDockWidget *dock : std::as_const(m_docks))
+        dock->setVisible(shown.contains(dock));
+    if (m_timeline->isVisible())
+        m_place.window.resizeDocks({m_timeline}, {int(timelineShare * m_place.window.height())}, Qt::Vertical);
+    if (shown.contains(m_docks[0]))
+        m_docks[0]->raise();
+    shown[0]->raise();
 }
 
 /// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought

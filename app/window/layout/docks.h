@@ -17,6 +17,9 @@ class InspectorPanel;
 class KeyboardFocus;
 class StrokesPanel;
 
+/// Which docks are shown, where all of them stand where they do at the first start.
+enum class DockSet { Usual, Paint, Refine, Time };
+
 /// Makes the panels and puts them where they stand at the first start.
 class Docks : public QObject {
     Q_OBJECT
@@ -30,8 +33,8 @@ public:
     /// Does what an entry of their menu does, by the keyboard: a dock that is hidden, or stands behind another one,
     /// comes to the front and gets the keyboard; one that is seen is hidden.
     void toggle(QAction &entry);
-    /// Puts them where they stand at the first start.
-    void arrangeAnew();
+    /// Puts them where they stand at the first start, and shows those of a set.
+    void arrangeAnew(DockSet set = DockSet::Usual);
 
 private:
     /// Keys of a scope are the panel's as much as the canvas'. `page` is that of the manual.
@@ -40,9 +43,11 @@ private:
     void makeDocks();
     void stack();
     void shareRoom();
+    void showOnly(DockSet set);
     void followTool();
     QDockWidget *makeTimeline();
     QDockWidget *makeProbe();
+    QDockWidget *makeReference();
     void addRows(KeyboardFocus &keyboard);
     void addSelectingRows();
     void addAlongRow(InspectorPanel &inspector);
@@ -55,6 +60,7 @@ private:
     QDockWidget *m_brushes = nullptr;
     QDockWidget *m_inspector = nullptr;
     QDockWidget *m_probe = nullptr;
+    QDockWidget *m_reference = nullptr;
     QDockWidget *m_timeline = nullptr;
     QList<QDockWidget *> m_docks;
     QByteArray m_layout; ///< while they are hidden

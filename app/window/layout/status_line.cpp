@@ -79,6 +79,7 @@ StatusLine::StatusLine(const Workplace &place, QObject *parent) : QObject(parent
     for (const Tool *tool : canvas->findChildren<Tool *>())
         connect(tool, &Tool::hintChanged, this, &StatusLine::showHint);
     connect(canvas, &CanvasWidget::toolChanged, this, &StatusLine::showHint);
+    connect(&place.canvas.keyboardPen(), &KeyboardPen::onChanged, this, &StatusLine::showHint);
     connect(canvas, &CanvasWidget::modifiersChanged, this, &StatusLine::showHint);
     connect(&place.open.editor.clock(), &PaintingClock::pastChanged, this, &StatusLine::showHint);
     connect(canvas, &CanvasWidget::viewChanged, this, &StatusLine::showZoom);
@@ -137,7 +138,10 @@ void StatusLine::showHint()
         m_hint->setToolTip(m_keyboard);
         return;
     }
-    const QString hint = m_place.canvas.tool()->hint();
+    const QString hint = m_place.canvas.keyboardPen().isOn()
+                             ? tr("Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and "
+                                  "lifts it; + and - change its pressure; Esc puts it away.")
+                             : m_place.canvas.tool()->hint();
     const bool isPast = m_place.open.editor.clock().isInPast() && m_place.commands[Command::Brush].isChecked();
     //: instead of what the brush does, while the timeline shows a moment of the past
     const QString past = tr("You paint in the past: what came later covers it.");

@@ -110,6 +110,19 @@ bool restore(QMainWindow &window)
     return restored;
 }
 
+QString sealed(const QMainWindow &window)
+{
+    const QByteArray state = window.saveState(layoutVersion);
+    return checksum(state) + ' ' + QString::fromLatin1(state.toBase64());
+}
+
+bool restoreSealed(QMainWindow &window, const QString &text)
+{
+    const QByteArray state = QByteArray::fromBase64(text.section(' ', 1).toLatin1());
+    return !state.isEmpty() && state.size() <= maxLayoutBytes && text.section(' ', 0, 0) == checksum(state) &&
+           window.restoreState(state, layoutVersion);
+}
+
 void reset()
 {
     settings::store().remove("layout");

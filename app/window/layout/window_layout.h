@@ -1,6 +1,8 @@
 // Where the window and its docks stood when the program ended.
 #pragma once
 
+#include <QString>
+
 class QMainWindow;
 
 namespace suffuse::window_layout {
@@ -11,6 +13,10 @@ void save(const QMainWindow &window);
 /// fit is stored, or where the last start that restored a layout did not come up (Qt's own readers crash or hang on
 /// damaged bytes). The start counts as up once the event loop runs with the window shown.
 bool restore(QMainWindow &window);
+/// Where docks and tool bars stand, as a text with a checksum.
+QString sealed(const QMainWindow &window);
+/// Puts them there. Returns false, and leaves the window alone, where the text is not exactly one that `sealed` gave.
+bool restoreSealed(QMainWindow &window, const QString &text);
 /// Forgets the stored layout (`--reset-layout`).
 void reset();
 /// There is one to restore.

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/current_layer.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 
 namespace suffuse {
@@ -28,7 +29,12 @@ std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Edit
     state.begun = editor.layer().begun();
     if (const StrokesPanel *strokes = strokesBeside(canvas))
         state.open = strokes->openGroups();
-    const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty() && !state.begun;
+    if (const Symmetry &symmetry = editor.aids().symmetry();
+        symmetry != DrawingAids::usualSymmetry(editor.unsettled().painting()->canvas.area()))
+        state.symmetry = symmetry;
+    state.guides = editor.aids().guides();
+    const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty() && !state.begun &&
+                         !state.symmetry && state.guides.empty();
     return isUsual ? std::nullopt : std::optional(state);
 }
 
@@ -44,6 +50,9 @@ void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &ed
     }
     if (state.time)
         editor.clock().lookAt(*state.time);
+    if (state.symmetry)
+        editor.aids().setSymmetry(*state.symmetry);
+    editor.aids().setGuides(state.guides);
     if (state.layer != 0)
         editor.layer().choose(state.layer);
     if (state.begun)

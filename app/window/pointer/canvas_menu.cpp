@@ -80,7 +80,7 @@ void addStrokes(QMenu &menu, const Workplace &place, const std::vector<SegmentRe
         }
         QObject::connect(action, &QAction::triggered, &place.canvas, [place, id = stroke->id] {
             place.open.editor.document().setSelection({{id}, {}});
-            if (!place.canvas.showsOutlines()) // with the Brush nobody would see what is selected
+            if (!place.canvas.tool()->showsOutlines()) // the Brush shows what is selected for a moment only
                 place.commands[Command::Select].setChecked(true);
         });
     }

@@ -36,6 +36,54 @@ std::optional<BegunLayer> readBegun(const QCborValue &value)
                       group(QLatin1String("parent")), group(QLatin1String("above"))};
 }
 
+constexpr int mostGuides = 1000; ///< that are read
+
+QCborMap writeSymmetry(const Symmetry &symmetry)
+{
+    return {{QLatin1String("on"), symmetry.isOn},
+            {QLatin1String("kind"), int(symmetry.kind)},
+            {QLatin1String("centre"), QCborArray{symmetry.centre.x, symmetry.centre.y}},
+            {QLatin1String("angle"), symmetry.angle},
+            {QLatin1String("arms"), symmetry.arms}};
+}
+
+std::optional<Symmetry> readSymmetry(const QCborValue &value)
+{
+    if (!value.isMap())
+        return std::nullopt;
+    bool ok = true;
+    Symmetry symmetry;
+    MapReader in(value, ok);
+    in.read("on", symmetry.isOn);
+    in.read("angle", symmetry.angle);
+    const qint64 kind = integerIn(in.take("kind")), arms = integerIn(in.take("arms"), symmetry.arms);
+    const QCborArray centre = in.take("centre").toArray();
+    symmetry.centre = {centre.at(0).toDouble(), centre.at(1).toDouble()};
+    ok = ok && kind >= 0 && kind <= int(SymmetryKind::Kaleidoscope) && arms >= Symmetry::leastArms &&
+         arms <= Symmetry::mostArms && centre.size() == 2 && std::abs(symmetry.centre.x) <= largestCoordinate &&
+         std::abs(symmetry.centre.y) <= largestCoordinate && std::abs(symmetry.angle) <= largestCoordinate;
+    symmetry.kind = SymmetryKind(kind);
+    symmetry.arms = int(arms);
+    return ok ? std::optional(symmetry) : std::nullopt;
+}
+
+QCborArray writePlaces(const std::vector<Guide> &guides, bool upright)
+{
+    QCborArray places;
+    for (const Guide &guide : guides)
+        if (guide.upright == upright)
+            places.append(guide.place);
+    return places;
+}
+
+/// Numbers that are none, or too large, are passed over.
+void readPlaces(const QCborValue &value, bool upright, std::vector<Guide> &guides)
+{
+    for (const QCborValue &place : value.toArray())
+        if (const double at = place.toDouble(std::nan("")); std::abs(at) <= largestCoordinate && guides.size() < mostGuides)
+            guides.push_back({upright, at});
+}
+
 QByteArray writeView(const WorkspaceState &view)
 {
     QCborMap map;
@@ -56,6 +104,11 @@ QByteArray writeView(const WorkspaceState &view)
     }
     if (view.begun)
         map.insert(QLatin1String("begun"), writeBegun(*view.begun));
+    if (view.symmetry)
+        map.insert(QLatin1String("symmetry"), writeSymmetry(*view.symmetry));
+    if (!view.guides.empty())
+        map.insert(QLatin1String("guides"), QCborMap{{QLatin1String("level"), writePlaces(view.guides, false)},
+                                                     {QLatin1String("upright"), writePlaces(view.guides, true)}});
     return QCborValue(map).toCbor();
 }
 
@@ -82,6 +135,10 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
         if (group.isInteger())
             view.open.push_back(GroupId(group.toInteger()));
     view.begun = readBegun(in.take("begun"));
+    view.symmetry = readSymmetry(in.take("symmetry"));
+    const QCborMap guides = in.take("guides").toMap();
+    readPlaces(guides[QLatin1String("level")], false, view.guides);
+    readPlaces(guides[QLatin1String("upright")], true, view.guides);
     ok = ok && (view.isFitted || centre.size() == 2) && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
          std::abs(view.rotation) <= largestCoordinate;

@@ -23,6 +23,12 @@ void JsonReader::skipSpace()
         ++m_at;
 }
 
+bool JsonReader::isObjectNext()
+{
+    skipSpace();
+    return ok() && m_at < m_end && *m_at == '{';
+}
+
 bool JsonReader::open(char bracket)
 {
     if (!ok())

@@ -79,6 +79,8 @@ public:
     void readSeconds(Microseconds &value);
     /// Skips null if it is next, and returns whether it was.
     bool skipNull();
+    /// Whether an object is next, for members that may be something else.
+    bool isObjectNext();
     /// Reads an array of exactly N numbers.
     template <typename Number, std::size_t N>
     void readAll(std::array<Number, N> &values)

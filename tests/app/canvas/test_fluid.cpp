@@ -239,7 +239,7 @@ private slots:
         Selection all;
         for (const StrokePtr &stroke : painting.strokes)
             all.strokes.insert(stroke->id);
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
         const auto drawn = [&](SelectionOutline &outline, const View &view) {
             QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
             image.fill(Qt::white);

@@ -498,7 +498,7 @@ private slots:
     {
         Session s;
         const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
-        QCOMPARE(docks.size(), 7);
+        QCOMPARE(docks.size(), 8);
         std::set<QDockWidget *> shown;
         for (QDockWidget *dock : docks)
             if (dock->toggleViewAction()->isChecked())

@@ -154,15 +154,18 @@ private slots:
                 "lowerLayer layerAbove layerBelow noLayer hideOtherLayers thisLayerOnly snapToNodes snapToGrid "
                 "showGrid gridStep "
                 "showUnderlay underlayToLayer "
-                "showOutlines showErasures showBeyond softProof gamutWarning proofProfile play toStart previousStroke "
+                "showOutlines showErasures showBeyond paintInSymmetry symmetryAcross symmetryDown symmetryBoth symmetryTurns "
+                "symmetryKaleidoscope symmetryArms symmetryAngle symmetryToMiddle showSymmetry showRulers rulersInUnits rulersInMillimetres rulersInInches showGuides snapToGuides lockGuides "
+                "addLevelGuide addUprightGuide removeGuides softProof gamutWarning proofProfile play toStart previousStroke "
                 "nextStroke toEnd loopPlaying "
                 "skipPauses letDry "
                 "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
                 "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
-                "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
+                "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity repeatExtension "
+                "manageExtensions paintWithKeys holdToPan holdToTurn "
                 "holdToHideOutlines zoomIn zoomOut zoom100 fit zoomToSelection rotateLeft rotateRight resetRotation "
                 "mirror hideDocks "
-                "resetLayout nextPanel previousPanel fullScreen findCommand manual welcome shortcuts about")
+                "resetLayout workspacePaint workspaceRefine workspaceTime saveWorkspace nextPanel previousPanel fullScreen newView findCommand manual welcome shortcuts about")
                 .split(' ');
         QStringList ids;
         for (const QAction *action : tableOf(s).all())

@@ -19,6 +19,7 @@
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScreen>
@@ -269,6 +270,37 @@ private slots:
         QVERIFY2(s.window.width() <= 1366, qPrintable(QString::number(s.window.width())));
         QVERIFY2(s.window.height() <= 744, qPrintable(QString::number(s.window.height())));
         QVERIFY2(s.canvas().width() >= 400, qPrintable(QString::number(s.canvas().width())));
+    }
+
+    /// Whoever has the system's letters half as large again finds all texts whole, in the window and in its dialogs.
+    void largeLettersAreWhole()
+    {
+        const QFont usual = QApplication::font();
+        const auto restore = qScopeGuard([&] { QApplication::setFont(usual); });
+        QFont large = usual;
+        large.setPointSizeF(1.5 * usual.pointSizeF());
+        QApplication::setFont(large);
+        WaveSession s;
+        QStringList cut;
+        const auto look = [&](const QWidget &window, const QString &when) {
+            settle();
+            for (const QString &text : cutTexts(window))
+                cut << when + text;
+        };
+        s.window.setGeometry(0, 24, 1900, 1200);
+        for (auto *dock : s.window.findChildren<QDockWidget *>()) {
+            dock->show();
+            dock->raise();
+            look(s.window, dock->objectName() + ": ");
+        }
+        QVERIFY(s.window.menuBar()->fontMetrics().height() > 1.3 * QFontMetrics(usual).height());
+        for (const DialogMaker &maker : allDialogs()) {
+            const std::unique_ptr<QDialog> dialog = maker.make(s.window);
+            dialog->show();
+            look(*dialog, QString("%1: ").arg(maker.name));
+        }
+        cut.removeDuplicates();
+        QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
     }
 
     /// No slider of the colour is cut in the lowest window.

@@ -1,8 +1,11 @@
 // Tool tips and open messages follow a theme that changes while the program runs, and icons are sharp.
+#include "app/canvas/overlay/overlay.h"
 #include "app/panels/brushes/brush_panel.h"
 #include "app/session/editor.h"
+#include "app/session/settings/motion.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/reduced_motion.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
 
@@ -10,8 +13,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
@@ -148,6 +153,92 @@ private slots:
             QTRY_COMPARE(hint.palette().color(hint.foregroundRole()), warningText());
             QVERIFY(contrast(warningText(), hint.palette().color(QPalette::Window)) >= 4.5);
         }
+    }
+
+    /// Each text on each ground that it stands on; what is disabled is meant to be paler.
+    void textsAreReadInBothThemes()
+    {
+        using Role = QPalette::ColorRole;
+        constexpr std::pair<Role, Role> pairs[] = {
+            {Role::WindowText, Role::Window},     {Role::Text, Role::Base},
+            {Role::Text, Role::AlternateBase},    {Role::ButtonText, Role::Button},
+            {Role::HighlightedText, Role::Highlight}, {Role::ToolTipText, Role::ToolTipBase},
+            {Role::PlaceholderText, Role::Base},  {Role::PlaceholderText, Role::AlternateBase},
+            {Role::PlaceholderText, Role::Window}, {Role::Link, Role::Window},
+            {Role::Link, Role::Base},             {Role::BrightText, Role::Window},
+            {Role::BrightText, Role::Base}};
+        for (const QPalette &palette : {lightPalette(), darkPalette()})
+            for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive})
+                for (const auto &[text, ground] : pairs) {
+                    const double found = contrast(palette.color(group, text), palette.color(group, ground));
+                    QVERIFY2(found >= 4.5, qPrintable(QString("%1 on %2: %3").arg(text).arg(ground).arg(found)));
+                }
+    }
+
+    /// Of texts over the picture, whatever it is: they stand on plates. They are as large as the system's texts.
+    void textsOverThePictureAreRead()
+    {
+        const QFont usual = QApplication::font();
+        double height = 0;
+        for (const double larger : {1.0, 1.5}) {
+            QFont font = usual;
+            font.setPointSizeF(larger * usual.pointSizeF());
+            QApplication::setFont(font);
+            QImage image(400, 100, QImage::Format_ARGB32_Premultiplied);
+            image.fill(QColor(128, 128, 128));
+            QPainter painter(&image);
+            paintPlate(painter, "HHH", {200, 10}, 380, 1);
+            painter.end();
+            double most = 0;
+            int rows = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                bool inked = false;
+                for (int x = 0; x < image.width(); ++x) {
+                    const double found = contrast(image.pixelColor(x, y), QColor(20, 20, 24));
+                    inked = inked || found > 10;
+                    most = std::max(most, found);
+                }
+                rows += inked;
+            }
+            QVERIFY(most >= 4.5);
+            QVERIFY(larger == 1 || std::abs(rows - larger * height) <= 2);
+            height = rows;
+        }
+        QApplication::setFont(usual);
+    }
+
+    /// By the setting, or by what desktops keep in their files.
+    void motionIsReducedOnDemand()
+    {
+        const auto glides = [](const QMainWindow &window) {
+            applyMotion();
+            return window.isAnimated() &&
+                   QApplication::style()->styleHint(QStyle::SH_Widget_Animation_Duration) > 0 &&
+                   QApplication::cursorFlashTime() > 0;
+        };
+        wear(settings::Theme::Light);
+        qputenv("XDG_CONFIG_HOME", m_folder.filePath("config").toUtf8());
+        QMainWindow window;
+        QVERIFY(glides(window));
+        settings::setMotion(settings::Motion::Reduced);
+        QVERIFY(!glides(window));
+        QVERIFY(!window.isAnimated() && QApplication::cursorFlashTime() == 0);
+        settings::setMotion(settings::Motion::System);
+        QVERIFY(glides(window));
+        const auto says = [this](const char *file, const QByteArray &text) {
+            const QFileInfo info(m_folder.filePath("config/") + file);
+            QFile kept(info.filePath());
+            return QDir().mkpath(info.path()) && kept.open(QIODevice::WriteOnly) && kept.write(text) == text.size();
+        };
+        QVERIFY(says("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations=0\n"));
+        QVERIFY(!glides(window));
+        settings::setMotion(settings::Motion::Full);
+        QVERIFY(glides(window));
+        settings::setMotion(settings::Motion::System);
+        QVERIFY(says("kdeglobals", "[KDE]\nAnimationDurationFactor=1\n"));
+        QVERIFY(glides(window));
+        QVERIFY(says("kdeglobals", "[KDE]\nAnimationDurationFactor=0.0\n"));
+        QVERIFY(!glides(window));
     }
 
     void coloursThatTheUserChoseAreSeen()

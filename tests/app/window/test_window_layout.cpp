@@ -7,6 +7,7 @@
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/elided_sentences.h"
 #include "app/window/layout/window_layout.h"
+#include "app/window/layout/workspaces.h"
 #include "model/formats/files.h"
 #include "tests/app/shapes.h"
 
@@ -17,6 +18,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMainWindow>
 #include <QScreen>
 #include <QScrollArea>
@@ -541,6 +543,87 @@ private slots:
             QVERIFY(bar("tools")->isVisible() && bar("toolOptions")->isVisible());
         }
         QCOMPARE(s.editor().undoStack().count(), 0);
+    }
+
+    /// Each shows what its work needs, and leaves the most of the window to the canvas.
+    void workspacesComeAlong()
+    {
+        Session s;
+        s.window.resize(1366, 738);
+        QTest::qWait(20);
+        const auto shown = [&] {
+            QSet<QString> names;
+            for (const QDockWidget *dock : s.window.findChildren<QDockWidget *>())
+                if (!dock->isHidden())
+                    names << dock->objectName();
+            return names;
+        };
+        const auto seen = [&](const char *name) {
+            return !s.window.findChild<QDockWidget *>(name)->visibleRegion().isEmpty();
+        };
+        s.window.findChild<QDockWidget *>("probeDock")->show();
+        s.use(Command::WorkspacePaint);
+        QTest::qWait(20);
+        QCOMPARE(shown(), (QSet<QString>{"colourDock", "brushesDock", "strokesDock"}));
+        QVERIFY(seen("colourDock") && seen("brushesDock"));
+        QVERIFY(s.canvas().height() > 0.8 * s.window.height());
+        s.use(Command::HideDocks);
+        s.use(Command::WorkspaceRefine);
+        QTest::qWait(20);
+        QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+        QCOMPARE(shown(), (QSet<QString>{"colourDock", "inspectorDock", "strokesDock", "historyDock"}));
+        QVERIFY(seen("inspectorDock"));
+        s.use(Command::WorkspaceTime);
+        QTest::qWait(20);
+        QCOMPARE(shown(), (QSet<QString>{"inspectorDock", "strokesDock", "timelineDock"}));
+        const int high = s.window.findChild<QDockWidget *>("timelineDock")->height();
+        s.use(Command::ResetLayout);
+        QTest::qWait(20);
+        QVERIFY(high > 1.3 * s.window.findChild<QDockWidget *>("timelineDock")->height());
+        QCOMPARE(s.window.size(), QSize(1366, 738));
+    }
+
+    /// A workspace comes back in another window, and damaged bytes are not given to Qt.
+    void workspacesAreSaved()
+    {
+        settings::store().remove("workspaces");
+        const auto workspaces = [](Session &s) { return s.window.findChild<Workspaces *>(); };
+        {
+            Session s;
+            s.window.findChild<QDockWidget *>("timelineDock")->hide();
+            s.window.addDockWidget(Qt::LeftDockWidgetArea, s.window.findChild<QDockWidget *>("strokesDock"));
+            QTest::qWait(20);
+            workspaces(s)->save("Mine & yours");
+            workspaces(s)->save("Äpfel");
+            workspaces(s)->save("Mine & yours");
+        }
+        QCOMPARE(Workspaces::names(), (QStringList{"Äpfel", "Mine & yours"}));
+        Session s;
+        auto *timeline = s.window.findChild<QDockWidget *>("timelineDock");
+        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
+        QVERIFY(!timeline->isHidden() && s.window.dockWidgetArea(strokes) == Qt::RightDockWidgetArea);
+        QVERIFY(workspaces(s)->choose("Mine & yours"));
+        QVERIFY(timeline->isHidden() && s.window.dockWidgetArea(strokes) == Qt::LeftDockWidgetArea);
+        QVERIFY(!workspaces(s)->choose("nobody's"));
+        QMenu menu;
+        menu.addAction("fixed");
+        for (int i = 0; i < 2; ++i) { // It is filled anew each time.
+            workspaces(s)->fillMenu(menu);
+            QCOMPARE(menu.actions().size(), 5);
+            QCOMPARE(menu.actions()[3]->text(), QString("Mine && yours"));
+        }
+        s.use(Command::ResetLayout);
+        menu.actions()[3]->trigger();
+        QVERIFY(timeline->isHidden());
+        Workspaces::remove("Äpfel");
+        QCOMPARE(Workspaces::names(), QStringList{"Mine & yours"});
+        QStringList stored = settings::store().value("workspaces/saved").toStringList();
+        stored[0].chop(8);
+        settings::store().setValue("workspaces/saved", stored);
+        s.use(Command::ResetLayout);
+        QVERIFY(!workspaces(s)->choose("Mine & yours"));
+        QVERIFY(!timeline->isHidden());
+        settings::store().remove("workspaces");
     }
 
     /// A layout that was stored is put back as it was, whatever the first start looks like now.

@@ -2,6 +2,7 @@
 // cause; buttons with mnemonics in every language, and no slanted type.
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/export/clock_box.h"
+#include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
 #include "app/dialogs/new_dialog.h"

@@ -65,6 +65,8 @@ private slots:
         view.isFitted = true;
         view.layer = 2;
         view.begun = BegunLayer{"Shades", true, 2, 5};
+        view.symmetry = Symmetry{true, SymmetryKind::Kaleidoscope, {10.5, -3}, 0.25, 7};
+        view.guides = {{false, 12.5}, {false, -4}, {true, 1e6}};
         const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
         QVERIFY(d && d->extras == extras);
     }
@@ -136,6 +138,29 @@ private slots:
         QVERIFY2(d, d ? "" : qPrintable(d.error()));
         QVERIFY(d->painting == somePainting());
         QVERIFY(d->extras == DocumentExtras());
+    }
+
+    /// What makes no sense in the aids for drawing is left out by itself, and the view stays.
+    void senselessAidsLeaveTheView()
+    {
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        const QCborMap symmetry{{QLatin1String("on"), true},
+                                {QLatin1String("kind"), 9},
+                                {QLatin1String("centre"), QCborArray{1.0, 2.0}},
+                                {QLatin1String("angle"), 0.0},
+                                {QLatin1String("arms"), 6}};
+        const QCborMap view{{QLatin1String("layer"), 3},
+                            {QLatin1String("symmetry"), symmetry},
+                            {QLatin1String("guides"),
+                             QCborMap{{QLatin1String("level"), QCborArray{nan, QLatin1String("no"), 5.0}},
+                                      {QLatin1String("upright"), 7}}}};
+        test::ChunkList chunks = test::chunksOf(writeSuffuseFile(somePainting()));
+        chunks.insert(chunks.begin() + 1, {"view", QCborValue(view).toCbor()});
+        const auto d = readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse"));
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QVERIFY(d->extras.view && !d->extras.view->symmetry);
+        QCOMPARE(d->extras.view->layer, GroupId(3));
+        QCOMPARE(d->extras.view->guides, (std::vector<Guide>{{false, 5}}));
     }
 
     /// CBOR that breaks off anywhere is not looked into.

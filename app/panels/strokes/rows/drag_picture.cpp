@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int margin = 4, gap = 6, mostText = 140; ///< logical pixels
+constexpr int dragMargin = 4, gap = 6, mostText = 140; ///< logical pixels
 
 } // namespace
 
@@ -32,8 +32,8 @@ QPixmap dragPicture(const QTreeView &view, const QModelIndexList &rows)
         rows.size() == 1 ? metrics.elidedText(name, Qt::ElideRight, mostText)
                          : QCoreApplication::translate("suffuse::StrokesView", "%Ln row(s)", nullptr, int(rows.size()));
     const QSize icon = view.iconSize();
-    const QSize size(2 * margin + icon.width() + gap + metrics.horizontalAdvance(text),
-                     2 * margin + std::max(icon.height(), metrics.height()));
+    const QSize size(2 * dragMargin + icon.width() + gap + metrics.horizontalAdvance(text),
+                     2 * dragMargin + std::max(icon.height(), metrics.height()));
     const double ratio = view.devicePixelRatioF();
     QPixmap picture(size * ratio);
     picture.setDevicePixelRatio(ratio);
@@ -43,10 +43,10 @@ QPixmap dragPicture(const QTreeView &view, const QModelIndexList &rows)
     painter.setPen(edgeOfColours());
     painter.setBrush(view.palette().color(QPalette::Base));
     painter.drawRoundedRect(QRectF(QPointF(), size).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    row.icon.paint(&painter, QRect(QPoint(margin, (size.height() - icon.height()) / 2), icon));
+    row.icon.paint(&painter, QRect(QPoint(dragMargin, (size.height() - icon.height()) / 2), icon));
     painter.setFont(view.font());
     painter.setPen(view.palette().color(QPalette::Text));
-    painter.drawText(QRect(margin + icon.width() + gap, 0, size.width(), size.height()), Qt::AlignVCenter, text);
+    painter.drawText(QRect(dragMargin + icon.width() + gap, 0, size.width(), size.height()), Qt::AlignVCenter, text);
     return picture;
 }
 

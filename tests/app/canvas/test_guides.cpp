@@ -1,0 +1,206 @@
+// Rulers and guides: scales, dragging guides out and back, exact places, snapping, files.
+#include "app/canvas/handles/rulers.h"
+#include "app/session/drawing_aids.h"
+#include "app/window/layout/workspace_view.h"
+#include "model/shaping/transform.h"
+#include "tests/app/session.h"
+
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QtTest>
+
+#include <numbers>
+
+using namespace suffuse;
+
+namespace {
+
+View viewOf(double scale, double rotation = 0)
+{
+    View view;
+    view.centre = {500, 300};
+    view.scale = scale;
+    view.rotation = rotation;
+    view.width = 1000;
+    view.height = 600;
+    return view;
+}
+
+void drag(Session &s, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {})
+{
+    QTest::mousePress(&s.canvas(), Qt::LeftButton, modifiers, from);
+    QTest::mouseMove(&s.canvas(), (from + to) / 2);
+    QTest::mouseMove(&s.canvas(), to);
+    QTest::mouseRelease(&s.canvas(), Qt::LeftButton, modifiers, to);
+}
+
+struct Ruled : Session {
+    Ruled() { window.action(Command::ShowRulers).setChecked(true); }
+    ~Ruled() { window.action(Command::ShowRulers).setChecked(false); }
+    const std::vector<Guide> &guides() { return editor().aids().guides(); }
+};
+
+} // namespace
+
+class TestGuides : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void ticksSuitTheZoom()
+    {
+        const RulerUnit unit;
+        const RulerScale usual = rulerScale(viewOf(1), false, unit, 56);
+        QCOMPARE(usual.step, 100.0);
+        QCOMPARE(usual.first, 0.0);
+        QCOMPARE(usual.decimals, 0);
+        QVERIFY(usual.countsX && usual.tick == 10);
+        QCOMPARE(rulerScale(viewOf(1), false, unitOf(RulerUnits::Millimetres), 56).step, 10 * 150 / 25.4);
+        for (double scale = 1e-3; scale < 1e9; scale *= 3.7) {
+            const RulerScale ruler = rulerScale(viewOf(scale), true, unit, 56);
+            QVERIFY(ruler.step * scale >= 56 * (1 - 1e-9) && ruler.step * scale <= 2.5 * 56 * (1 + 1e-9));
+            QVERIFY(ruler.tick * scale >= 4 && std::abs(std::remainder(ruler.step, ruler.tick)) < 1e-6 * ruler.tick);
+            const double shown = ruler.step * std::pow(10, ruler.decimals);
+            QVERIFY2(std::abs(shown - std::round(shown)) < 1e-6 * shown, "the labels have too few digits");
+        }
+    }
+
+    /// Where the canvas is turned, each ruler counts the axis that lies along it.
+    void turnedRulersSwapAxes()
+    {
+        QVERIFY(rulerScale(viewOf(1, 0.5), false, {}, 56).countsX);
+        const RulerScale top = rulerScale(viewOf(1, std::numbers::pi / 2), false, {}, 56);
+        QVERIFY(!top.countsX);
+        QVERIFY(top.perPixel < 0);
+    }
+
+    void guidesComeOutOfRulersAndGoBack()
+    {
+        Ruled s;
+        drag(s, {300, 6}, s.at({400, 250}));
+        QCOMPARE(s.guides().size(), std::size_t(1));
+        QVERIFY(!s.guides()[0].upright);
+        QVERIFY(std::abs(s.guides()[0].place - 250) < 2);
+        drag(s, {6, 300}, s.at({400, 250}));
+        QCOMPARE(s.guides().size(), std::size_t(2));
+        QVERIFY(s.guides()[1].upright);
+        QVERIFY(std::abs(s.guides()[1].place - 400) < 2);
+        QVERIFY(s.painting().strokes.empty());
+        // The end of the upright one lies on the upper ruler.
+        drag(s, {s.at({s.guides()[1].place, 0}).x(), 6}, s.at({520, 100}));
+        QCOMPARE(s.guides().size(), std::size_t(2));
+        QVERIFY(std::abs(s.guides()[1].place - 520) < 2);
+        drag(s, {6, s.at({0, s.guides()[0].place}).y()}, {6, 100}); // along its ruler, and let go there
+        QCOMPARE(s.guides().size(), std::size_t(1));
+        QVERIFY(s.guides()[0].upright);
+        QCOMPARE(s.editor().undoStack().count(), 0);
+    }
+
+    /// A click on a guide's end neither moves nor removes it, and Esc takes a drag back.
+    void clicksAndEscChangeNothing()
+    {
+        Ruled s;
+        s.editor().aids().setGuides({{true, 300}});
+        const QPoint end{s.at({300, 0}).x(), 6};
+        QTest::mouseClick(&s.canvas(), Qt::LeftButton, {}, end);
+        QCOMPARE(s.guides(), (std::vector<Guide>{{true, 300}}));
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, end);
+        QTest::mouseMove(&s.canvas(), s.at({500, 200}));
+        QVERIFY(s.guides()[0].place > 400);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({500, 200}));
+        QCOMPARE(s.guides(), (std::vector<Guide>{{true, 300}}));
+        s.window.action(Command::LockGuides).setChecked(true);
+        drag(s, end, s.at({500, 200})); // out of the ruler comes a new one
+        QCOMPARE(s.guides().size(), std::size_t(2));
+        QCOMPARE(s.guides()[0].place, 300.0);
+        s.window.action(Command::LockGuides).setChecked(false);
+    }
+
+    /// The brush paints over a guide, Select takes it where nothing else lies.
+    void toolsComeFirstWhereTheyHaveWork()
+    {
+        Session s;
+        s.editor().aids().setGuides({{true, 300}});
+        s.paintLine({300, 200}, {420, 200});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.editor().aids().guides()[0].place, 300.0);
+        s.dry();
+        s.use(Command::Select);
+        drag(s, s.at({300, 500}), s.at({350, 500}));
+        QVERIFY(std::abs(s.editor().aids().guides()[0].place - 350) < 2);
+        const double before = s.editor().aids().guides()[0].place;
+        drag(s, s.at({before, 200}), s.at({before, 260})); // the paint there is moved
+        QCOMPARE(s.editor().aids().guides()[0].place, before);
+    }
+
+    void aDoubleClickAsksForThePlace()
+    {
+        Ruled s;
+        s.editor().aids().setGuides({{true, 300}});
+        const QPoint end{s.at({300, 0}).x(), 6};
+        bool asked = false;
+        QTimer answer;
+        connect(&answer, &QTimer::timeout, this, [&] {
+            if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
+                asked = true;
+                answer.stop();
+                auto *box = dialog->findChild<QDoubleSpinBox *>();
+                box->setValue(123.25);
+                dialog->accept();
+            }
+        });
+        answer.start(10);
+        QTest::mouseClick(&s.canvas(), Qt::LeftButton, {}, end);
+        QTest::mouseDClick(&s.canvas(), Qt::LeftButton, {}, end); // the second click alone
+        QTRY_VERIFY(asked);
+        QTRY_COMPARE(s.guides(), (std::vector<Guide>{{true, 123.25}}));
+    }
+
+    void shapesSnapToGuides()
+    {
+        Session s;
+        s.editor().aids().setGuides({{true, 300}, {false, 200}});
+        s.use(Command::Shapes);
+        const double near = 4 * s.canvas().devicePixelRatioF() / s.canvas().view().scale;
+        s.paintLine({300 + near, 200 - near}, {400, 280});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        const Rect box = curveBox(*s.painting().strokes[0]);
+        QVERIFY(std::abs(box.left - 300) < 1e-3 && std::abs(box.top - 200) < 1e-3);
+        s.window.action(Command::SnapToGuides).setChecked(false);
+        s.paintLine({300 + near, 200 - near}, {400, 280});
+        QVERIFY(std::abs(curveBox(*s.painting().strokes[1]).left - 300) > 0.5 * near);
+        s.window.action(Command::SnapToGuides).setChecked(true);
+    }
+
+    void filesKeepThem()
+    {
+        Session s;
+        s.editor().aids().setGuides({{false, 20}, {true, -3.5}});
+        const auto kept = workspaceOf(s.canvas(), s.editor());
+        QVERIFY(kept);
+        QCOMPARE(kept->guides, s.editor().aids().guides());
+        s.editor().newPainting(Editor::usualCanvas());
+        QVERIFY(s.editor().aids().guides().empty());
+        showWorkspace(*kept, s.canvas(), s.editor());
+        QCOMPARE(s.editor().aids().guides(), kept->guides);
+        QVERIFY(s.window.action(Command::RemoveGuides).isEnabled());
+        s.use(Command::RemoveGuides);
+        QVERIFY(s.editor().aids().guides().empty());
+        QVERIFY(!s.window.action(Command::RemoveGuides).isEnabled());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestGuides)
+#include "test_guides.moc"
