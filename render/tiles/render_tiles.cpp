@@ -168,6 +168,8 @@ private:
         Result<QByteArray> bytes = encodeTile(job.picture, at, m_picture.encoding);
         if (!bytes)
             return fail(bytes.error());
+        if (const Result<void> put = m_store.putTile(sheet, i, *bytes); !put)
+            return fail(put.error());
         {
             const std::lock_guard lock(m_mutex);
             m_stats.bytes += bytes->size();

@@ -132,15 +132,16 @@ std::vector<LostFile> DeepZoomStore::lost(qint64 number) const
     return files;
 }
 
-Result<void> DeepZoomStore::put(const TileSheet &sheet, qint64 number, const std::vector<QByteArray> &tiles)
+Result<void> DeepZoomStore::putTile(const TileSheet &sheet, std::size_t index, const QByteArray &tile)
 {
-    const QString folder = QStringLiteral("%1/%2").arg(m_files).arg(sheet.level);
-    QDir().mkdir(folder); // Where it cannot be made, the first tile says why. A folder that vanished stays away.
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const int column = sheet.column + int(i) % sheet.columns, row = sheet.row + int(i) / sheet.columns;
-        if (Result<void> written = replaceFile(pathOf(sheet.level, column, row), tiles[i], false); !written)
-            return written;
-    }
+    const int column = sheet.column + int(index) % sheet.columns, row = sheet.row + int(index) / sheet.columns;
+    // Where the level's folder cannot be made, the tile says why. A folder that vanished stays away.
+    QDir().mkdir(QStringLiteral("%1/%2").arg(m_files).arg(sheet.level));
+    return replaceFile(pathOf(sheet.level, column, row), tile, false);
+}
+
+Result<void> DeepZoomStore::put(const TileSheet &, qint64 number, const std::vector<QByteArray> &tiles)
+{
     return m_journal.add(sheetRecord(m_base + number, 0, tiles));
 }
 

@@ -28,7 +28,13 @@ public:
     virtual ~TileStore() = default;
     /// Whether the sheet is there, and whole: its tiles are read again and their hashes compared.
     virtual bool has(qint64 sheet) = 0;
-    /// Puts down the tiles of a sheet, row by row.
+    /// A tile of a sheet is made, the `index`-th row by row. Each tile is told once, by any thread, before its sheet is
+    /// put: a store of files writes them side by side.
+    virtual Result<void> putTile(const TileSheet & /*sheet*/, std::size_t /*index*/, const QByteArray & /*tile*/)
+    {
+        return {};
+    }
+    /// Puts down the tiles of a sheet, row by row; after it they are known to be there.
     virtual Result<void> put(const TileSheet &sheet, qint64 number, const std::vector<QByteArray> &tiles) = 0;
 };
 
@@ -48,6 +54,7 @@ public:
     DeepZoomStore(const TiledPicture &picture, SheetRecords records, TileJournal &journal, qint64 base = 0);
 
     bool has(qint64 sheet) override;
+    Result<void> putTile(const TileSheet &sheet, std::size_t index, const QByteArray &tile) override;
     Result<void> put(const TileSheet &sheet, qint64 number, const std::vector<QByteArray> &tiles) override;
     /// Writes the description and the page that shows the picture. All sheets must be there.
     Result<void> finish();
