@@ -35,18 +35,39 @@ bool NodesInReach::meansErasure(const NodeRef &node) const
     return !nodes.empty() && std::ranges::none_of(nodes, [this](const NodeRef &n) { return m_nodes.contains(n); });
 }
 
+std::optional<ErasurePlace> NodesInReach::selectedErasureAt(Point point, double reach) const
+{
+    const std::set<SegmentRef> &segments = m_canvas.selection().segments;
+    const PaintingPtr painting = m_editor.layer().reached();
+    if (segments.empty() || !m_nodes.empty())
+        return {};
+    const std::optional<ErasurePlace> erasure = erasureAt(*painting, point, reach);
+    if (!erasure || !segments.contains({erasure->stroke, erasure->segment}))
+        return {};
+    const NodeMarks::Hit mark = marks().hit(m_canvas.view().toPixels(point), NodeMarks::reach);
+    const bool isItsOwn = mark.node && !nodesOfErasureAt(*painting, *mark.node).empty();
+    return mark.isEmpty() || isItsOwn ? std::nullopt : erasure;
+}
+
 NodeHit NodesInReach::hitAt(const PointerEvent &event, bool narrow) const
 {
     NodeHit hit;
     hit.mark = markAt(event.pixel, narrow);
     const PaintingPtr painting = m_editor.layer().reached();
+    const double reach = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    if (const std::optional<ErasurePlace> erasure = selectedErasureAt(event.point, reach)) {
+        hit.mark = {};
+        hit.curve = erasure->stroke;
+        hit.place = {erasure->segment, erasure->p};
+        return hit;
+    }
     if (hit.mark.node && meansErasure(*hit.mark.node)) {
         hit.within = std::exchange(hit.mark.node, std::nullopt);
         hit.curve = hit.within->stroke;
         hit.place = placeOfNode(*painting->find(hit.curve), hit.within->node);
     }
     if (hit.mark.isEmpty() && !hit.within)
-        findCurve(event.point, NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale, hit);
+        findCurve(event.point, reach, hit);
     return hit;
 }
 

@@ -1,6 +1,7 @@
 // What of the selected strokes lies under the pointer of the Segments tool.
 #pragma once
 
+#include "app/tools/nodes/erasures.h"
 #include "app/tools/nodes/node_drag.h"
 #include "app/tools/nodes/node_marks.h"
 
@@ -33,6 +34,9 @@ public:
 
 private:
     bool meansErasure(const NodeRef &node) const;
+    /// The place on a selected erasure that the pointer is over, where a node or handle of paint is so near that it
+    /// would be taken instead: a drag moves what a click has chosen.
+    std::optional<ErasurePlace> selectedErasureAt(Point point, double reach) const;
     /// Looks for the place on the curve of a selected stroke that is nearest to a point, at most so far away.
     void findCurve(Point point, double reach, NodeHit &hit) const;
 

@@ -75,6 +75,31 @@ private slots:
         QVERIFY(!s.window.action(Command::RemoveErasures).isEnabled());
     }
 
+    /// What a click has chosen is what a drag moves, though a node of the paint lies beside it.
+    void aChosenErasureIsTakenBeforeNodesOfPaint()
+    {
+        EraserSession s;
+        const Point node = nodePosition(s.stroke(), 1);
+        s.erase(node + Point{3, -60}, node + Point{3, 60});
+        s.dry();
+        s.use(Command::Segments);
+        std::set<SegmentRef> erasing;
+        for (int k = 0; k < int(s.stroke().segments.size()); ++k)
+            if (s.stroke().segments[std::size_t(k)].lift)
+                erasing.insert({s.id, k});
+        QVERIFY(!erasing.empty());
+        s.editor().document().setSelection({{s.id}, erasing});
+        const Stroke before = s.stroke();
+        const int steps = s.steps();
+        s.drag(node + Point{2, 0}, node + Point{42, 0});
+        QCOMPARE(s.steps(), steps + 1);
+        for (int k = 0; k < int(before.segments.size()); ++k) {
+            const double by = double(s.stroke().segments[std::size_t(k)].bezier[1].x) -
+                              double(before.segments[std::size_t(k)].bezier[1].x);
+            QVERIFY2(std::abs(by - (erasing.contains({s.id, k}) ? 40 : 0)) < 1e-3, qPrintable(QString::number(k)));
+        }
+    }
+
     /// The inspector speaks of strength and size, not of ink; the handle that shows how wide paint is stays away.
     void theInspectorSpeaksOfErasures()
     {
