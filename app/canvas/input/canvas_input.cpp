@@ -37,7 +37,7 @@ CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, CanvasHandles &handl
     : m_canvas(canvas), m_view(view), m_handles(handles), m_clock(clock), m_hand(view, handles),
       m_keyboardPen(canvas, m_hand, view, clock), m_touch(canvas, m_hand, view, m_pen, clock)
 {
-    qApp->installEventFilter(this); // The filter hears when the pen comes near the tablet.
+    qApp->installEventFilter(this); // The filter hears when the pen comes near the tablet, and where clicks are meant.
     connect(&m_hand, &Hand::handleChanged, this, &CanvasInput::cursorChanged);
     connect(&m_hand, &Hand::navigationChanged, this, [this] {
         emit cursorChanged();
@@ -117,6 +117,10 @@ void CanvasInput::mousePress(const QMouseEvent &event)
 {
     if (m_pen.isDown() || m_keyboardPen.isDown() || isSynthesized(event))
         return;
+    if (event.type() == QEvent::MouseButtonPress)
+        m_pressedHere = true;
+    else if (!m_pressedHere)
+        return; // The first click of the two was for a window that it closed.
     const PointerEvent e = report(event, PointerDevice::Mouse);
     m_pressStamp = event.timestamp();
     m_pressTime = e.time;
@@ -232,6 +236,8 @@ bool CanvasInput::eventFilter(QObject *watched, QEvent *event)
         if (m_pen.isDown())
             lostPen();
         m_hand.leave();
+    } else if (event->type() == QEvent::MouseButtonPress && watched->isWidgetType() && watched != &m_canvas) {
+        m_pressedHere = false;
     }
     return QObject::eventFilter(watched, event);
 }

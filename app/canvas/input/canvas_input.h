@@ -108,6 +108,7 @@ private:
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
     bool m_looksOnly = false;
+    bool m_pressedHere = false; ///< whether the last press of the mouse in the program was on the canvas
     bool m_pointerInside = false;
     std::optional<QPoint> m_leftAt; ///< where the pointer rests on the screen, though it was said to leave
     int m_busy = 0;           ///< what the last `busyChanged` said: 1: something is in hand; 2: and the tool is pressed

@@ -209,6 +209,34 @@ private slots:
         delete &practice;
     }
 
+    /// A double click on a window that the first click closes paints nothing in the window below.
+    void aSecondClickOnWhatWasClosedIsNone()
+    {
+        Session s;
+        s.use(Command::Brush);
+        const auto send = [](QWidget &widget, QEvent::Type type, QPoint at, Qt::MouseButtons buttons) {
+            QMouseEvent event(type, at, widget.mapToGlobal(at), Qt::LeftButton, buttons, {});
+            QApplication::sendEvent(&widget, &event);
+        };
+        const auto clickTwice = [&](QWidget &first) {
+            send(first, QEvent::MouseButtonPress, {20, 20}, Qt::LeftButton);
+            send(first, QEvent::MouseButtonRelease, {20, 20}, {});
+            send(s.canvas(), QEvent::MouseButtonDblClick, s.at({300, 200}), Qt::LeftButton);
+            send(s.canvas(), QEvent::MouseButtonRelease, s.at({300, 200}), {});
+        };
+        clickTwice(s.canvas());
+        const std::size_t painted = s.painting().strokes.size();
+        QVERIFY(painted > 0); // whoever dabs quickly paints each time
+        {
+            QDialog page(&s.window);
+            page.show();
+            clickTwice(page);
+        }
+        QCOMPARE(s.painting().strokes.size(), painted);
+        QTest::mouseClick(&s.canvas(), Qt::LeftButton, {}, s.at({300, 200}));
+        QCOMPARE(s.painting().strokes.size(), painted + 1);
+    }
+
 private:
     QTemporaryDir m_folder;
 };
