@@ -26,11 +26,14 @@ bool isBusy(const CanvasWidget &canvas)
 }
 
 /// Undo gives up what is in hand first, as in Krita. Returns false if nothing was in hand.
-bool givesUp(const CanvasWidget &canvas)
+bool givesUp(CanvasWidget &canvas)
 {
     if (!isBusy(canvas))
         return false;
-    canvas.tool()->cancel();
+    if (canvas.keyboardPen().isDown())
+        canvas.keyboardPen().giveUp(); // No hand lets go of it.
+    else
+        canvas.tool()->cancel();
     return true;
 }
 

@@ -162,10 +162,7 @@ void KeyboardPen::keyPress(const QKeyEvent &event)
     } else if (event.key() != Qt::Key_Escape) {
         stepPressure(pressureStep(event));
     } else if (isDown()) {
-        m_down = false;
-        m_hand.cancel();
-        emit overlayChanged();
-        emit gaveUp();
+        giveUp();
     } else {
         setOn(false, m_view.view().toPixels(m_point));
     }
@@ -214,6 +211,14 @@ void KeyboardPen::finish()
     if (isDown())
         lift({});
     m_down = false;
+}
+
+void KeyboardPen::giveUp()
+{
+    m_down = false;
+    m_hand.cancel();
+    emit overlayChanged();
+    emit gaveUp();
 }
 
 void KeyboardPen::stepPressure(int by)

@@ -37,6 +37,9 @@ public:
     /// Lifts it where it is, as if its key had been pressed.
     void finish();
 
+    /// Lifts it so that nothing becomes of what is in hand. To be called while it is pressed down.
+    void giveUp();
+
     /// Whether a key means the pen at the moment.
     bool wantsKey(const QKeyEvent &event) const;
     /// Takes a key that means the pen.

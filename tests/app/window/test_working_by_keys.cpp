@@ -220,6 +220,32 @@ private slots:
         QVERIFY(!s.window.action(Command::PaintWithKeys).isChecked());
     }
 
+    /// Delete and Undo give up what is in hand, as with a mouse; the pen, which no hand lets go of, is up then.
+    void whatGivesUpLiftsThePen()
+    {
+        for (const Command command : {Command::Delete, Command::Undo}) {
+            BlackSession s;
+            QVERIFY(QTest::qWaitForWindowActive(&s.window));
+            s.canvas().setFocus();
+            s.use(Command::PaintWithKeys);
+            const auto stroke = [&] {
+                QTest::keyClick(&s.canvas(), Qt::Key_Space);
+                for (int i = 0; i < 4; ++i) {
+                    QTest::keyClick(&s.canvas(), Qt::Key_Right);
+                    s.advance(interval);
+                }
+            };
+            stroke();
+            s.use(command);
+            QVERIFY(!s.canvas().isPressed() && !s.canvas().keyboardPen().isDown());
+            QCOMPARE(said(s), QString("Given up."));
+            QVERIFY(s.painting().strokes.empty());
+            stroke(); // and goes on as ever
+            QTest::keyClick(&s.canvas(), Qt::Key_Space);
+            QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        }
+    }
+
     /// What the pressure does is the brush's affair.
     void keysPressMoreAndLess()
     {
