@@ -179,10 +179,14 @@ void NumberField::keyPressEvent(QKeyEvent *event)
         stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     } else {
         const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-        const bool typed = isReturn && isModified() && qobject_cast<QDialog *>(window());
+        const bool typed = isReturn && isModified();
         EntryField::keyPressEvent(event);
-        if (typed && m_complains) // a dialog does not go on with another number than the typed one
+        if (typed && m_complains) {
+            // A dialog does not go on with another number than the typed one. In a panel the keyboard stays, so that the
+            // keys that are to mend the number are not the canvas', where Delete deletes strokes.
             event->accept();
+            selectAll();
+        }
     }
 }
 

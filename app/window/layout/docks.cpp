@@ -98,7 +98,8 @@ void Docks::toggle(QAction &entry)
 {
     const auto at =
         std::ranges::find(m_docks, &entry, [](const QDockWidget *dock) { return dock->toggleViewAction(); });
-    if (at == m_docks.end() || isInFront(**at))
+    // Who asks for a dock that is seen wants the keyboard there; who has it there wants the dock away.
+    if (at == m_docks.end() || (isInFront(**at) && (*at)->isAncestorOf(m_place.window.focusWidget())))
         return entry.trigger();
     (*at)->show();
     m_keyboard.toDock(**at);

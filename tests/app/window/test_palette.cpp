@@ -340,7 +340,12 @@ private slots:
         QTRY_VERIFY(strokes->visibleRegion().isEmpty() && !strokes->isHidden());
         ask(s, "docks strokes");
         QTRY_VERIFY(!strokes->visibleRegion().isEmpty());
-        QTRY_VERIFY(QApplication::focusWidget() && strokes->isAncestorOf(QApplication::focusWidget()));
+        const auto hasKeyboard = [&] { return strokes->isAncestorOf(QApplication::focusWidget()); };
+        QTRY_VERIFY(hasKeyboard());
+        s.canvas().setFocus();
+        ask(s, "docks strokes"); // which is seen already
+        QTRY_VERIFY(hasKeyboard());
+        QVERIFY(!strokes->isHidden());
         ask(s, "docks strokes");
         QVERIFY(strokes->isHidden());
     }

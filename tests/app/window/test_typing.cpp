@@ -155,6 +155,30 @@ private slots:
         QVERIFY(s.canvas().hasFocus());
     }
 
+    /// What cannot be taken is to be typed again: the keys that mend it are not the canvas'.
+    void aRefusedNumberKeepsTheKeyboard()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        auto *inspector = s.window.findChild<QDockWidget *>("inspectorDock");
+        inspector->raise();
+        s.editor().laterChanges().flush();
+        QTRY_VERIFY(fieldCalled(*inspector, "Diffusion D"));
+        NumberField *field = fieldCalled(*inspector, "Red");
+        field->setFocus();
+        const QString before = field->text();
+        QTest::keyClicks(field, "abc");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(field->hasFocus());
+        QCOMPARE(field->text(), before);
+        QTest::keyClick(field, Qt::Key_Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QTest::keyClicks(field, "51");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(s.stroke().segments[0].colour.red, 0.51f);
+        QVERIFY(s.canvas().hasFocus());
+    }
+
     /// Whatever field of a dock or a bar it is: the key that gives up decides nothing.
     void escInAFieldTakesBackWhatWasTyped()
     {
