@@ -2405,8 +2405,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>&amp;Ersetzen</translation>
     </message>
     <message>
-        <source>Without saving, what was painted since the last save is lost.</source>
-        <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
+        <source>Without saving, what has not been saved yet is lost.</source>
+        <translation>Ohne Speichern geht verloren, was noch nicht gespeichert ist.</translation>
     </message>
 </context>
 <context>

@@ -2383,8 +2383,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>替换(&amp;R)</translation>
     </message>
     <message>
-        <source>Without saving, what was painted since the last save is lost.</source>
-        <translation>若不保存，上次保存后所画的内容将丢失。</translation>
+        <source>Without saving, what has not been saved yet is lost.</source>
+        <translation>若不保存，尚未保存的内容将会丢失。</translation>
     </message>
 </context>
 <context>

@@ -45,7 +45,7 @@ SaveAnswer askToSave(QWidget *parent, const QString &name)
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(
-        QCoreApplication::translate("Messages", "Without saving, what was painted since the last save is lost."));
+        QCoreApplication::translate("Messages", "Without saving, what has not been saved yet is lost."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
     case QMessageBox::Save:
