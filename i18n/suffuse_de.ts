@@ -13584,8 +13584,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Das Programm %1 fehlt oder lässt sich nicht starten. Installieren Sie es.</translation>
     </message>
     <message>
-        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
-        <translation>%1 findet die Python-Module %2 nicht. Installieren Sie sie: suffuse nach docs/python.md, die anderen durch Pakete wie python3-numpy.</translation>
+        <source>%1 does not find the Python modules %2. Install them by packages such as python3-suffuse and python3-numpy, or by pip as docs/python.md says.</source>
+        <translation>%1 findet die Python-Module %2 nicht. Installieren Sie sie durch Pakete wie python3-suffuse und python3-numpy oder durch pip, wie docs/python.md sagt.</translation>
     </message>
     <message>
         <source>name the program, and what it is started with</source>

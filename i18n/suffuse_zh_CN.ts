@@ -13497,8 +13497,8 @@ Arrow keys work too.</source>
         <translation>程序 %1 缺失或无法启动。请安装它。</translation>
     </message>
     <message>
-        <source>%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, the others by packages such as python3-numpy.</source>
-        <translation>%1 找不到 Python 模块 %2。请安装：suffuse 按 docs/python.md 所述，其他的用 python3-numpy 之类的软件包。</translation>
+        <source>%1 does not find the Python modules %2. Install them by packages such as python3-suffuse and python3-numpy, or by pip as docs/python.md says.</source>
+        <translation>%1 找不到 Python 模块 %2。请用 python3-suffuse、python3-numpy 之类的软件包安装，或按 docs/python.md 所述用 pip 安装。</translation>
     </message>
     <message>
         <source>name the program, and what it is started with</source>

@@ -183,8 +183,8 @@ QString problemOfNeeds(const Extension &extension)
     if (missing.isEmpty())
         return {};
     return ExtensionMessages::tr(
-               "%1 does not find the Python modules %2. Install them: suffuse as docs/python.md says, "
-               "the others by packages such as python3-numpy.")
+               "%1 does not find the Python modules %2. Install them by packages such as python3-suffuse and "
+               "python3-numpy, or by pip as docs/python.md says.")
         .arg(python, missing.join(QStringLiteral(", ")));
 }
 

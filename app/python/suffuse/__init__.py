@@ -7,6 +7,7 @@ and opacity, each in [0, 1], where (0, 0, 0) is white. docs/python.md begins wit
 
 import os as _os
 import pathlib as _pathlib
+import sys as _sys
 
 # Where numbers are typed: `import suffuse` alone does not load numpy, which takes longer than all else together.
 from . import _suffuse
@@ -76,7 +77,9 @@ __all__ = [
 def _module_folder():
     """The folder with the parts that read and write image files: beside this file, in a build, or where Debian has it."""
     here = _pathlib.Path(_os.path.abspath(__file__)).parent
-    for folder in (here / "modules", here.parent.parent / "lib" / "suffuse", here.parent.parent.parent / "suffuse"):
+    libraries = here.parents[2]
+    machine = getattr(_sys.implementation, "_multiarch", "")  # Debian's Python says so: "x86_64-linux-gnu"
+    for folder in (here / "modules", here.parents[1] / "lib" / "suffuse", libraries / machine / "suffuse", libraries / "suffuse"):
         if (folder / "suffuse_image_io.so").is_file():
             return str(folder)
     return str(here / "modules")
