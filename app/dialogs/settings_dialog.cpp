@@ -2,6 +2,7 @@
 
 #include "app/dialogs/colour_page.h"
 #include "app/dialogs/pen_page.h"
+#include "app/session/settings/languages.h"
 #include "app/session/settings/motion.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/habits/help_page.h"
@@ -40,9 +41,8 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
 
     m_language = addCombo(*form, tr("Language"), tr("Language of the program"));
     m_language->addItem(tr("System"), QString());
-    m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
-    m_language->addItem(QStringLiteral("简体中文 (Chinese, simplified)"), QStringLiteral("zh_CN"));
-    m_language->addItem(QStringLiteral("Deutsch (German)"), QStringLiteral("de"));
+    for (const Language &each : languages())
+        m_language->addItem(each.name, each.code);
     m_language->setCurrentIndex(std::max(0, m_language->findData(settings::language())));
 
     m_theme = addCombo(*form, tr("Theme"), tr("Colours of the windows"));
@@ -81,8 +81,7 @@ void SettingsDialog::addMotion(QFormLayout &form)
     QComboBox *motion = addCombo(form, tr("Motion"), tr("Whether docks glide to their places and carets blink"));
     motion->addItems({tr("System"), tr("Reduced"), tr("Full")});
     motion->setCurrentIndex(int(before));
-    connect(motion, &QComboBox::currentIndexChanged, this,
-            [follow](int index) { follow(settings::Motion(index)); });
+    connect(motion, &QComboBox::currentIndexChanged, this, [follow](int index) { follow(settings::Motion(index)); });
     connect(this, &QDialog::rejected, this, [before, follow] { follow(before); });
 }
 

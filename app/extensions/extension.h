@@ -16,7 +16,7 @@ struct ExtensionMessages {
     Q_DECLARE_TR_FUNCTIONS(suffuse::Extensions)
 };
 
-/// A text in several languages, by their codes ("en", "de", "zh_CN").
+/// A text in several languages, by their codes ("en", "de", "zh_CN", "fr", "es", "ja").
 struct Words {
     std::map<QString, QString> byLanguage;
 

@@ -120,7 +120,7 @@ private:
     /// A text, which is English, or an object of texts by language.
     void words(Words &value)
     {
-        static constexpr MemberNames languages[] = {"en", "de", "zh_CN"};
+        static constexpr MemberNames languages[] = {"en", "de", "zh_CN", "fr", "es", "ja"};
         if (m_json.isObjectNext()) {
             m_json.object(languages, [&](int k) {
                 m_json.read(value.byLanguage[QString::fromUtf8(languages[k].data(), qsizetype(languages[k].size()))]);

@@ -1,5 +1,6 @@
 #include "app/session/translation.h"
 
+#include "app/session/settings/languages.h"
 #include "app/session/settings/settings.h"
 
 #include <QCoreApplication>
@@ -16,12 +17,11 @@ QString systemLanguage()
 {
     for (const QString &name : QLocale::system().uiLanguages()) {
         const QLocale locale(name);
-        if (locale.language() == QLocale::Chinese && locale.script() != QLocale::TraditionalHanScript)
-            return "zh_CN";
-        if (locale.language() == QLocale::German)
-            return "de";
-        if (locale.language() == QLocale::English)
-            return "en";
+        if (locale.language() == QLocale::Chinese && locale.script() == QLocale::TraditionalHanScript)
+            continue; // The translation is into simplified Chinese.
+        for (const Language &each : languages())
+            if (each.language == locale.language())
+                return each.code;
     }
     return "en";
 }
@@ -78,7 +78,10 @@ public:
 
 QStringList translationCodes()
 {
-    return {"en", "zh_CN", "de"};
+    QStringList codes;
+    for (const Language &each : languages())
+        codes << each.code;
+    return codes;
 }
 
 QString languageInUse()

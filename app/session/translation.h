@@ -9,7 +9,7 @@ namespace suffuse {
 /// texts included. Call it before windows are made; calling it again replaces the language.
 void installTranslators();
 
-/// Codes of the languages for which there are translations ("en", "zh_CN", "de").
+/// Codes of the languages for which there are translations (`languages()`).
 QStringList translationCodes();
 
 /// The one of them that `installTranslators` installed last; English before that.

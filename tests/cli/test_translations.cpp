@@ -15,7 +15,7 @@ private slots:
     void all_data()
     {
         QTest::addColumn<QString>("language");
-        for (const char *language : {"de", "zh_CN", "en"})
+        for (const char *language : {"de", "zh_CN", "fr", "es", "ja", "en"})
             QTest::newRow(language) << language;
     }
 

@@ -19,7 +19,7 @@ class Job:
     selection: the ids of the selected strokes, a frozenset.
     layer: the id of the group that is painted on, or None.
     time: the moment that is looked at, seconds.
-    language: of the person, as "en", "de" or "zh_CN".
+    language: of the person, as "en", "de", "zh_CN", "fr", "es" or "ja".
     """
 
     def __init__(self, path):

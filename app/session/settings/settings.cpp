@@ -1,5 +1,6 @@
 #include "app/session/settings/settings.h"
 
+#include "app/session/settings/languages.h"
 #include "model/formats/atomic_save.h"
 #include "model/formats/brushes/brush_file.h"
 
@@ -22,7 +23,9 @@ constexpr int maxCurvePoints = 64;
 QString language()
 {
     const QString code = store().value("language").toString();
-    return QStringList{"en", "zh_CN", "de"}.contains(code) ? code : QString();
+    const bool known = std::any_of(languages().begin(), languages().end(),
+                                   [&code](const Language &each) { return each.code == code; });
+    return known ? code : QString();
 }
 
 void setLanguage(const QString &code)

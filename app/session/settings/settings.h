@@ -32,7 +32,7 @@ void startSucceeded();
 enum class Theme { System, Dark, Light };
 enum class Presenter { Auto, Raster, OpenGL };
 
-/// The language: "" (the system's), "en", "zh_CN" or "de". Anything else in the file counts as "".
+/// The language: "" (the system's) or the code of one of `languages()`. Anything else in the file counts as "".
 QString language();
 void setLanguage(const QString &code);
 Theme theme();

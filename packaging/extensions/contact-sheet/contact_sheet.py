@@ -80,7 +80,13 @@ def sheet(job):
         top, left = gap + k // columns * (height + gap), gap + k % columns * (width + gap)
         page[top : top + picture.shape[0], left : left + picture.shape[1]] = picture
     suffuse.write_picture(values["file"], page)
-    said = {"de": "{} Bilder auf {} × {} Pixeln", "zh_CN": "{} 张图片，{} × {} 像素"}
+    said = {
+        "de": "{} Bilder auf {} × {} Pixeln",
+        "ja": "画像 {} 枚、{} × {} ピクセル",
+        "fr": "{} images sur {} × {} pixels",
+        "es": "{} imágenes en {} × {} píxeles",
+        "zh_CN": "{} 张图片，{} × {} 像素",
+    }
     extension.say(said.get(job.language, "{} pictures on {} × {} pixels").format(count, page_width, page_height))
 
 

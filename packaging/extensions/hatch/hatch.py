@@ -157,7 +157,9 @@ def hatched(job):
         above = painting.strokes["id"][row + 1] if row + 1 < len(painting.strokes) else 0
         document.reorder(int(above))
         name = str(stroke["name"])
-        document.group({"de": "Schraffur", "zh_CN": "排线"}.get(job.language, "Hatching") + (f" {name}" if name else ""))
+        names = {"de": "Schraffur", "es": "Tramado", "fr": "Hachures", "ja": "ハッチング", "zh_CN": "排线"}
+        group = names.get(job.language, "Hatching")
+        document.group(group + (f" {name}" if name else ""))
         keep_in_group(document, int(new[0]), int(stroke["group"]))
         areas += 1
         count += len(new)
@@ -167,9 +169,13 @@ def hatched(job):
     if not areas:
         extension.fail("None of the selected strokes is filled or closed, or the lines are too far apart for them.")
     extension.say(
-        {"de": f"{count} Linien in {areas} Flächen", "zh_CN": f"{areas} 个区域中的 {count} 条线"}.get(
-            job.language, f"{count} lines in {areas} areas" if areas > 1 else f"{count} lines"
-        )
+        {
+            "de": f"{count} Linien in {areas} Flächen",
+            "fr": f"{count} lignes dans {areas} surfaces" if areas > 1 else f"{count} lignes",
+            "es": f"{count} líneas en {areas} áreas" if areas > 1 else f"{count} líneas",
+            "ja": f"{areas} 個の領域に線 {count} 本",
+            "zh_CN": f"{areas} 个区域中的 {count} 条线",
+        }.get(job.language, f"{count} lines in {areas} areas" if areas > 1 else f"{count} lines")
     )
     return document.painting
 

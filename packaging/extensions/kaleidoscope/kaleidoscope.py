@@ -5,7 +5,7 @@ import math
 import suffuse
 from suffuse import extension
 
-NAMES = {"de": "Kopie {}", "zh_CN": "副本 {}"}
+NAMES = {"de": "Kopie {}", "fr": "Copie {}", "ja": "コピー {}", "es": "Copia {}", "zh_CN": "副本 {}"}
 
 
 def turned(centre, angle, mirrored):

@@ -256,8 +256,8 @@ private slots:
     void hintsFitTheStatusBar_data()
     {
         QTest::addColumn<QString>("language");
-        for (const char *language : {"en", "de", "zh_CN"})
-            QTest::newRow(language) << QString(language);
+        for (const QString &language : translationCodes())
+            QTest::newRow(qPrintable(language)) << language;
     }
     void hintsFitTheStatusBar()
     {

@@ -76,6 +76,16 @@ QString proseOf(const QString &text)
     return QString(text).remove(code);
 }
 
+/// The languages that have a manual of their own; the others are shown the English one.
+QStringList manualCodes()
+{
+    QStringList codes;
+    for (const QString &code : translationCodes())
+        if (QFile::exists(QStringLiteral(":/manual/%1/index.md").arg(code)))
+            codes << code;
+    return codes;
+}
+
 QStringList found(const QString &pattern, const QString &text)
 {
     QStringList all;
@@ -139,7 +149,7 @@ private slots:
     void languages()
     {
         QTest::addColumn<QString>("code");
-        for (const QString &code : translationCodes())
+        for (const QString &code : manualCodes())
             QTest::newRow(qPrintable(code)) << code;
     }
     void everyPageIsListedAndLeadsSomewhere_data() { languages(); }
@@ -168,8 +178,9 @@ private slots:
 
     void allLanguagesHaveTheSameParts()
     {
+        QCOMPARE(manualCodes(), QStringList({"en", "zh_CN", "de"}));
         const ManualPages english("en");
-        for (const QString &code : translationCodes()) {
+        for (const QString &code : manualCodes()) {
             const ManualPages other(code);
             QCOMPARE(other.all().size(), english.all().size());
             for (std::size_t i = 0; i < english.all().size(); ++i) {
@@ -222,7 +233,7 @@ private slots:
     void allLanguagesNameTheSameCommands()
     {
         std::vector<std::vector<QStringList>> named; // ids of each page in each language
-        for (const QString &code : translationCodes()) {
+        for (const QString &code : manualCodes()) {
             speak(code);
             Session s;
             QMultiHash<QString, QString> ways;

@@ -97,7 +97,8 @@ private slots:
     void theReturnKeyHasAName()
     {
         for (const auto &[code, name] :
-             {std::pair("de", "Eingabe"), std::pair("zh_CN", "回车"), std::pair("en", "Return")}) {
+             {std::pair("de", "Eingabe"), std::pair("zh_CN", "回车"), std::pair("fr", "Entrée"), std::pair("es", "Intro"),
+              std::pair("ja", "Enter"), std::pair("en", "Return")}) {
             settings::setLanguage(code);
             installTranslators();
             QCOMPARE(QKeySequence(Qt::Key_Return).toString(QKeySequence::NativeText), QString(name));

@@ -220,7 +220,7 @@ private slots:
                     words << choice.label;
             }
             for (const Words &each : words)
-                for (const char *language : {"en", "de", "zh_CN"})
+                for (const char *language : {"en", "de", "zh_CN", "fr", "es", "ja"})
                     QVERIFY2(each.byLanguage.contains(language), qPrintable(e.id + ": " + each.in("en")));
         }
         std::ranges::sort(ids);
