@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import warnings
@@ -15,6 +16,10 @@ except ImportError:
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 SAMPLES = SOURCE / "packaging" / "samples"
 CLI = os.environ.get("SUFFUSE_CLI", "suffuse-cli")
+
+# A shell that starts the tests in the background has them ignore Ctrl+C, and Python leaves it at that: what they stop by it
+# would go on for ever.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def run_cli(*arguments, code=0):

@@ -195,7 +195,8 @@ class Stopped(Works):
             timer.start()
             suffuse.fit(noise, strokes=20_000, steps=1_000_000)
         timer.join()
-        self.assertTrue(stopped.exception.painting is None or len(stopped.exception.painting) > 0)
+        kept = getattr(stopped.exception, "painting", None)  # nothing where the machine is so busy that it had not begun
+        self.assertTrue(kept is None or len(kept) > 0)
 
     def test_a_refit_makes_nothing(self):
         with self.assertRaises(KeyboardInterrupt):
