@@ -170,8 +170,8 @@ const QList<Rule> &rules()
          {"link.h"}},
         // The Python module asks as the command line does.
         {"app/python/",
-         {"model/", "undo/", "render/", "app/cli/options.h", "app/cli/film_work.h", "app/cli/refit_work.h",
-          "app/cli/tiles_work.h", "app/python/"},
+         {"model/", "undo/", "render/", "app/cli/options.h", "app/cli/pictures/film_work.h",
+          "app/cli/fitting/refit_work.h", "app/cli/tiles/tiles_work.h", "app/python/"},
          {"QtCore"},
          {"pybind11"},
          {"undo/history/edit_command.h", "undo/history/kept_history.h", "undo/history/stroke_history.h",

@@ -1,5 +1,5 @@
 #include "app/cli/farm/farm_commands.h"
-#include "app/cli/tiles_command.h"
+#include "app/cli/tiles/tiles_command.h"
 #include "render/backends.h"
 #include "render/film/film_writer.h"
 

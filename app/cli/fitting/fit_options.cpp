@@ -1,4 +1,4 @@
-#include "app/cli/fit_options.h"
+#include "app/cli/fitting/fit_options.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "app/cli/tiles_work.h"
+#include "app/cli/tiles/tiles_work.h"
 
 #include "render/backends.h"
 #include "render/tiles/big_tiff.h"

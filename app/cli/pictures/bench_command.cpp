@@ -1,4 +1,4 @@
-#include "app/cli/bench_command.h"
+#include "app/cli/pictures/bench_command.h"
 
 #include "app/cli/options.h"
 #include "render/backends.h"

@@ -1,7 +1,7 @@
 // A picture in tiles on its way to the disk: for `render --tiles` and for Python.
 #pragma once
 
-#include "app/cli/tiles_recipe.h"
+#include "app/cli/tiles/tiles_recipe.h"
 #include "render/tiles/render_tiles.h"
 
 #include <atomic>

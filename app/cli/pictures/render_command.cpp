@@ -1,6 +1,6 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
-#include "app/cli/tiles_command.h"
+#include "app/cli/tiles/tiles_command.h"
 #include "render/backends.h"
 #include "render/image_io/colour_conversion.h"
 #include "render/image_io/image_io.h"

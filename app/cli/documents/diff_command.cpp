@@ -1,4 +1,4 @@
-#include "app/cli/diff_picture.h"
+#include "app/cli/documents/diff_picture.h"
 #include "app/cli/options.h"
 #include "model/document/difference.h"
 

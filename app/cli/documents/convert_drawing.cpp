@@ -1,4 +1,4 @@
-#include "app/cli/convert_drawing.h"
+#include "app/cli/documents/convert_drawing.h"
 
 #include "app/cli/progress.h"
 #include "render/backends.h"

@@ -1,4 +1,4 @@
-#include "app/cli/tiles_recipe.h"
+#include "app/cli/tiles/tiles_recipe.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

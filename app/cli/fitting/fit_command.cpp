@@ -1,4 +1,4 @@
-#include "app/cli/fit_options.h"
+#include "app/cli/fitting/fit_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "model/formats/files.h"

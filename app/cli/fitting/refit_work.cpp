@@ -1,6 +1,6 @@
-#include "app/cli/refit_work.h"
+#include "app/cli/fitting/refit_work.h"
 
-#include "app/cli/fit_options.h"
+#include "app/cli/fitting/fit_options.h"
 #include "app/cli/stroke_choice.h"
 #include "model/formats/files.h"
 #include "render/backends.h"

@@ -1,4 +1,4 @@
-#include "app/cli/film_work.h"
+#include "app/cli/pictures/film_work.h"
 #include "app/cli/progress.h"
 
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-#include "app/cli/diff_picture.h"
+#include "app/cli/documents/diff_picture.h"
 
 #include "render/backends.h"
 #include "render/image_io/image_io.h"

@@ -1,7 +1,7 @@
-#include "app/cli/tiles_command.h"
+#include "app/cli/tiles/tiles_command.h"
 
 #include "app/cli/progress.h"
-#include "app/cli/tiles_work.h"
+#include "app/cli/tiles/tiles_work.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

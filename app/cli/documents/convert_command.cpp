@@ -1,4 +1,4 @@
-#include "app/cli/convert_drawing.h"
+#include "app/cli/documents/convert_drawing.h"
 #include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
 #include "model/formats/picture_links.h"

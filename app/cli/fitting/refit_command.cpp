@@ -1,6 +1,6 @@
-#include "app/cli/fit_options.h"
+#include "app/cli/fitting/fit_options.h"
+#include "app/cli/fitting/refit_work.h"
 #include "app/cli/progress.h"
-#include "app/cli/refit_work.h"
 #include "model/formats/files.h"
 
 #include <QCoreApplication>
