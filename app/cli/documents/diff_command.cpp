@@ -41,7 +41,7 @@ QString titleOf(const Stroke &stroke)
 }
 
 /// "3, 7-9"
-QString rangesOf(const std::vector<std::size_t> &places)
+QString textOfPlaces(const std::vector<std::size_t> &places)
 {
     QStringList list;
     for (std::size_t from = 0; from < places.size();) {
@@ -60,9 +60,9 @@ void appendChanged(QStringList &lines, const Stroke &before, const Stroke &after
     const StrokeDifference d = differenceOf(before, after);
     lines << QStringLiteral("~ %1").arg(titleOf(after));
     if (!d.added.empty())
-        lines << QStringLiteral("    ") + Cli::tr("segments added: %1").arg(rangesOf(d.added));
+        lines << QStringLiteral("    ") + Cli::tr("segments added: %1").arg(textOfPlaces(d.added));
     if (!d.removed.empty())
-        lines << QStringLiteral("    ") + Cli::tr("segments removed: %1").arg(rangesOf(d.removed));
+        lines << QStringLiteral("    ") + Cli::tr("segments removed: %1").arg(textOfPlaces(d.removed));
     for (const ValueDifference &v : d.values)
         lines << QStringLiteral("    ") + lineOf(v);
 }

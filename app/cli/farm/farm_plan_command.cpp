@@ -17,7 +17,7 @@ namespace {
 
 constexpr qint64 mostPieces = 100'000'000;
 
-void addOptions(CommandLine &line)
+void addPlanOptions(CommandLine &line)
 {
     line.allowSeveral();
     line.add({"o", "output"}, QCoreApplication::translate("Cli", "The folder of the farm, which all machines share."),
@@ -139,7 +139,7 @@ int farmPlanCommand(const QStringList &arguments)
 {
     CommandLine line("farm plan",
                      QCoreApplication::translate("Cli", "Plans the drawing of paintings by many machines."), {"IN"});
-    addOptions(line);
+    addPlanOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const auto usage = [](const QString &message) { return failUsage("farm plan", message); };

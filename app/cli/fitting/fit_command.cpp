@@ -22,7 +22,7 @@ using namespace fitting;
 /// So many strokes a fit may have where an error is asked for.
 constexpr int mostStrokes = 20'000;
 
-void addOptions(CommandLine &line)
+void addFitOptions(CommandLine &line)
 {
     const auto add = [&line](const QStringList &names, const char *text, const QString &value = {}) {
         line.add(names, QCoreApplication::translate("Cli", text), value);
@@ -135,7 +135,7 @@ Result<FitRequest> requestOf(const CommandLine &line)
 Result<FitTarget> targetOf(const CommandLine &line, int pixels)
 {
     const QString path = line.argument(0);
-    const Result<QByteArray> bytes = bytesOf(path);
+    const Result<QByteArray> bytes = inputBytes(path);
     if (!bytes)
         return Error{bytes.error()};
     if (const FileFormat format = detectFormat(*bytes); format == FileFormat::Suffuse || format == FileFormat::Text)
@@ -145,7 +145,7 @@ Result<FitTarget> targetOf(const CommandLine &line, int pixels)
     Result<FitTarget> target = readFitTarget(*bytes, path, pixels, &interrupted());
     if (!target || !line.isSet("mask"))
         return target;
-    const Result<QByteArray> maskBytes = bytesOf(line.value("mask"));
+    const Result<QByteArray> maskBytes = inputBytes(line.value("mask"));
     if (!maskBytes)
         return Error{maskBytes.error()};
     const Result<FitPicture> mask = readMask(*maskBytes, line.value("mask"), *target);
@@ -270,7 +270,7 @@ int fitCommand(const QStringList &arguments)
                      QCoreApplication::translate("Cli", "Makes strokes that look like a picture, from the back to the "
                                                         "front and large before small."),
                      {"PICTURE"});
-    addOptions(line);
+    addFitOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     if (const QString problem = contradictionIn(line); !problem.isEmpty())

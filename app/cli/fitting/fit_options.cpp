@@ -35,7 +35,7 @@ Result<StyleKind> styleOf(const CommandLine &line)
     return Error{QCoreApplication::translate("Cli", "--style %1: give feathering, uniform or edge").arg(name)};
 }
 
-Result<QByteArray> bytesOf(const QString &path)
+Result<QByteArray> inputBytes(const QString &path)
 {
     QFile file(path);
     const bool isOpen =

@@ -15,7 +15,7 @@ Result<double> numberOf(const CommandLine &line, const QString &option, double u
 /// --style; feathering if it is not given.
 Result<StyleKind> styleOf(const CommandLine &line);
 /// The bytes of a file, or of standard input for "-".
-Result<QByteArray> bytesOf(const QString &path);
+Result<QByteArray> inputBytes(const QString &path);
 /// Why OUT cannot be written, found before a minute is spent; or empty.
 QString problemOfOut(const QString &out);
 

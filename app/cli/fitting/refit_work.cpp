@@ -100,7 +100,7 @@ Result<RefitGoal> goalOf(const CommandLine &line)
     if (!line.isSet("to"))
         return goal;
     goal.name = line.value("to");
-    const Result<QByteArray> bytes = bytesOf(goal.name);
+    const Result<QByteArray> bytes = inputBytes(goal.name);
     if (!bytes)
         return Error{bytes.error()};
     if (const FileFormat format = detectFormat(*bytes); format == FileFormat::Suffuse || format == FileFormat::Text) {

@@ -44,7 +44,7 @@ constexpr OptionText options[] = {
     {"unit", "F", QT_TRANSLATE_NOOP("Cli", "Scale of the generated strokes (default: width / 1024).")},
 };
 
-void addOptions(CommandLine &line)
+void addBenchOptions(CommandLine &line)
 {
     for (const OptionText &o : options)
         line.add({QLatin1String(o.name)}, QCoreApplication::translate("Cli", o.description), QLatin1String(o.value));
@@ -214,7 +214,7 @@ int benchCommand(const QStringList &arguments)
                      QCoreApplication::translate("Cli", "Measures how fast this machine draws: the figures of "
                                                         "docs/performance.md."),
                      {});
-    addOptions(line);
+    addBenchOptions(line);
     if (const std::optional<int> code = line.parse(withJoinedSpread(arguments)))
         return *code;
     Result<bench::Plan> plan = planOf(line);

@@ -19,7 +19,7 @@ namespace suffuse::cli {
 
 namespace {
 
-void addOptions(CommandLine &line)
+void addRenderOptions(CommandLine &line)
 {
     line.add({"o", "output"},
              QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; .ora or .psd: "
@@ -311,7 +311,7 @@ int renderCommand(const QStringList &arguments)
 {
     CommandLine line("render",
                      QCoreApplication::translate("Cli", "Draws a painting or a recording into an image file."), {"IN"});
-    addOptions(line);
+    addRenderOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     if (line.isSet("tiles"))

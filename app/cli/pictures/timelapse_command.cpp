@@ -8,7 +8,7 @@ namespace suffuse::cli {
 
 namespace {
 
-void addOptions(CommandLine &line)
+void addTimelapseOptions(CommandLine &line)
 {
     line.add(
         {"o", "output"},
@@ -85,7 +85,7 @@ int timelapseCommand(const QStringList &arguments)
     CommandLine line("timelapse",
                      QCoreApplication::translate("Cli", "Draws a painting while it is painted, frame by frame."),
                      {"IN"});
-    addOptions(line);
+    addTimelapseOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     if (line.value("output").isEmpty())

@@ -34,7 +34,7 @@ Result<int> numberOf(const CommandLine &line, const QString &option, int usual, 
 }
 
 /// The format by the ending and --format.
-Result<TileFormat> formatOf(const CommandLine &line, const QString &out)
+Result<TileFormat> tileFormatOf(const CommandLine &line, const QString &out)
 {
     const ImageFormat ending = imageFormatForPath(out);
     if (ending != ImageFormat::Unknown && ending != ImageFormat::Tiff)
@@ -60,7 +60,7 @@ Result<TileFormat> formatOf(const CommandLine &line, const QString &out)
 
 Result<TileEncoding> encodingOf(const CommandLine &line, const QString &out)
 {
-    const Result<TileFormat> format = formatOf(line, out);
+    const Result<TileFormat> format = tileFormatOf(line, out);
     if (!format)
         return Error{format.error()};
     TileEncoding encoding;
