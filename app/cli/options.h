@@ -115,6 +115,8 @@ struct PictureOptions {
 };
 /// What limits a picture: its pixels, which are all in memory, or in tiles its sides.
 enum class PictureLimit { Pixels, Side };
+/// Adds --size, --scale and --area.
+void addViewOptions(CommandLine &line);
 /// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
 Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting,
                                       PictureLimit limit = PictureLimit::Pixels);

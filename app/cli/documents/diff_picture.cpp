@@ -55,10 +55,7 @@ void addDiffPictureOptions(CommandLine &line)
              QCoreApplication::translate("Cli", "A picture that shows where: B pale, added strokes green, removed ones "
                                                 "orange, changed and moved ones blue."),
              "OUT");
-    line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
-    line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
-    line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
-             "X,Y,W,H");
+    addViewOptions(line);
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
 }
 

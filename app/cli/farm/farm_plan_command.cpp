@@ -29,10 +29,7 @@ void addPlanOptions(CommandLine &line)
              "OUT");
     addTilesOptions(line);
     line.add({"format"}, QCoreApplication::translate("Cli", "Tiles of a Deep Zoom: jpg or png."), "FORMAT");
-    line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
-    line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
-    line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
-             "X,Y,W,H");
+    addViewOptions(line);
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: the end)."),
              "T");
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));

@@ -19,10 +19,7 @@ void addTimelapseOptions(CommandLine &line)
     line.add({"idle"},
              QCoreApplication::translate("Cli", "Seconds that are kept of a pause in the painting (default 0.5)."),
              "S");
-    line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
-    line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
-    line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
-             "X,Y,W,H");
+    addViewOptions(line);
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
     line.add({"once"}, QCoreApplication::translate("Cli", "WebP: plays once instead of again and again."));
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
