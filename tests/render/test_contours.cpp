@@ -338,7 +338,7 @@ private slots:
     void crispFillsAreTheirOutlines()
     {
         Stroke s = emptyFill(1, 0, test::styleOf(StyleKind::Uniform));
-        addEllipse(s, {300, 200}, 120, 70);
+        addEllipse(s, {300, 200}, 60, 35);
         const std::vector<Band> bands = StrokeContours(s, end, {}).bands(16);
         QCOMPARE(bands.size(), 1u);
         QVERIFY(std::abs(bands.front().opacity - densityFunction(s.style, s.fill->density) * s.fill->colour.opacity) <
@@ -348,7 +348,7 @@ private slots:
         for (const std::vector<Cubic> &loop : loops)
             for (const Cubic &c : loop)
                 box = box.united(c.controlBox());
-        QVERIFY(std::abs(box.width() - 240) < 1e-3 && std::abs(box.height() - 140) < 1e-3);
+        QVERIFY(std::abs(box.width() - 120) < 1e-3 && std::abs(box.height() - 70) < 1e-3);
 
         // Paint of its segments lies around it, and what both cover is one area.
         s.segments[0].density = 6;

@@ -332,7 +332,7 @@ private slots:
         QFETCH(int, kind);
         std::mt19937_64 random(11);
         for (int i = 0; i < trials(1, 30); ++i) {
-            const PaintingPtr p = mixedFills(random, 3, 90, 70, PaperKind::Procedural);
+            const PaintingPtr p = mixedFills(random, 3, 60, 46, PaperKind::Procedural);
             const QByteArray pdf = pdfOf(p, DrawingKind(kind), 8);
             QCOMPARE(detectFormat(pdf), FileFormat::Pdf);
             const Result<LoadedDocument> back = readDocument(pdf, "a.pdf");
