@@ -5032,7 +5032,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten</translation>
+        <translation>Rückgängig-Schritte in der Datei beha&amp;lten</translation>
     </message>
     <message>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
@@ -5260,7 +5260,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten (%1)</translation>
+        <translation>Rückgängig-Schritte in der Datei beha&amp;lten (%1)</translation>
     </message>
     <message>
         <source>Canvas, while held</source>
@@ -6100,6 +6100,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Export &amp;Drawing…</source>
         <translation>Zeichnun&amp;g exportieren …</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t…</source>
+        <translation>D&amp;rucken …</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>Auf Papier oder als Seite einer PDF-Datei</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>Druckvorsc&amp;hau …</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>Die Seite groß ansehen, bevor sie gedruckt wird</translation>
     </message>
     <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
@@ -6999,6 +7015,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nach %1 exportiert</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>An den Drucker %1 übergeben</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>%1 wird exportiert …</translation>
     </message>
@@ -7160,8 +7180,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Bilder mit Ebenen (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7172,8 +7192,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7500,8 +7520,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Tintenaufzeichnung (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7984,8 +8004,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>wurde von einem neueren Programm (%1) geschrieben; bitte Suffuse aktualisieren</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, Xournal++, SVG und Diffusionskurven (XML)</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink, InkML, Excalidraw, MyPaint-Ereignisse, Xournal++, Rnote, SVG und Diffusionskurven (XML)</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8261,8 +8281,8 @@ Auch die Pfeiltasten wirken.</translation>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist weder ein SVG noch ein Notizbuch von Xournal++. Bitte erst entpacken. %1.</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist weder ein SVG noch ein Notizbuch von Xournal++ oder Rnote. Bitte erst entpacken. %1.</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8332,11 +8352,88 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Xournal++ notebook</source>
         <translation>Xournal++-Notizbuch</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>InkML-Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Rnote-Notizbuch</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>das erste Element ist nicht ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>seine Gruppen sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>ein Punkt hat mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>die Spur ist keine Liste von Punkten mit je %1 Zahlen, oder es sind mehr als %2 Punkte</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>die Spur hat kein X und Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>ein Punkt ist weiter als 1e7 Einheiten entfernt</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>enthält kein lesbares Notizbuch; bitte mit Rnote 0.5 oder neuer speichern</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>ein Punkt besteht nicht aus zwei Zahlen innerhalb von ±1e7</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>hat mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>ist Universal Ink %1.%2; gelesen werden 3.0 und 3.1</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>ist beschädigt: Ein Teil ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>sein Teil %1 ist auf eine Weise gepackt, die nicht gelesen werden kann</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n Linienart</numerusform>
             <numerusform>%n Linienarten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n Form</numerusform>
+            <numerusform>%n Formen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n Weg des Stifts über dem Papier</numerusform>
+            <numerusform>%n Wege des Stifts über dem Papier</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n Abbildung von Kanälen</numerusform>
+            <numerusform>%n Abbildungen von Kanälen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -9128,6 +9225,212 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Save Preset</source>
         <translation>Vorgabe speichern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>Druckt die Farbe der Leinwand; ohne sie liegt die Farbe auf dem Papier, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>In Datei drucken (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>Wo die Seite herauskommt</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Eine Datei lässt sich anderswo drucken.</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>Die PDF-Datei, die geschrieben wird: eine Seite, so groß wie das Papier.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>Wie oft die Seite gedruckt wird</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>Wie das Papier liegt</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>Die Größe des Papiers</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>Linker Rand</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>Oberer Rand</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>Rechter Rand</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>Unterer Rand</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>Was an dieser Kante des Papiers leer bleibt</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>An die Seite angepasst</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Tatsächliche Größe</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>Von der tatsächlichen Größe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>Wie groß das Bild auf dem Papier liegt</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>Mit wie vielen Punkten je Zoll das Bild gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>Üblich: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>Die des Druckers: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>Die Ränder lassen auf dem Papier keinen Platz.</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>Das Bild misst auf dem Papier %1 × %2 mm.</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>Was nicht passt, wird abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>PDF-Dateien</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>„%1“ ist nicht mehr da. Wählen Sie einen anderen Drucker.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>Die Seite passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>Auf der Platte ist kein Platz für die Seite: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>Der Drucker nimmt die Seite nicht an. Sehen Sie nach, ob er da ist, oder drucken Sie in eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -10172,6 +10475,13 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Full</source>
         <translation>Voll</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>

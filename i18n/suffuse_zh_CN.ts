@@ -6073,6 +6073,22 @@ Arrow keys work too.</source>
         <translation>导出图形(&amp;D)…</translation>
     </message>
     <message>
+        <source>Prin&amp;t…</source>
+        <translation>打印(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>打印到纸上，或输出为 PDF 文件的一页</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>打印预览(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>打印前放大查看页面</translation>
+    </message>
+    <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>为 Inkscape、绘图仪和浏览器导出颜料的精确轮廓和条带（SVG）</translation>
     </message>
@@ -6970,6 +6986,10 @@ Arrow keys work too.</source>
         <translation>已导出到 %1</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>已交给打印机 %1</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>正在导出 %1…</translation>
     </message>
@@ -7131,8 +7151,8 @@ Arrow keys work too.</source>
         <translation>带图层的图片 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7143,8 +7163,8 @@ Arrow keys work too.</source>
         <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7466,8 +7486,8 @@ Arrow keys work too.</source>
         <translation>笔迹记录 (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7950,8 +7970,8 @@ Arrow keys work too.</source>
         <translation>由更新的程序（%1）写成；请更新 Suffuse</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、Xournal++、SVG 和扩散曲线（XML）</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink、InkML、Excalidraw、MyPaint 事件、Xournal++、Rnote、SVG 和扩散曲线（XML）</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8206,8 +8226,8 @@ Arrow keys work too.</source>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>此文件用 gzip 压缩，其中的内容既不是 SVG 也不是 Xournal++ 笔记。请先解压。%1。</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>此文件用 gzip 压缩，其中的内容既不是 SVG，也不是 Xournal++ 或 Rnote 笔记。请先解压。%1。</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8277,10 +8297,84 @@ Arrow keys work too.</source>
         <source>Xournal++ notebook</source>
         <translation>Xournal++ 笔记</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>InkML 笔迹</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Rnote 笔记</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>第一个元素不是 ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>分组嵌套过深</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>一个点的数值多于 %1 个</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>轨迹不是由各含 %1 个数字的点组成的列表，或点数超过 %2</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>轨迹没有 X 和 Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>有一个点的距离超过 1e7 个单位</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>不含可读取的笔记；请用 Rnote 0.5 或更新版本保存</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>有一个点不是两个在 ±1e7 之内的数字</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>数字多于 %1 个</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>是 Universal Ink %1.%2；可读取 3.0 和 3.1</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>已损坏：有一部分不完整</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>其中的 %1 部分采用了无法读取的压缩方式</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n 种线型</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n 个形状</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n 段笔在纸面上方的移动</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n 个通道映射</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -9060,6 +9154,212 @@ Arrow keys work too.</source>
     <message>
         <source>Save Preset</source>
         <translation>保存预设</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>打印</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>打印(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>打印画布的颜色；不勾选时，颜料直接落在纸上。</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>打印到文件 (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>打印机</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>页面从哪里输出</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>这台电脑没有设置打印机。文件可以在别处打印。</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>要写入的 PDF 文件：一页，与纸张一样大。</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>份数</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>页面打印几份</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 毫米</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>纵向</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>纸张的放置方向</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>纸张的大小</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>左边距</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>上边距</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>右边距</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>下边距</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> 毫米</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>纸张这一边留白的宽度</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>边距</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>适合页面</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>实际尺寸</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>相对于实际尺寸</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>图片在纸上有多大</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>每英寸用多少点绘制图片</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>通常：%1 dpi</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>打印机的：%1 dpi</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>边距在纸上没有留下空间。</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>图片在纸上为 %1 × %2 毫米。</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>放不下的部分会被裁掉。</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>PDF 文件</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>“%1”已不存在。请选择其他打印机。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>内存放不下这一页。</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>磁盘上没有存放此页的空间：%1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>打印机没有接受此页。请检查打印机是否可用，或打印到文件。</translation>
     </message>
 </context>
 <context>
@@ -10102,6 +10402,13 @@ Arrow keys work too.</source>
     <message>
         <source>Full</source>
         <translation>完整</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
     </message>
 </context>
 <context>

@@ -156,6 +156,7 @@ public:
     Result<void> revert();
     /// What is beside the picture in the file.
     DocumentExtras &extras() { return m_extras; }
+    const DocumentExtras &extras() const { return m_extras; }
     /// Undo steps go into the file, so that whoever opens it goes on undoing.
     bool keepsHistory() const { return m_keepsHistory; }
     void setKeepsHistory(bool keeps);

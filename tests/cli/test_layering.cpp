@@ -162,6 +162,7 @@ const QList<Rule> &rules()
         {"app/panels/strokes/", below + QStringList{"app/widgets/", "app/panels/strokes/"}, widgets, {}},
         {"app/panels/timeline/", below + QStringList{"app/widgets/", "app/panels/timeline/"}, widgets, {}},
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
+        {"app/dialogs/print/printers", {"app/dialogs/"}, widgets + QStringList{"QtPrintSupport"}, {}},
         {"app/window/files/running_program", {"app/window/"}, widgets + QStringList{"QtDBus"}, {}},
         // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
         {"app/cli/",

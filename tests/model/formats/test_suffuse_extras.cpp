@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace suffuse;
@@ -67,8 +68,40 @@ private slots:
         view.begun = BegunLayer{"Shades", true, 2, 5};
         view.symmetry = Symmetry{true, SymmetryKind::Kaleidoscope, {10.5, -3}, 0.25, 7};
         view.guides = {{false, 12.5}, {false, -4}, {true, 1e6}};
+        view.print = PrintSetup{"Letter", true, {1, 2.5, 3, 4}, PrintSetup::Size::Scaled, 12.5, PrintSetup::Area::Numbers,
+                                Rect::of(-1, 2, 30, 40), PrintSetup::Moment::Time, 1'500'000, false, 720};
         const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
         QVERIFY(d && d->extras == extras);
+    }
+
+    /// What makes no sense of a page leaves all else as it is.
+    void pagesThatCannotBeAreLeftOut()
+    {
+        const auto printOf = [](const PrintSetup &print) {
+            DocumentExtras extras;
+            extras.view = WorkspaceState{};
+            extras.view->guides = {{true, 7}};
+            extras.view->print = print;
+            const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
+            return d && d->extras.view && d->extras.view->guides == extras.view->guides ? d->extras.view->print
+                                                                                         : std::optional(PrintSetup{"?"});
+        };
+        const PrintSetup good;
+        QCOMPARE(printOf(good), std::optional(good));
+        const auto changed = [&](auto change) {
+            PrintSetup print = good;
+            change(print);
+            return printOf(print);
+        };
+        const std::optional<PrintSetup> none;
+        QCOMPARE(changed([](PrintSetup &p) { p.margins[2] = -1; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.margins[2] = std::nan(""); }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.scale = 0; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.dpi = 1; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.dpi = 1'000'000; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.size = PrintSetup::Size(7); }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.area = PrintSetup::Area::Numbers; }), none); // an area that is none
+        QCOMPARE(changed([](PrintSetup &p) { p.paper = QString(1000, 'A'); }), none);
     }
 
     void pictureChunksDoNotDependOnThem()
