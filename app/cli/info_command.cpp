@@ -55,6 +55,10 @@ const char *idOf(FileFormat format)
         return "photoshop";
     case FileFormat::Xournal:
         return "xournal";
+    case FileFormat::InkMl:
+        return "inkml";
+    case FileFormat::Rnote:
+        return "rnote";
     case FileFormat::Pdf:
         return "pdf";
     case FileFormat::Unknown:

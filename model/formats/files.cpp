@@ -27,15 +27,15 @@ namespace {
 QString unknownFormat(const QByteArray &bytes)
 {
     const QString known =
-        FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
-                         "Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)");
+        FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, "
+                         "Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)");
     if (bytes.isEmpty())
         return FileMessages::tr("This file is empty: nothing was saved in it.");
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("This is UTF-16 text. Save it as UTF-8.");
     if (bytes.startsWith("\x1f\x8b"))
         return FileMessages::tr("This file is compressed with gzip, and what is in it is neither an SVG nor a "
-                                "notebook of Xournal++. Unpack it first. %1.")
+                                "notebook of Xournal++ or Rnote. Unpack it first. %1.")
             .arg(known);
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
         return FileMessages::tr("This is a picture, not a painting. %1.").arg(known);
@@ -149,6 +149,10 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         return painted(readMyPaintEvents(bytes, fileName));
     case FileFormat::Xournal:
         return painted(readXournal(bytes, fileName));
+    case FileFormat::InkMl:
+        return painted(readInkml(bytes, fileName));
+    case FileFormat::Rnote:
+        return painted(readRnote(bytes, fileName));
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:

@@ -30,7 +30,9 @@ enum class FileFormat {
     OpenRaster,
     Photoshop,
     Xournal,
-    Pdf
+    Pdf,
+    InkMl,
+    Rnote
 };
 
 /// The format by the first bytes, never by the name.
