@@ -5032,7 +5032,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
-        <translation>Rückgängig-Schritte in der Datei beha&amp;lten</translation>
+        <translation>Rückgängig-Sc&amp;hritte in der Datei behalten</translation>
     </message>
     <message>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
@@ -5260,7 +5260,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>Rückgängig-Schritte in der Datei beha&amp;lten (%1)</translation>
+        <translation>Rückgängig-Sc&amp;hritte in der Datei behalten (%1)</translation>
     </message>
     <message>
         <source>Canvas, while held</source>
@@ -6111,7 +6111,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Print Previe&amp;w…</source>
-        <translation>Druckvorsc&amp;hau …</translation>
+        <translation>Druck&amp;vorschau …</translation>
     </message>
     <message>
         <source>See the page in large before it is printed</source>

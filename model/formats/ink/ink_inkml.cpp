@@ -85,6 +85,8 @@ public:
     }
 
 private:
+    using Path = Recording::Path; // lupdate takes the name before :: for the context of what follows
+
     void fail(const QString &what)
     {
         if (!m_xml.hasError())
@@ -311,7 +313,7 @@ private:
                     .arg(count)
                     .arg(mostSamples));
         m_samples += values->size() / count;
-        Recording::Path path = pathOf(*values, context, offset);
+        Path path = pathOf(*values, context, offset);
         path.group = group;
         if (path.samples.empty() || m_xml.hasError())
             return;
@@ -326,7 +328,7 @@ private:
     }
 
     /// What goes on with a path is a part of it.
-    static void append(const Recording::Path &more, Recording::Path &path)
+    static void append(const Path &more, Path &path)
     {
         if (path.widths.size() == path.samples.size() && more.widths.size() == more.samples.size())
             path.widths.insert(path.widths.end(), more.widths.begin(), more.widths.end());
@@ -373,7 +375,7 @@ private:
         return pressures;
     }
 
-    Recording::Path pathOf(const std::vector<double> &values, const InkContext &context, double offset)
+    Path pathOf(const std::vector<double> &values, const InkContext &context, double offset)
     {
         const InkPen pen = m_pens.value(context.pen);
         const std::vector<double> xs = column(values, context.format, "X"), ys = column(values, context.format, "Y"),
@@ -385,7 +387,7 @@ private:
         const std::vector<double> azimuths = column(values, context.format, "OA");
         m_hasAzimuth = m_hasAzimuth || std::ranges::any_of(azimuths, [](double a) { return a != 0; });
         m_shaped += pen.isShaped;
-        Recording::Path path;
+        Path path;
         if (xs.size() != ys.size() || xs.empty()) {
             if (!values.empty())
                 fail(FileMessages::tr("the trace has no X and Y"));
