@@ -97,6 +97,8 @@ void Editor::tellModified()
 void Editor::followDocument(const Change &change)
 {
     setCompared(nullptr);
+    if (change.selection)
+        ++m_selection;
     if (change.draft || change.reset)
         m_clock.setDraftEnd(m_document.draft() ? m_document.draft()->driesAt() : 0);
     if (!altersPainting(change))
@@ -161,23 +163,28 @@ void Editor::push(Edit edit, const QString &text, ValueEntry *entry)
     if (entry && goesOn(*entry)) {
         m_sinceStep.start();
         goOnWithStep(m_undoStack, m_document, std::move(edit));
+        entry->m_selection = m_selection;
         return;
     }
     std::optional<Edit> back = doEdit(m_document, std::move(edit));
     if (!back)
         return;
     pushDone(std::move(*back), text);
-    if (entry)
-        entry->m_step = static_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1))->sharedEdit();
+    if (!entry)
+        return;
+    entry->m_step = static_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1))->sharedEdit();
+    entry->m_selection = m_selection;
 }
 
-/// Whether the entry's step is the last one, and is in no file.
+/// Whether the entry's step is the last one and is in no file. What a key or a wheel steps must be what is selected
+/// now.
 bool Editor::goesOn(const ValueEntry &entry) const
 {
     const std::shared_ptr<Edit> step = entry.m_step.lock();
     const auto *last = dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
-    return step && last && last->sharedEdit() == step && !m_undoStack.canRedo() && !m_undoStack.isClean() &&
-           !m_savedStep.isNow();
+    return step && last && last->sharedEdit() == step &&
+           (!entry.m_sinceStep.isValid() || entry.m_selection == m_selection) && !m_undoStack.canRedo() &&
+           !m_undoStack.isClean() && !m_savedStep.isNow();
 }
 
 /// What was done becomes a step.

@@ -212,6 +212,7 @@ private:
     quint64 m_lastSave = 0;      ///< number of the last save
     bool m_takesUpSteps = false; ///< of a file, or lets go those of one: nothing is done
     QElapsedTimer m_sinceStep;   ///< since one went on
+    quint64 m_selection = 0;     ///< counts selections
     PaintingClock m_clock;
     StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none

@@ -130,7 +130,7 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     const bool isStep = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     if (isStep && (event->modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier) {
         if (m_filter.text().isEmpty())
-            emit stepped(event->key() == Qt::Key_Up);
+            emit stepped(event->key() == Qt::Key_Up, event->isAutoRepeat());
         else
             emit dragRefused();
         return event->accept();

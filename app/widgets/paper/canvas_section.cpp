@@ -87,7 +87,7 @@ CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
 
 void CanvasSection::addSize(QGridLayout &grid)
 {
-    const auto add = [&](int row, const QString &name, const QString &tip, double Canvas::*member) {
+    const auto add = [&](int row, const QString &name, const QString &tip, double Canvas::*member, ValueEntry &steps) {
         auto *label = new QLabel(name, this);
         auto *field = new NumberField(this);
         field->setRange(0.001, 1e6);
@@ -98,18 +98,22 @@ void CanvasSection::addSize(QGridLayout &grid)
         grid.addWidget(label, row, 0);
         grid.addWidget(field, row, 2);
         connect(field, &NumberField::refused, this, &CanvasSection::refused);
-        const auto take = [=, this](double value) {
+        const auto take = [=, this](double value, ValueEntry *entry) {
             const double side = m_isPaper ? std::max(1.0, std::round(value)) : value;
-            change([=](Canvas &c) { c.*member = side; }, tr("Resize canvas"));
+            change([=](Canvas &c) { c.*member = side; }, tr("Resize canvas"), entry);
         };
-        connect(field, &NumberField::entered, this, take);
+        connect(field, &NumberField::entered, this, [=](double value) { take(value, nullptr); });
         // A tenth of a size is rarely whole, and nobody steps to a part of a pixel.
-        connect(field, &NumberField::stepped, this,
-                [=](double value) { take(value < 10 ? value : std::round(value)); });
+        connect(field, &NumberField::stepped, this, [=, &steps](double value) {
+            steps.noteStep();
+            take(value < 10 ? value : std::round(value), &steps);
+        });
         return field;
     };
-    m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width);
-    m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height);
+    m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width,
+                  m_widthSteps);
+    m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height,
+                   m_heightSteps);
 }
 
 void CanvasSection::addPaper(QGridLayout &grid)
@@ -144,10 +148,14 @@ void CanvasSection::addPaper(QGridLayout &grid)
     grid.addWidget(m_seedLabel, 2, 0);
     grid.addWidget(m_seed, 2, 2);
     connect(m_seed, &NumberField::refused, this, &CanvasSection::refused);
-    for (const auto signal : {&NumberField::entered, &NumberField::stepped})
-        connect(m_seed, signal, this, [this](double value) {
-            change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
-        });
+    const auto takeSeed = [this](double value, ValueEntry *entry) {
+        change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"), entry);
+    };
+    connect(m_seed, &NumberField::entered, this, [=](double value) { takeSeed(value, nullptr); });
+    connect(m_seed, &NumberField::stepped, this, [=, this](double value) {
+        m_seedSteps.noteStep();
+        takeSeed(value, &m_seedSteps);
+    });
 
     m_scale = new SliderField(
         {.name = tr("Scale"),

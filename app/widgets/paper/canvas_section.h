@@ -52,6 +52,7 @@ private:
     void showThumbnails();
     bool chooseImage(Paper &paper);
     void refresh();
+    QString sizeOnPaper() const;
 
     Canvas m_canvas;
     bool m_isPaper = false; ///< whether sides are lengths of paper

@@ -375,6 +375,7 @@ private slots:
             QCOMPARE(view.currentIndex(), panel.viewIndexOf(5));
             QVERIFY(!view.visualRect(view.currentIndex()).isEmpty());
         }
+        QCOMPARE(bench.steps(), 1); // moves that follow each other
         for (const char *wanted : {"4T(325)S(1)", "4T(352)S(1)", "4T(532)S(1)", "45T(32)S(1)", "54T(32)S(1)"}) {
             press(Qt::Key_Up);
             QCOMPARE(rows(), QString(wanted));

@@ -379,7 +379,13 @@ private slots:
         QWheelEvent down({5, 5}, field->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                          Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(field, &down);
-        QCOMPARE(width(), 1024.0); // as many steps down as up
+        QCOMPARE(width(), 1024.0);  // as many steps down as up
+        QCOMPARE(bench.steps(), 0); // and back where it was is no step
+        QTest::keyClick(field, Qt::Key_Up);
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undo();
+        QCOMPARE(width(), 1024.0);
         type(*field, "4");
         QTest::keyClick(field, Qt::Key_Up);
         QCOMPARE(width(), 4.4);

@@ -112,6 +112,44 @@ private slots:
         QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
     }
 
+    /// Keys that repeat and quick taps are one step, whether or not the system says that a key is held down; after a
+    /// pause, or of other strokes, they are another one.
+    void nudgesThatFollowEachOtherAreOneStep()
+    {
+        Selecting s({line(1, {200, 300}, {400, 300}), line(2, {200, 500}, {400, 500})});
+        s.canvas().setFocus();
+        s.select({1});
+        const auto press = [&s](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+            QTest::keyClick(&s.canvas(), key, modifiers);
+        };
+        for (int i = 0; i < 5; ++i)
+            press(Qt::Key_Right);
+        press(Qt::Key_Down, alt);
+        press(Qt::Key_Down, shift);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.stroke(1).origin.x, 205.0);
+        s.select({2});
+        press(Qt::Key_Right);
+        QCOMPARE(s.steps(), 2);
+        s.select({1});
+        press(Qt::Key_Left);
+        QCOMPARE(s.steps(), 3);
+        QTest::qWait(1'000); // The hand pauses.
+        press(Qt::Key_Left);
+        QCOMPARE(s.steps(), 4);
+        QTest::qWait(1'000);
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Left, {}, {}, true); // but it goes on where a key is held down
+        QCoreApplication::sendEvent(&s.canvas(), &held);
+        QCOMPARE(s.steps(), 4);
+        QCOMPARE(s.stroke(1).origin.x, 202.0);
+        s.use(Command::Undo);
+        QCOMPARE(s.stroke(1).origin.x, 204.0);
+        for (int i = 0; i < 3; ++i)
+            s.use(Command::Undo);
+        QCOMPARE(s.stroke(1).origin, (Point{200, 300}));
+        QCOMPARE(s.stroke(2).origin, (Point{200, 500}));
+    }
+
     void altClickGoesBelow()
     {
         Selecting s(
