@@ -260,6 +260,10 @@
         <translation>  Leinwand  %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  Maße      %1 × %2 mm, %3 Einheiten je Zoll</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  Striche   %1</translation>
     </message>
@@ -755,6 +759,14 @@
         <translation>Rückgängig-Schritte</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>Farbprofil</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>Größe auf Papier</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>dieser Version unbekannt, bleibt erhalten</translation>
     </message>
@@ -922,8 +934,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Von JPEG und WebP, 1 bis 100 (sonst 92); WebP verliert bei 100 nichts.</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>Pixel je Zoll, wie die Datei sie nennt (sonst nennt sie keine).</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>Pixel je Zoll, wie die Datei sie nennt (sonst so viele, dass das Bild auf Papier so groß ist, wie IN es sagt; sagt IN nichts, nennt sie keine).</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -1091,8 +1103,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--profile %1: %2; ein ICC-Profil für RGB-Farben angeben</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>Wenn OUT ein PDF ist: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in, in die das Blatt passt (sonst das Blatt selbst, von dem 96 Einheiten ein Zoll sind).</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>Wo OUT eine PDF-Datei ist: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in, in die das Blatt passt (sonst das Blatt, so groß wie es auf Papier ist; wo das nicht gesagt ist, sind 96 Einheiten ein Zoll).</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -3872,6 +3884,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 mm bei %3 dpi</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 Zoll bei %3 dpi</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -8285,6 +8305,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>das Farbprofil</translation>
     </message>
     <message>
+        <source>the size on paper</source>
+        <translation>die Größe auf Papier</translation>
+    </message>
+    <message>
         <source>the first element is not xournal</source>
         <translation>das erste Element ist nicht xournal</translation>
     </message>
@@ -12502,8 +12526,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>Eines PDFs: Das Blatt passt in die Seite, in ihre Mitte. Von selbst hat es 96 Einheiten je Zoll.</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>In einer PDF-Datei: Das Blatt passt in die Mitte der Seite. Für sich ist es so groß wie auf Papier oder hat, wo das nicht gesagt ist, 96 Einheiten je Zoll.</translation>
     </message>
 </context>
 <context>

@@ -260,6 +260,10 @@
         <translation>  画布      %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  纸上大小  %1 × %2 毫米，每英寸 %3 个单位</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  笔画      %1</translation>
     </message>
@@ -754,6 +758,14 @@
         <translation>撤销历史</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>颜色配置文件</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>纸上大小</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>此版本不认识，予以保留</translation>
     </message>
@@ -916,8 +928,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>JPEG 与 WebP 的质量，1 到 100（默认 92）；WebP 为 100 时无损。</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>文件中注明的每英寸像素数（默认不注明）。</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>文件中标明的每英寸像素数（默认：使图片在纸上与 IN 标明的大小相同的值；否则不标明）。</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -1084,8 +1096,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--profile %1：%2；请给出 RGB 颜色的 ICC 配置文件</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>OUT 为 PDF 时：A3、A4、A5、Letter，或 200x150mm、8x6in 之类的尺寸，画面会适应其中（默认：画面本身，96 单位为一英寸）。</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>OUT 为 PDF 时：A3、A4、A5、Letter，或 200x150mm、8x6in 这样的尺寸，画纸会放入其中（默认：画纸在纸上的大小；没有给出时，96 个单位为一英寸）。</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -3848,6 +3860,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 毫米，%3 dpi</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 英寸，%3 dpi</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -8230,6 +8250,10 @@ Arrow keys work too.</source>
         <translation>颜色配置文件</translation>
     </message>
     <message>
+        <source>the size on paper</source>
+        <translation>纸上大小</translation>
+    </message>
+    <message>
         <source>the first element is not xournal</source>
         <translation>第一个元素不是 xournal</translation>
     </message>
@@ -12422,8 +12446,8 @@ Arrow keys work too.</source>
         <translation>页面</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>用于 PDF：画面适应页面并居中。其自身大小为每英寸 96 单位。</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>用于 PDF：画纸放入页面并居中。不选页面时，画纸与纸上的大小相同；没有给出纸上大小时，每英寸 96 个单位。</translation>
     </message>
 </context>
 <context>

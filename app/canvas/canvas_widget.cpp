@@ -97,11 +97,17 @@ void CanvasWidget::addHandles()
         m_editor.aids(), m_view, [this] { return m_aids.showSymmetry && !isBare(); }, dpr));
     m_handles.add(std::make_unique<GuideHandle>(
         m_editor.aids(), m_view,
-        GuideHandle::Surroundings{[this] { return m_aids; }, [this] { return isBare(); },
+        GuideHandle::Surroundings{[this] { return m_aids; }, [this] { return rulerUnit(); },
+                                  [this] { return isBare(); },
                                   [this](Point pixel) { return tool() && tool()->leavesToGuides(pixel); }, dpr,
                                   [this](int guide) { emit guideAsked(guide); }}));
     connect(&m_editor.aids(), &DrawingAids::aboutToReset, this, [this] { m_handles.cancel(); });
     connect(&m_editor.aids(), &DrawingAids::changed, this, [this] { updateOverlay(); });
+}
+
+RulerUnit CanvasWidget::rulerUnit() const
+{
+    return unitOf(m_aids.rulerUnits, m_editor.resolution());
 }
 
 CanvasWidget::~CanvasWidget()
@@ -415,7 +421,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     m_input.keyboardPen().paint(painter, dpr);
     paintAngle(painter, dpr);
     if (m_aids.showRulers)
-        paintRulers(painter, view(), unitOf(m_aids.rulerUnits), m_colours, dpr);
+        paintRulers(painter, view(), rulerUnit(), m_colours, dpr);
     m_note.paint(painter, view(), dpr);
     m_repaint.painted(m_lift.isFloating());
     if (m_use == CanvasUse::Work)

@@ -27,6 +27,7 @@ namespace suffuse {
 
 class Editor;
 struct Change;
+struct RulerUnit;
 
 /// Whether one works on a canvas or, since the painting is painted elsewhere, only looks at it.
 enum class CanvasUse { Work, Look };
@@ -146,6 +147,8 @@ public:
     bool showsAllErasures() const;
     /// How snapping works, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
+    /// What the rulers count.
+    RulerUnit rulerUnit() const;
     void setAids(const CanvasAids &aids)
     {
         m_aids = aids;

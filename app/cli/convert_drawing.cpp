@@ -56,8 +56,8 @@ void addDrawingOptions(CommandLine &line)
              "SECONDS");
     line.add({"page"},
              QCoreApplication::translate("Cli", "Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm "
-                                                "or 8x6in, into which the sheet fits (default: the sheet, of which 96 "
-                                                "units are an inch)."),
+                                                "or 8x6in, into which the sheet fits (default: the sheet as large as "
+                                                "it is on paper; where that is not said, 96 units are an inch)."),
              "SIZE");
 }
 
@@ -122,6 +122,7 @@ int convertToDrawing(const CommandLine &line, const std::vector<LoadedDocument> 
             return code;
         if (line.isSet("page"))
             prepared->paper = pageSizeFrom(line.value("page"));
+        prepared->resolution = documents[k].extras.resolution;
         drawings.push_back(std::move(*prepared));
         paintings.push_back(painting);
     }

@@ -2,6 +2,7 @@
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
 #include "model/painting/paper_presets.h"
+#include "model/painting/resolution.h"
 #include "render/backends.h"
 
 #include <QCoreApplication>
@@ -24,6 +25,7 @@ struct Facts {
     std::vector<QString> losses; ///< of a damaged file
     QString leftOut;             ///< of a foreign file, a sentence, or empty
     QString missing;             ///< linked pictures, sentences, or empty
+    double resolution = 0;       ///< canvas units an inch; 0: it is not said
     Rect bounds;
     Microseconds begin = 0;
     Microseconds end = 0;
@@ -129,6 +131,7 @@ Result<Facts> factsOf(const QString &path)
         facts.leftOut = document->leftOut;
     }
     facts.missing = document->missing;
+    facts.resolution = document->extras.resolution;
     facts.format = detectFormat(bytes);
     facts.bytes = bytes.size();
     facts.end = facts.painting.end();
@@ -175,6 +178,7 @@ QJsonObject jsonOf(const Facts &f)
          QJsonObject{{"width", canvas.width},
                      {"height", canvas.height},
                      {"background", QJsonArray{double(b.red), double(b.yellow), double(b.blue), double(b.opacity)}},
+                     {"resolution", isResolution(f.resolution) ? QJsonValue(f.resolution) : QJsonValue()},
                      {"paper", idOf(canvas.paper.kind)},
                      {"grain", canvas.paper.kind == PaperKind::Procedural ? QJsonValue(idOf(canvas.paper.grain))
                                                                           : QJsonValue()}}},
@@ -213,6 +217,10 @@ QString meaningOf(const QString &name)
         return QCoreApplication::translate("Cli", "how it was last looked at");
     if (name == QLatin1String("hist"))
         return QCoreApplication::translate("Cli", "undo history");
+    if (name == QLatin1String("prof"))
+        return QCoreApplication::translate("Cli", "colour profile");
+    if (name == QLatin1String("inch"))
+        return QCoreApplication::translate("Cli", "size on paper");
     return name.isEmpty() || name.front().isUpper()
                ? QString()
                : QCoreApplication::translate("Cli", "unknown to this version, kept");
@@ -267,6 +275,14 @@ QString textOf(const Facts &f)
                                  .arg(f.bounds.width(), 0, 'f', 1)
                                  .arg(f.bounds.height(), 0, 'f', 1),
         QCoreApplication::translate("Cli", "  duration  %1 s").arg(toSeconds(f.end - f.begin), 0, 'f', 3)};
+    if (isResolution(f.resolution)) {
+        const auto onPaper = [&f](double side) {
+            return QString::number(side / f.resolution * millimetresOfInch, 'f', 1);
+        };
+        lines.insert(3, QCoreApplication::translate("Cli", "  on paper  %1 × %2 mm, %3 units an inch")
+                            .arg(onPaper(canvas.width), onPaper(canvas.height))
+                            .arg(f.resolution));
+    }
     if (const qint64 pictures = picturesIn(f.painting); pictures > 0)
         lines.append(QCoreApplication::translate("Cli", "  pictures  %1").arg(pictures));
     for (const ChunkInfo &c : f.chunks)

@@ -140,10 +140,10 @@ std::optional<int> CommandLine::parse(const QStringList &arguments, int required
     return {};
 }
 
-Result<Painting> paintingOf(const QString &path)
+Result<Painting> paintingOf(const QString &path, double *resolution)
 {
     QString leftOut;
-    Result<Painting> painting = loadPainting(path, nullptr, &leftOut);
+    Result<Painting> painting = loadPainting(path, nullptr, &leftOut, resolution);
     if (painting && !leftOut.isEmpty())
         warn(QStringLiteral("%1: %2").arg(path, leftOut));
     return painting;

@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/tiles_command.h"
+#include "model/painting/resolution.h"
 #include "render/backends.h"
 #include "render/image_io/colour_conversion.h"
 #include "render/image_io/image_io.h"
@@ -43,7 +44,9 @@ void addOptions(CommandLine &line)
              QCoreApplication::translate("Cli", "Of JPEG and WebP, 1 to 100 (default 92); WebP loses nothing at 100."),
              "N");
     line.add({"dpi"},
-             QCoreApplication::translate("Cli", "Pixels an inch, as the file says it (default: it says nothing)."),
+             QCoreApplication::translate(
+                 "Cli", "Pixels an inch, as the file says it (default: what makes the picture as large on "
+                        "paper as IN says that it is; else it says nothing)."),
              "N");
     line.add({"profile"},
              QCoreApplication::translate("Cli", "ICC profile of RGB colours that the file has (default: sRGB)."),
@@ -202,13 +205,16 @@ int render(const CommandLine &line, ImageFormat format, ImageOptions image, cons
     QElapsedTimer clock;
     clock.start();
     Times times;
-    Result<Painting> painting = paintingOf(line.argument(0));
+    double resolution = 0;
+    Result<Painting> painting = paintingOf(line.argument(0), &resolution);
     if (!painting)
         return fail(painting.error());
     times.loadMs = lap(clock);
     const Result<PictureOptions> picture = pictureOptions(line, *painting);
     if (!picture)
         return failUsage("render", picture.error());
+    if (!line.isSet("dpi") && isResolution(resolution)) // The picture is as large on paper as the sheet.
+        image.dpi = resolution * picture->width / picture->area.width();
     const QString problem = problemOf(format, image, picture->width, picture->height);
     if (!problem.isEmpty())
         return failUsage("render", QStringLiteral("%1: %2").arg(line.value("output"), problem));

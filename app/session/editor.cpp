@@ -9,6 +9,7 @@
 #include "model/formats/messages.h"
 #include "model/formats/picture_links.h"
 #include "model/painting/paper_presets.h"
+#include "model/painting/resolution.h"
 #include "undo/history/kept_history.h"
 #include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
@@ -321,11 +322,17 @@ Canvas Editor::usualCanvas()
     return canvas;
 }
 
-void Editor::newPainting(const Canvas &canvas)
+double Editor::resolution() const
+{
+    return isResolution(m_extras.resolution) ? m_extras.resolution : usualResolution;
+}
+
+void Editor::newPainting(const Canvas &canvas, double resolution)
 {
     auto painting = std::make_shared<Painting>();
     painting->canvas = canvas;
     m_extras = {};
+    m_extras.resolution = resolution;
     show(std::move(painting), {});
 }
 

@@ -175,10 +175,11 @@ QString takeLinks(Painting &painting, const QString &fileName)
 }
 
 /// Reads any format, and refuses a damaged file.
-Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
+Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut,
+                           double *resolution = nullptr)
 {
     const FileFormat format = detectFormat(bytes);
-    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
+    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName, resolution)
                                                               : readOther(bytes, fileName, format, brush, leftOut);
     if (painting)
         leftOut = QStringList{leftOut, takeLinks(*painting, fileName)}.join(QLatin1Char(' ')).trimmed();
@@ -233,11 +234,11 @@ Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &file
     return document;
 }
 
-Result<Painting> loadPainting(const QString &path, const Brush *brush, QString *leftOut)
+Result<Painting> loadPainting(const QString &path, const Brush *brush, QString *leftOut, double *resolution)
 {
     const auto bytes = loadBytes(path);
     QString ignored;
-    return bytes ? readWhole(*bytes, path, brush, leftOut ? *leftOut : ignored) : Error{bytes.error()};
+    return bytes ? readWhole(*bytes, path, brush, leftOut ? *leftOut : ignored, resolution) : Error{bytes.error()};
 }
 
 Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush)

@@ -1,6 +1,7 @@
 #include "app/canvas/handles/rulers.h"
 
 #include "app/canvas/overlay/overlay.h"
+#include "model/painting/resolution.h"
 
 #include <QFontMetricsF>
 #include <QLocale>
@@ -60,16 +61,16 @@ void paintRuler(QPainter &painter, const RulerScale &scale, const RulerUnit &uni
 
 } // namespace
 
-RulerUnit unitOf(RulerUnits units)
+RulerUnit unitOf(RulerUnits units, double resolution)
 {
     constexpr double inch = 150; // canvas units, as on new sheets of paper
     switch (units) {
     case RulerUnits::Canvas:
         break;
     case RulerUnits::Millimetres:
-        return {QStringLiteral("mm"), inch / 25.4};
+        return {QStringLiteral("mm"), resolution / millimetresOfInch};
     case RulerUnits::Inches:
-        return {QStringLiteral("in"), inch};
+        return {QStringLiteral("in"), resolution};
     }
     return {};
 }

@@ -178,6 +178,7 @@ void InspectorPanel::showValues(const Inspected &inspected)
     m_selectionPage->setVisible(!inspected.isEmpty());
     m_canvasPage->setVisible(inspected.isEmpty());
     if (inspected.isEmpty()) {
+        m_canvas->setResolution(m_editor.extras().resolution);
         m_canvas->setCanvas(document.painting()->canvas);
         m_underlay->refresh();
         return;

@@ -9,11 +9,14 @@
 #include "app/widgets/numbers/quantity.h"
 #include "app/widgets/paper/paper_preview.h"
 #include "model/painting/paper_presets.h"
+#include "model/painting/resolution.h"
 #include "model/painting/validate.h"
 #include "render/scene/paper.h"
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -114,6 +117,8 @@ void CanvasSection::addSize(QGridLayout &grid)
                   m_widthSteps);
     m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height,
                    m_heightSteps);
+    m_onPaper = quietLabel({}, this);
+    grid.addWidget(m_onPaper, 2, 0, 1, 3);
 }
 
 void CanvasSection::addPaper(QGridLayout &grid)
@@ -263,6 +268,26 @@ void CanvasSection::setCanvas(const Canvas &canvas)
     refresh();
 }
 
+void CanvasSection::setResolution(double resolution)
+{
+    m_resolution = resolution;
+    refresh();
+}
+
+/// "120 × 90 mm at 150 dpi"; empty where it is not said.
+QString CanvasSection::sizeOnPaper() const
+{
+    if (!isResolution(m_resolution))
+        return {};
+    const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
+    const auto side = [&](double units) {
+        const double inches = units / m_resolution;
+        return QLocale().toString(isMetric ? inches * millimetresOfInch : inches, 'f', isMetric ? 1 : 2);
+    };
+    return (isMetric ? tr("%1 × %2 mm at %3 dpi") : tr("%1 × %2 in at %3 dpi"))
+        .arg(side(m_canvas.width), side(m_canvas.height), QLocale().toString(m_resolution));
+}
+
 void CanvasSection::setSideDisplay(const Display &display, bool isPaper)
 {
     m_isPaper = isPaper;
@@ -276,6 +301,8 @@ void CanvasSection::refresh()
     const Paper &paper = m_canvas.paper;
     m_width->setValue(m_canvas.width);
     m_height->setValue(m_canvas.height);
+    m_onPaper->setText(sizeOnPaper());
+    m_onPaper->setVisible(!m_onPaper->text().isEmpty());
     m_swatch->setColour(m_canvas.background);
     m_background->setColour(m_canvas.background);
     if (indexOf(paper) != customIndex())

@@ -2,6 +2,7 @@
 
 #include "model/formats/messages.h"
 #include "model/formats/suffuse/suffuse_cbor.h"
+#include "model/painting/resolution.h"
 
 #include <cmath>
 
@@ -145,6 +146,17 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     return ok ? std::optional(view) : std::nullopt;
 }
 
+/// 0 for what is no resolution.
+double readResolution(QByteArrayView payload)
+{
+    QCborParserError problem;
+    const QCborValue value = QCborValue::fromCbor(payload.data(), payload.size(), &problem);
+    if (problem.error != QCborError::NoError)
+        return 0;
+    const double unitsOfInch = value.toDouble();
+    return isResolution(unitsOfInch) ? unitsOfInch : 0;
+}
+
 } // namespace
 
 bool isAncillary(const Chunk &chunk)
@@ -160,6 +172,8 @@ QString partBeside(const QByteArray &type)
         return FileMessages::tr("how it was last looked at");
     if (type == profileType)
         return FileMessages::tr("the colour profile");
+    if (type == resolutionType)
+        return FileMessages::tr("the size on paper");
     return type == historyType ? FileMessages::tr("the undo history") : QString();
 }
 
@@ -178,6 +192,9 @@ void readExtra(const Chunk &chunk, DocumentExtras &extras)
     } else if (chunk.type == profileType) {
         if (extras.profile.isEmpty() && chunk.payload.size() <= largestKeptProfile)
             extras.profile = chunk.payload.toByteArray();
+    } else if (chunk.type == resolutionType) {
+        if (extras.resolution == 0)
+            extras.resolution = readResolution(chunk.payload);
     } else {
         extras.unknown.push_back({chunk.type, chunk.payload.toByteArray()});
     }
@@ -195,6 +212,8 @@ void appendLastExtras(QByteArray &out, const DocumentExtras &extras)
 {
     if (!extras.profile.isEmpty() && extras.profile.size() <= largestKeptProfile)
         appendChunk(out, profileType, extras.profile);
+    if (isResolution(extras.resolution))
+        appendChunk(out, resolutionType, QCborValue(extras.resolution).toCbor());
     if (!extras.history.isEmpty())
         appendChunk(out, historyType, extras.history);
     for (const AncillaryChunk &chunk : extras.unknown)

@@ -391,6 +391,27 @@ private slots:
         QCOMPARE(width(), 4.4);
     }
 
+    /// A sheet that was made for paper says how large it is there.
+    void theCanvasSaysItsSizeOnPaper()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        QLabel *onPaper = panel.canvasSection()->onPaper();
+        QVERIFY(!onPaper->isVisible());
+        Canvas canvas = Editor::usualCanvas();
+        canvas.width = 709, canvas.height = 531;
+        bench.editor.newPainting(canvas, 150);
+        bench.editor.laterChanges().flush();
+        QVERIFY(onPaper->isVisible());
+        QCOMPARE(onPaper->text(), QString("120.1 × 89.9 mm at 150 dpi"));
+        type(*panel.canvasSection()->widthField(), "*2");
+        QCOMPARE(onPaper->text(), QString("240.1 × 89.9 mm at 150 dpi"));
+        bench.editor.newPainting(canvas);
+        bench.editor.laterChanges().flush();
+        QVERIFY(!onPaper->isVisible());
+    }
+
     void wheelPicksColours()
     {
         for (const double hue : {0.0, 1.0 / 3, 0.5, 0.9}) {

@@ -21,6 +21,7 @@ DocumentExtras someExtras()
     extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567, false, 7, {3, 7}};
     extras.history = "steps";
     extras.profile = "a profile";
+    extras.resolution = 72.5;
     extras.unknown = {{"meta", QByteArray("\0a\xff", 3)}, {"xyzw", {}}, {"meta", "again"}};
     return extras;
 }
@@ -127,6 +128,13 @@ private slots:
         QTest::newRow("short centre") << QByteArray("view") << view("centre", QCborArray{1.0});
         QTest::newRow("NaN rotation") << QByteArray("view") << view("rotation", nan);
         QTest::newRow("type") << QByteArray("view") << view("mirrored", 3);
+        for (const auto &[name, value] : {std::pair("no inch", QCborValue(0.0)),
+                                          {"a huge inch", QCborValue(1e9)},
+                                          {"NaN inch", QCborValue(nan)},
+                                          {"an inch in words", QCborValue("150")},
+                                          {"an inch below 0", QCborValue(-150)}})
+            QTest::newRow(name) << QByteArray("inch") << value.toCbor();
+        QTest::newRow("inch of no CBOR") << QByteArray("inch") << QByteArray("\xff\xff");
     }
     void senselessExtrasAreLeftOut()
     {
@@ -180,6 +188,20 @@ private slots:
                 QVERIFY(readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse")));
             }
         }
+    }
+
+    /// Files of today have no size on paper, and whoever reads the painting alone can ask for it.
+    void theSizeOnPaperIsRead()
+    {
+        QTemporaryDir folder;
+        const QString with = folder.filePath("with.suffuse"), without = folder.filePath("without.suffuse");
+        QVERIFY(saveDocument(somePainting(), someExtras(), with) && savePainting(somePainting(), without));
+        double resolution = -1;
+        QVERIFY(loadPainting(with, nullptr, nullptr, &resolution));
+        QCOMPARE(resolution, 72.5);
+        QVERIFY(loadPainting(without, nullptr, nullptr, &resolution));
+        QCOMPARE(resolution, 0.0);
+        QVERIFY(!test::fileOf(test::chunksOf(writeSuffuseFile(somePainting()))).contains("inch"));
     }
 
     void textFormHoldsNone()
