@@ -3,6 +3,7 @@
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
+#include "model/colour/one_colour.h"
 #include "model/colour/perceived.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
@@ -306,10 +307,7 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
         most = segments;
         summary.other = colour;
     }
-    const Perceived seenUsual = perceivedOf(usual);
-    summary.several = std::ranges::any_of(counts, [&](const Count &count) {
-        return !samePaint(count.colour, usual) && !looksLike(perceivedOf(count.colour), seenUsual);
-    });
+    summary.several = !looksLikeOne(parts, usual);
     if (!summary.several)
         summary.other.reset();
     return summary;

@@ -2,9 +2,8 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
-#include "model/colour/perceived.h"
+#include "model/colour/one_colour.h"
 #include "undo/colour_edits.h"
 
 #include <algorithm>
@@ -33,25 +32,6 @@ float seenOpacity(const ColourPart &end, float opacity)
         return opacity;
     const float other = (end.gradient ? end.stroke->fill->colour : end.stroke->fill->gradient->colour).opacity;
     return other > 0 ? other : 1;
-}
-
-/// Whether all paint looks like one colour, though a brush may have strayed from it.
-bool looksLikeOne(const ColourParts &parts, const Colour &usual)
-{
-    const Perceived seen = perceivedOf(usual);
-    Colour last = usual;
-    const auto differs = [&](const Colour &colour) {
-        return !samePaint(std::exchange(last, colour), colour) && !looksLike(perceivedOf(colour), seen);
-    };
-    for (const ColourPart &part : parts) {
-        const Stroke &stroke = *part.stroke;
-        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
-            if (part.has(k) && !onlyBounds(stroke, k) && differs(stroke.segments[k].colour))
-                return false;
-        if ((part.fill && differs(stroke.fill->colour)) || (part.gradient && differs(stroke.fill->gradient->colour)))
-            return false;
-    }
-    return true;
 }
 
 } // namespace
