@@ -243,6 +243,26 @@ void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
         tr("Change colour"), entry);
 }
 
+void ColourTarget::setChannel(float Colour::*channel, float value, ValueEntry *entry)
+{
+    Colour paint = colour();
+    paint.*channel = value;
+    if (kind() != Kind::Selection || m_end)
+        return setPaint(paint, entry);
+    const Start &start = startOf(entry);
+    const bool isOne = looksLikeOne(start.parts, start.colour);
+    if (!isOne && m_mode == Mode::Shift)
+        return setPaint(paint, entry);
+    const float by = value - start.colour.*channel;
+    colourSelection(
+        [=, from = start.colour.*channel](Colour each) {
+            const bool becomesIt = !isOne || each.*channel == from;
+            each.*channel = becomesIt ? value : std::clamp(each.*channel + by, 0.0f, 1.0f);
+            return each;
+        },
+        tr("Change colour"), entry);
+}
+
 void ColourTarget::setOpacity(float opacity, ValueEntry *entry)
 {
     const auto thinned = [opacity](const Colour &each) { return withOpacity(each, opacity); };

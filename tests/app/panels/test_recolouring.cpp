@@ -319,6 +319,40 @@ private slots:
         QCOMPARE(s.colour(s.id), s.colour(s.second));
     }
 
+    /// A number of red, yellow or blue is about nothing else: what a brush has strayed by stays, in the other two
+    /// exactly.
+    void aTypedNumberChangesNoOther()
+    {
+        TwoWaves s;
+        const std::size_t count = s.painting().find(s.id)->segments.size();
+        QVERIFY(count > 2);
+        const auto strayed = [](std::size_t k) { return 0.04f * float(int(k % 3) - 1); };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id},
+                                      [&](Stroke &stroke) {
+                                          for (std::size_t k = 0; k < count; ++k)
+                                              stroke.segments[k].colour = {0.3f + strayed(k), 0.2f + strayed(k + 1),
+                                                                           0.9f + strayed(k + 2), 1};
+                                      }),
+                        "strays");
+        s.select({s.id});
+        const std::vector<Segment> before = s.painting().find(s.id)->segments;
+        QVERIFY(!s.editor().colourTarget().isOneOfSeveral());
+        const float usual = s.editor().colourTarget().colour().red;
+        ColourRows &rows = *s.panel.findChild<ColourRows *>();
+        type(*rows.row(ColourRows::Red)->number(), "60");
+        const std::vector<Segment> &after = s.painting().find(s.id)->segments;
+        for (std::size_t k = 0; k < count; ++k) {
+            QCOMPARE(after[k].colour.yellow, before[k].colour.yellow);
+            QCOMPARE(after[k].colour.blue, before[k].colour.blue);
+            QVERIFY(std::abs(after[k].colour.red - (before[k].colour.red + 0.6f - usual)) < 1e-6f);
+        }
+        s.editor().laterChanges().flush();
+        QCOMPARE(rows.row(ColourRows::Red)->number()->value(), std::optional<double>(0.6f));
+        type(*rows.row(ColourRows::Blue)->number(), "0"); // As far as there is room.
+        for (const Segment &segment : s.painting().find(s.id)->segments)
+            QVERIFY(segment.colour.blue >= 0 && segment.colour.blue < 0.09f);
+    }
+
     void theEyedropperColoursWhatIsSelected()
     {
         TwoWaves s;
