@@ -202,7 +202,7 @@ double SelectionTool::tolerance() const
 
 std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
 {
-    return pickTopmost(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
+    return pickSeen(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
 }
 
 const Selection &SelectionTool::selection() const

@@ -150,6 +150,46 @@ private slots:
         QCOMPARE(s.stroke(2).origin, (Point{200, 500}));
     }
 
+    /// A click means what is seen most: not the halo of a stroke that lies on top and is hardly seen there.
+    void aFaintHaloGivesWay()
+    {
+        // So far away that it is hardly seen on the line.
+        const auto haloAt = [](double y) {
+            Stroke halo = *line(2, {200, y}, {600, y});
+            halo.style = {StyleKind::Feathering, {1, 1, 0}};
+            for (Segment &segment : halo.segments) {
+                segment.diffusion = 900;
+                segment.density = 60;
+            }
+            return std::make_shared<const Stroke>(halo);
+        };
+        const auto isFaint = [](const Stroke &halo) {
+            const double above = seenPaint(halo, halo.driesAt(), {400, 300}).opacity;
+            return above >= visibleOpacity && above < 0.2;
+        };
+        double y = 320;
+        while (y < 600 && !isFaint(*haloAt(y)))
+            y += 2;
+        Selecting s({line(1, {200, 300}, {600, 300}), haloAt(y)});
+        const Microseconds T = s.painting().end();
+        const Point faint{400, 300};
+        QVERIFY(isFaint(s.stroke(2)) && seenPaint(s.stroke(1), T, faint).opacity > 0.9);
+        QCOMPARE(pickTopmost(s.painting(), T, faint, 1)->stroke, StrokeId(2));
+        s.click(faint);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.click(faint, alt); // the halo can be had, too
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.click({400, y}); // where it is seen itself
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        // Faint paint is no halo where it is as strong as it gets.
+        Stroke glaze = *line(2, {200, 300}, {600, 300});
+        for (Segment &segment : glaze.segments)
+            segment.colour.opacity = 0.12f;
+        Selecting faintest({line(1, {200, 300}, {600, 300}), std::make_shared<const Stroke>(glaze)});
+        faintest.click({400, 300});
+        QCOMPARE(faintest.selected(), std::set<StrokeId>{2});
+    }
+
     void altClickGoesBelow()
     {
         Selecting s(
