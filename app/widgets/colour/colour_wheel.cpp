@@ -234,7 +234,7 @@ void ColourWheel::paintFocus(QPainter &painter)
 {
     constexpr double gap = 2.5, width = 2;
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), width));
+    painter.setPen(QPen(focusFrame(), width));
     painter.drawEllipse(centre(), outerRadius() + gap, outerRadius() + gap);
 }
 
