@@ -1,5 +1,6 @@
 // Rulers and guides: scales, dragging guides out and back, exact places, snapping, files.
 #include "app/canvas/handles/rulers.h"
+#include "app/canvas/overlay/overlay.h"
 #include "app/session/drawing_aids.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/shaping/transform.h"
@@ -90,6 +91,33 @@ private slots:
         QCOMPARE(s.canvas().rulerUnit().units, 300.0);
         s.window.action(Command::RulersInUnits).setChecked(true);
         QCOMPARE(s.canvas().rulerUnit().units, 1.0);
+    }
+
+    /// The figure of a tick right below the corner of both rulers is whole: what the ruler shows of "0" does not depend
+    /// on how near the corner is.
+    void theFirstFigureIsWhole()
+    {
+        OverlayColours colours;
+        const auto inkBelow = [&](double top) { // of the left ruler, around the tick at 0
+            View view = viewOf(1);
+            view.centre.y = 300 - top;
+            QImage image(int(view.width), int(view.height), QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            paintRulers(painter, view, {}, colours, 1);
+            painter.end();
+            const QRgb ground = image.pixel(1, 400);
+            int ink = 0;
+            for (int y = int(rulerWidth) + 1; y < top + 40; ++y)
+                for (int x = 1; x < 10; ++x) // beside the short ticks
+                    ink += image.pixel(x, y) != ground;
+            return ink;
+        };
+        const int whole = inkBelow(60);
+        QVERIFY(whole > 8);
+        for (const double top : {rulerWidth + 2, rulerWidth + 5, rulerWidth + 8})
+            QVERIFY2(std::abs(inkBelow(top) - whole) <= 2,
+                     qPrintable(QString("%1: %2 of %3").arg(top).arg(inkBelow(top)).arg(whole)));
     }
 
     /// Where the canvas is turned, each ruler counts the axis that lies along it.
