@@ -193,7 +193,9 @@ void Editor::pushDone(Edit back, const QString &text)
 {
     m_savedStep.willPush();
     m_layer->stepComes(m_undoStack.index());
-    m_undoStack.push(new EditCommand(m_document, std::move(back), text));
+    auto *step = new EditCommand(m_document, std::move(back), text);
+    step->keepSelection();
+    m_undoStack.push(step);
 }
 
 QString Editor::undoText() const

@@ -150,6 +150,32 @@ private slots:
         QCOMPARE(s.stroke(2).origin, (Point{200, 500}));
     }
 
+    /// Redo selects what was moved, as the move itself did, whatever was selected when it was taken back.
+    void redoSelectsWhatWasMoved()
+    {
+        Selecting s({line(1, {200, 300}, {400, 300}), line(2, {200, 500}, {400, 500})});
+        s.drag({{300, 300}, {350, 340}});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QCOMPARE(s.steps(), 1);
+        for (const std::set<StrokeId> &meanwhile : {std::set<StrokeId>{}, {2}, {1}}) {
+            s.select(meanwhile);
+            s.use(Command::Undo);
+            QCOMPARE(s.stroke(1).origin.x, 200.0);
+            s.select({});
+            s.use(Command::Redo);
+            QCOMPARE(s.stroke(1).origin.x, 250.0);
+            QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        }
+        s.select({1});
+        s.use(Command::Duplicate);
+        const std::set<StrokeId> copy = s.selected();
+        QVERIFY(!copy.contains(1) && copy.size() == 1);
+        s.select({});
+        s.use(Command::Undo);
+        s.use(Command::Redo);
+        QCOMPARE(s.selected(), copy);
+    }
+
     /// A click means what is seen most: not the halo of a stroke that lies on top and is hardly seen there.
     void aFaintHaloGivesWay()
     {
