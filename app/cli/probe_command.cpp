@@ -5,6 +5,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace suffuse::cli {
@@ -43,7 +44,7 @@ std::vector<ProbeShare> listedOf(const ProbeStroke &s, bool all)
 {
     std::vector<ProbeShare> out;
     std::copy_if(s.shares.begin(), s.shares.end(), std::back_inserter(out),
-                 [all](const ProbeShare &k) { return all || k.share >= leastShare; });
+                 [all](const ProbeShare &k) { return all || (k.fades ? k.density : k.share) >= leastShare; });
     return out;
 }
 
@@ -52,12 +53,16 @@ QJsonObject jsonOf(const ProbeStroke &s, bool all)
     const std::vector<ProbeShare> listed = listedOf(s, all);
     QJsonArray shares;
     for (const ProbeShare &k : listed)
-        shares.append(
-            QJsonObject{{"segment", k.segment}, {"density", k.density}, {"share", k.share}, {"lift", k.lifts}});
+        shares.append(QJsonObject{{"segment", k.segment},
+                                  {"density", k.density},
+                                  {"share", k.share},
+                                  {"lift", k.lifts},
+                                  {"fade", k.fades}});
     return {{"id", qint64(s.id)},
             {"name", s.name},
             {"density", s.density},
             {"lifted", s.lifted},
+            {"faded", s.faded},
             {"granulation", s.granulation},
             {"modulatedDensity", s.modulated},
             {"densityFunction", s.densityFunction},
@@ -102,12 +107,20 @@ QString textOf(const ProbeStroke &s, bool all)
                 .arg(s.opacity, 0, 'g', 8)
                 .arg(textOf(s.colour), textOf(s.rybAfter), textOf(s.rgbAfter));
     const std::vector<ProbeShare> listed = listedOf(s, all);
-    for (const ProbeShare &k : listed)
+    for (const ProbeShare &k : listed) {
+        if (k.fades) {
+            text += QCoreApplication::translate("Cli", "  segment %1 fades: φ %2, which leaves %3\n")
+                        .arg(k.segment)
+                        .arg(k.density, 0, 'g', 8)
+                        .arg(std::exp(-k.density), 0, 'g', 8);
+            continue;
+        }
         text += (k.lifts ? QCoreApplication::translate("Cli", "  segment %1 lifts: φ %2, share %3\n")
                          : QCoreApplication::translate("Cli", "  segment %1: φ %2, share %3\n"))
                     .arg(k.segment)
                     .arg(k.density, 0, 'g', 8)
                     .arg(k.share, 0, 'g', 8);
+    }
     if (s.fillDensity > 0)
         text += QCoreApplication::translate("Cli", "  fill: φ %1, share %2\n")
                     .arg(s.fillDensity, 0, 'g', 8)

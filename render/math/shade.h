@@ -115,7 +115,10 @@ SUFFUSE_INLINE Paint<V> paintOf(const ShadeParams &params, V inverse, Channel ch
         return line < 0 ? V(from) : mulAdd_(place, V(to - from), V(from));
     };
     const Colour &from = params.colour, &to = params.colourEnd;
-    return {f * mean(3, from.opacity, to.opacity), mean(0, from.red, to.red), mean(1, from.yellow, to.yellow),
+    V w = f * mean(3, from.opacity, to.opacity);
+    if (params.fadeChannel >= 0) // Where nothing fades it is times 1, to the bit.
+        w = w * exp2_(V(-log2e) * channel(params.fadeChannel));
+    return {w, mean(0, from.red, to.red), mean(1, from.yellow, to.yellow),
             mean(2, from.blue, to.blue)};
 }
 

@@ -14,7 +14,8 @@ namespace suffuse {
 
 /// A node is weight · e^(−q(d)) with q = a·dx² + 2b·dx·dy + c·dy² and d = x − position. It is taken as zero where q >
 /// cutRadius² per axis. Nodes of segments that take paint away have negative weights: a stroke's sum over all its nodes
-/// is φ⁺ − φ⁻.
+/// is φ⁺ − φ⁻. Those of
+/// segments that make paint paler belong to neither: their sum is φ_f.
 struct Node {
     double x = 0; ///< offset from the stroke's origin, canvas units
     double y = 0;
@@ -34,7 +35,10 @@ struct NodeValues {
     Colour colour;
     float granulation = 1;
     Style style;       ///< the segment's own or the stroke's
-    bool lift = false; ///< whether it takes paint away; the other values then count for nothing
+    bool lift = false; ///< whether it takes density away, or
+    bool fade = false; ///< makes paint paler; the other values then count for nothing
+
+    bool laysPaint() const { return !lift && !fade; }
     friend bool operator==(const NodeValues &, const NodeValues &) = default;
 };
 

@@ -37,10 +37,11 @@ struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds;            ///< the pixels of the grid's window that it can change; empty if there are none
-    /// the separable nodes first, and of these the ones that lay paint
+    /// the separable nodes first: those that lay paint, those that lift it, those that fade it; then the oblique ones
     UnsetVector<ViewNode> nodes;
     NodeBoxStore boxes;          ///< the boxes of `nodes`, in pixels from the corner of the grid's window
-    int laying = 0; ///< how many separable nodes lay paint
+    int laying = 0;  ///< how many separable nodes lay paint
+    int painted = 0; ///< how many lay or lift it
     int separable = 0;
     std::vector<DeepNode> deep;
     std::shared_ptr<const SceneFill> fill; ///< null if it has none that could be seen

@@ -225,7 +225,7 @@ def strokes(payload):
                 "diffusion": diffusion, "density": density, "granulation": granulation, "maxAge": age,
                 "node": ["smooth", "symmetric", "corner"][kind], "style": styles[style - 1] if style else None,
                 "anisotropy": {"ratio": of_bits(ratio + 0x3F800000), "angle": of_bits(angle)},
-                "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2),
+                "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2), "fade": bool(marked[i] & 4),
                 "rewet": [[(born[i] + unzigzag(t)) / 1e6, extra / 1e6] for t, extra in islice(rewets, wettings)]})
         fill = next(filled)
         if fill:
@@ -240,7 +240,7 @@ def read(data):
     for kind, payload in chunks(data):
         if kind == "HEAD":
             head = cbor2.loads(payload)
-            assert head["reader"] <= 3, "the file is newer"
+            assert head["reader"] <= 4, "the file is newer"
             out["version"] = head["reader"]
         elif kind == "IMAG":
             media = {b"\x89": "png", b"\xff": "jpeg", b"R": "webp", b"v": "x-exr"}.get(payload[:1], "tiff")

@@ -59,7 +59,8 @@ public:
         }
         return paint;
     }
-    double coverage(Point p) const { return at(p).coverage(m_eta); }
+    /// As far as it is left where paint is made paler.
+    double coverage(Point p) const { return at(p).coverage(m_eta) * std::exp(-at(p).faded()); }
     double opacity(Point p) const { return at(p).opacity(m_eta); }
 
 private:
@@ -248,7 +249,7 @@ private slots:
     void otherStrokes_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "mixed styles",
+        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "faded", "faded fill", "mixed styles",
                                  "spread fill", "narrow fill", "fill with a line", "turned fill"})
             QTest::newRow(what) << what;
     }
@@ -270,6 +271,14 @@ private slots:
             s.segments[1].start = true;
             s.segments[2].start = true;
         }
+        if (what == "faded") {
+            s.segments[1].fade = true;
+            s.segments[1].density = 12;
+            s.segments[1].bezier = s.segments[0].bezier;
+            s.segments[1].bezier[1].x += 20;
+            s.segments[1].start = true;
+            s.segments[2].start = true;
+        }
         if (what.startsWith("granulated"))
             s.segments[0].granulation = 0.2f;
         if (what == "mixed styles")
@@ -282,6 +291,10 @@ private slots:
         }
         if (what == "fill with a line")
             s.segments[2].density = 9;
+        if (what == "faded fill") {
+            s.segments[2].density = 9;
+            s.segments[2].fade = true;
+        }
         if (what == "turned fill") {
             Fill fill = *s.fill;
             fill.anisotropyRatio = 2, fill.anisotropyAngle = 0.7f;

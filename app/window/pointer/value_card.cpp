@@ -46,7 +46,7 @@ FieldSpec widthSpec()
 std::optional<SeenWidth> seenOf(const Inspected &inspected, std::size_t index, Microseconds time)
 {
     const auto &[stroke, segment] = inspected.segments[index];
-    return segment->lift ? std::nullopt : seenWidth(*stroke, inspected.refs[index].segment, time);
+    return segment->takesPaint() ? std::nullopt : seenWidth(*stroke, inspected.refs[index].segment, time);
 }
 
 } // namespace
@@ -192,7 +192,7 @@ void ValueCard::setWidth(double width, ValueEntry *entry)
             if (ref.stroke != stroke.id)
                 continue;
             Segment &segment = stroke.segments[std::size_t(ref.segment)];
-            if (segment.lift)
+            if (segment.takesPaint())
                 continue;
             const std::optional<SeenWidth> seen = seenWidth(stroke, ref.segment, time);
             if (seen && (seen->width > 0 || now == 0)) // what has faded stays so beside what is seen
