@@ -958,6 +958,12 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--dpi bleibt ohne Wirkung: %1-Dateien nennen keine Auflösung</translation>
     </message>
     <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  Segment %1 lässt verblassen: φ %2, es bleibt %3
+</translation>
+    </message>
+    <message>
         <source>  segment %1 lifts: φ %2, share %3
 </source>
         <translation>  Segment %1 nimmt weg: φ %2, Anteil %3
@@ -2745,6 +2751,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>a stroke needs at least one</source>
         <translation>ein Strich braucht mindestens eines</translation>
+    </message>
+    <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>ein Segment, das abhebt, kann nicht auch verblassen lassen</translation>
     </message>
     <message>
         <source>the segment does not start where the one before it ends</source>
@@ -6722,6 +6732,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>Verblassen</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Abheben</translation>
     </message>
@@ -6730,8 +6744,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>Abheben nimmt Farbe weich weg, wo immer sie zu sehen ist; Schneiden schneidet Kurven heraus</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>Verblassen macht Farbe blasser, wo immer sie zu sehen ist; Abheben nimmt ihre Dichte weg, sodass Ränder zurückweichen; Schneiden schneidet Kurven heraus</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6767,8 +6781,47 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Alle (nichts ausgewählt)</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>Wie viel Dichte weggenommen wird: Auslaufende Farbe wird blasser, scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>Verblassen: der Anteil der Farbe, der weggenommen wird. Abheben: wie viel Dichte, sodass auslaufende Farbe blasser wird und scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>Verblassen macht Farbe blasser; Abheben nimmt ihre Dichte weg, sodass Ränder zurückweichen.</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Verblassen</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Nimmt</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>Der Anteil der Farbe, den sie in ihrer Mitte wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>Stärke ändern</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>Art der Radierung ändern</translation>
     </message>
 </context>
 <context>
@@ -6776,6 +6829,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Erase</source>
         <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht die ausgewählten Striche blasser, je nach Stärke. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht die Striche der Gruppe blasser, je nach Stärke. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht Farbe blasser, je nach Stärke, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6790,24 +6855,24 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abheben: Ziehen nimmt Farbe weich weg, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>Nichts wurde radiert: Unter dem Kreis ist keine Farbe zu sehen.</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>Nichts wurde geschnitten: Unter dem Kreis liegt keine Kurve. Abheben nimmt Farbe weg, wo immer sie zu sehen ist.</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>Nichts wurde geschnitten: Unter dem Kreis liegt keine Kurve. „Verblassen“ nimmt Farbe weg, wo immer sie zu sehen ist.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6822,8 +6887,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist gesperrt.</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>Es wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>Es wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Verblassen“ nimmt ihre Farbe weg.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -7149,8 +7214,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie weich die Radierung endet: wie weit sie sich neben ihrer Kurve ausgebreitet hat, √(4·D·t_max).</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>Dichte, die ein Segment der Radierung in seiner Mitte wegnimmt; dünnere Farbe ist dort ganz weg.</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>Was ein Segment der Radierung in seiner Mitte wegnimmt: den Anteil der Farbe, wenn es verblassen lässt; Dichte, wenn es abhebt, und dünnere Farbe ist dort ganz weg.</translation>
     </message>
 </context>
 <context>
@@ -8549,6 +8614,10 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln radierendes Segment</numerusform>
             <numerusform>%Ln radierende Segmente</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>Sie machen Farbe blasser.</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>

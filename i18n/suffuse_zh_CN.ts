@@ -952,6 +952,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--dpi 被忽略：%1 文件不含分辨率</translation>
     </message>
     <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  线段 %1 淡化：φ %2，剩余 %3
+</translation>
+    </message>
+    <message>
         <source>  segment %1 lifts: φ %2, share %3
 </source>
         <translation>  线段 %1 吸走：φ %2，占比 %3
@@ -2722,6 +2728,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>a stroke needs at least one</source>
         <translation>一条笔画至少需要一条</translation>
+    </message>
+    <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>柔擦的线段不能同时淡化</translation>
     </message>
     <message>
         <source>the segment does not start where the one before it ends</source>
@@ -6693,6 +6703,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>淡化</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>柔擦</translation>
     </message>
@@ -6701,8 +6715,8 @@ Arrow keys work too.</source>
         <translation>剪切</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>“柔擦”柔和地擦去一切可见的颜料；“剪切”剪除曲线</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>“淡化”使一切可见的颜料变淡；“柔擦”减去其密度，使边缘内缩；“剪切”剪除曲线</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6738,8 +6752,47 @@ Arrow keys work too.</source>
         <translation>全部（未选择）</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>去除多少密度：羽化的颜料变淡，边缘清晰的颜料变窄。画笔压力会减弱它</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>淡化：擦去颜料的比例。柔擦：减去多少密度，使羽化的颜料变淡、边缘清晰的颜料变窄。画笔压力会减弱它</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>“淡化”使颜料变淡；“柔擦”减去其密度，使边缘内缩。</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>淡化</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>柔擦</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>擦去</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>它在其中央擦去颜料的比例。</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>更改强度</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>更改擦除类型</translation>
     </message>
 </context>
 <context>
@@ -6747,6 +6800,18 @@ Arrow keys work too.</source>
     <message>
         <source>Erase</source>
         <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使所选笔触按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使该群组的笔触按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使一切可见的颜料按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6761,24 +6826,24 @@ Arrow keys work too.</source>
         <translation>柔擦：拖动以柔和地擦去一切可见的颜料。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除所选曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除所选曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除该群组曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除该群组曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>未擦除任何内容：圆下没有可见的颜料。</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>未剪切任何内容：圆下没有曲线。“柔擦”可擦去一切可见的颜料。</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>未剪切任何内容：圆下没有曲线。“淡化”可擦去一切可见的颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6793,8 +6858,8 @@ Arrow keys work too.</source>
         <translation>未擦除任何内容：圆下的笔画已锁定。</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>已切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>已切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“淡化”可擦去其颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -7120,8 +7185,8 @@ Arrow keys work too.</source>
         <translation>擦除边缘的柔和程度：它在曲线旁扩散的距离，√(4·D·t_max)。</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>擦除的一个线段在其中央去除的密度；比它更薄的颜料在那里完全消失。</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>擦除的一个线段在其中央擦去的量：淡化时为颜料的比例；柔擦时为密度，比它更薄的颜料在那里完全消失。</translation>
     </message>
 </context>
 <context>
@@ -8486,6 +8551,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%Ln 个擦除线段</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>它们使颜料变淡。</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>

@@ -264,7 +264,8 @@ Stroke like(const Stroke &neighbour, const Stroke &letter)
     stroke.id = 0;
     stroke.visible = true;
     stroke.locked = false;
-    std::erase_if(stroke.segments, [](const Segment &segment) { return segment.takesPaint(); }); // only that letter is erased
+    std::erase_if(stroke.segments,
+                  [](const Segment &segment) { return segment.takesPaint(); }); // only that letter is erased
     stroke.segments.resize(1);
     Segment &values = stroke.segments.front();
     values.born = letter.segments.front().born;

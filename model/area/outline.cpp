@@ -62,8 +62,8 @@ bool onlyBounds(const Stroke &stroke, std::size_t segment)
 
 bool isFillAlone(const Stroke &stroke)
 {
-    return stroke.fill && std::ranges::all_of(stroke.segments,
-                                              [](const Segment &s) { return s.takesPaint() || !(s.density > 0); });
+    return stroke.fill &&
+           std::ranges::all_of(stroke.segments, [](const Segment &s) { return s.takesPaint() || !(s.density > 0); });
 }
 
 bool sameOutline(const Stroke &a, const Stroke &b)

@@ -1,6 +1,6 @@
-// What lifting and fading cost: times of strokes from which paint is taken away, over those of the same strokes without.
-// bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most segments are measured,
-// too.
+// What lifting and fading cost: times of strokes from which paint is taken away, over those of the same strokes
+// without. bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most
+// segments are measured, too.
 #include "model/formats/files.h"
 #include "model/shaping/curves/chains.h"
 #include "render/backends.h"

@@ -188,7 +188,8 @@ void InspectorPanel::showValues(const Inspected &inspected)
     m_picture->refresh(inspected);
     m_segments->refresh(inspected);
     // What takes paint away has no style of its own: it weakens what is there.
-    m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->takesPaint(); }));
+    m_style->setVisible(
+        std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->takesPaint(); }));
     m_style->refresh(inspected);
     m_fill->refresh(inspected);
     m_figures->refresh(inspected);

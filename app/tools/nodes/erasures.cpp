@@ -216,7 +216,8 @@ std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<Segme
     for (const SegmentRef &ref : segments) {
         if (!stroke || stroke->id != ref.stroke)
             stroke = painting.find(ref.stroke);
-        if (!stroke || ref.segment >= int(stroke->segments.size()) || !stroke->segments[std::size_t(ref.segment)].takesPaint())
+        if (!stroke || ref.segment >= int(stroke->segments.size()) ||
+            !stroke->segments[std::size_t(ref.segment)].takesPaint())
             continue;
         nodes.insert({ref.stroke, ref.segment});
         nodes.insert({ref.stroke, endNode(*stroke, ref.segment)});
