@@ -53,11 +53,8 @@ QJsonObject jsonOf(const ProbeStroke &s, bool all)
     const std::vector<ProbeShare> listed = listedOf(s, all);
     QJsonArray shares;
     for (const ProbeShare &k : listed)
-        shares.append(QJsonObject{{"segment", k.segment},
-                                  {"density", k.density},
-                                  {"share", k.share},
-                                  {"lift", k.lifts},
-                                  {"fade", k.fades}});
+        shares.append(QJsonObject{
+            {"segment", k.segment}, {"density", k.density}, {"share", k.share}, {"lift", k.lifts}, {"fade", k.fades}});
     return {{"id", qint64(s.id)},
             {"name", s.name},
             {"density", s.density},

@@ -105,7 +105,9 @@ StrokeField::StrokeField(const Stroke &stroke, Microseconds T, double eta, doubl
     }
     addFill(stroke, T);
     classify();
-    if (std::ranges::all_of(m_rows, [](const Row &row) { return row.lifts || row.fades; })) { // What only takes paint away shows nothing.
+    if (std::ranges::all_of(m_rows, [](const Row &row) {
+            return row.lifts || row.fades;
+        })) { // What only takes paint away shows nothing.
         m_box = {};
         return;
     }

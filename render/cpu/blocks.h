@@ -45,8 +45,8 @@ struct Meeting {
     }
 };
 
-/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, that lift it, that fade
-/// it; oblique ones.
+/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, that lift it, that
+/// fade it; oblique ones.
 struct ListedNodes {
     const ViewNode *nodes = nullptr;
     const std::uint32_t *at = nullptr;
@@ -54,8 +54,8 @@ struct ListedNodes {
         count = 0;                 ///< of `at`, how many come before the lifting, the fading, the oblique ones; all
     const float *values = nullptr; ///< rows of `channels` floats
     int channels = 0;
-    int painting = 0;     ///< how many channels come before φ_f, which is the last one if it is there
-    bool laid = false;    ///< whether the last of these is φ⁺
+    int painting = 0;  ///< how many channels come before φ_f, which is the last one if it is there
+    bool laid = false; ///< whether the last of these is φ⁺
 };
 
 /// Sample (i, j) lies at (x + (i+½)·step, y + (j+½)·step), in pixels.

@@ -11,8 +11,8 @@ namespace suffuse {
 inline constexpr int fixedSums = 3;
 inline constexpr int maxChannels = 17; ///< colour 4, granulation 1, shares 3, ξ 7, φ⁺ 1, φ_f 1
 
-/// Nodes that make paint paler stand among the others, but have only 2^−80 of their weight: that much counts for nothing
-/// in sums of density. Their channel, φ_f, has it back. Both are exact, since they are powers of two.
+/// Nodes that make paint paler stand among the others, but have only 2^−80 of their weight: that much counts for
+/// nothing in sums of density. Their channel, φ_f, has it back. Both are exact, since they are powers of two.
 inline constexpr float fadeUnit = 1208925819614629174706176.0f; ///< 2^80
 
 /// A level of supersampling (docs/reference.md) is divided into so many parts by the spread.

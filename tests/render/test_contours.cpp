@@ -249,8 +249,8 @@ private slots:
     void otherStrokes_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "faded", "faded fill", "mixed styles",
-                                 "spread fill", "narrow fill", "fill with a line", "turned fill"})
+        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "faded", "faded fill",
+                                 "mixed styles", "spread fill", "narrow fill", "fill with a line", "turned fill"})
             QTest::newRow(what) << what;
     }
     void otherStrokes()

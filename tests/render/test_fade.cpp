@@ -151,7 +151,8 @@ private slots:
             Stroke unfaded = above;
             std::erase_if(unfaded.segments, [](const Segment &g) { return g.fade; });
             const View view = View::ofArea(sheet, 96, 72);
-            const FloatPicture a = test::render(*m_cpu, with, view), b = test::render(*m_cpu, withStroke(with, 1, unfaded), view);
+            const FloatPicture a = test::render(*m_cpu, with, view),
+                               b = test::render(*m_cpu, withStroke(with, 1, unfaded), view);
             QVERIFY(a.at(24, 36)[0] > b.at(24, 36)[0] + 0.02f); // of the other stroke's paint
         }
     }

@@ -147,9 +147,9 @@ struct alignas(16) StrokeRecord {
     float lowest = -1;
     float keep = 1;
     std::uint8_t hasLevels = 0, granulated = 0;
-    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺ or φ_f. If it
-    /// has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has. It has no
-    /// picture.
+    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺ or
+    /// φ_f. If it has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has.
+    /// It has no picture.
     std::uint8_t plain = 0;
     std::uint8_t padding = 0;
     std::uint32_t channels = 0;

@@ -243,7 +243,8 @@ inline void checkFades(const OpenDevice &open)
         const auto p = painting({s}, 72, 54);
         compareWithOthers(cuda, p, view, "faded wash");
         CudaRenderer whole({open()}, 0, false);
-        const FloatPicture faded = test::render(cuda, p, view), was = test::render(cuda, painting({before}, 72, 54), view);
+        const FloatPicture faded = test::render(cuda, p, view),
+                           was = test::render(cuda, painting({before}, 72, 54), view);
         QVERIFY(faded.rgba == test::render(whole, p, view).rgba && faded.rgba != was.rgba);
         Rect met;
         for (const Segment &g : s.segments)
