@@ -169,7 +169,7 @@ int main(int argc, char **argv)
     double worst = 0;
     const auto isWanted = [only = parser.value("only")](const QString &row) { return row.contains(only); };
     for (const auto &[name, style] : styles)
-        for (const bool coloursVary : {false, true}) {
+        for (const bool coloursVary : {false, true})
             for (const bool fades : {false, true}) {
                 const QString row = QStringLiteral("wash, %1%2, %3")
                                         .arg(QLatin1String(name), QLatin1String(coloursVary ? ", colours" : ""),

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/panels/inspector/fill_section.h"
+#include "app/panels/inspector/rows/erasure_rows.h"
 #include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/strokes/strokes_model.h"
@@ -123,9 +124,10 @@ void ValueCard::keyPressEvent(QKeyEvent *event)
 /// The inspector has the other rows.
 void ValueCard::showFew()
 {
+    const bool fades = !m_segments->erasure()->share()->label()->isHidden(); // Then the share stands for the density.
     for (const Number<Segment> &number : numbersOf<Segment>)
         if (SliderField *row = number.member ? m_segments->row(number.member) : nullptr)
-            row->setVisible(row == m_segments->diffusion() || row == m_segments->density());
+            row->setVisible(row == m_segments->diffusion() || (row == m_segments->density() && !fades));
     m_segments->born()->setVisible(false);
     m_segments->rewet()->hide();
 }

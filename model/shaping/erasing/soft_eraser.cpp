@@ -19,7 +19,7 @@ constexpr float takingAge = 0.1f;
 constexpr double soughtRadii = 0.95, leastShare = 1.0 / 64;
 /// The points at which it is looked for lie so many radii apart.
 constexpr double spacingRadii = 1.0 / 3;
-constexpr double ln2 = std::numbers::ln2, lnUnseen = 10 * ln2; ///< e^−lnUnseen = 1/1024
+constexpr double ln2 = std::numbers::ln2, lnUnseen = 11 * ln2; ///< e^−lnUnseen = 1/2048
 /// What has been taken counts for what comes so many spreads later along the path: before, it is the same stroke of
 /// the hand.
 constexpr double sameStroke = 3;

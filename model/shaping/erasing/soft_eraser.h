@@ -32,7 +32,7 @@ struct SoftTip {
 };
 
 /// The peak of a fading density that takes a share q of the paint: −ln(1 − q). At most so much that nothing can be seen
-/// (1/1024) within the radius less the spread.
+/// (1/2048) within the radius less the spread.
 double fadingPeak(double share, const SoftTip &tip);
 
 /// The peak of a lifting density, for paint whose density is by `excess` over that at which it ends. `share`: of the

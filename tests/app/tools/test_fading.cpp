@@ -5,7 +5,7 @@
 #include "app/panels/inspector/segment_section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/slider_field.h"
-#include "model/brush/brush_presets.h"
+#include "model/brush/brush.h"
 #include "model/painting/influence.h"
 #include "model/shaping/shapes.h"
 #include "render/probe.h"
@@ -142,13 +142,14 @@ private slots:
                 choice.softness = softness;
                 s.eraser().setChoice(choice);
                 const double radius = s.eraser().radius(), rim = SoftTip{radius, softness, 1, SoftWay::Fade}.spread();
+                const double path = s.sent({280, 270}).y; // where the pointer is, in whole pixels
                 std::vector<double> was;
-                for (double y = 270; y < 360; y += 1)
-                    was.push_back(s.opacity({400, y}));
+                for (int i = 0; i < 90; ++i)
+                    was.push_back(s.opacity({400, path + i}));
                 s.erase({280, 270}, {520, 270});
                 s.dry();
                 for (std::size_t i = 0; i < was.size(); ++i) {
-                    const double left = s.opacity({400, 270 + double(i)}) / std::max(was[i], 1e-9);
+                    const double left = s.opacity({400, path + double(i)}) / std::max(was[i], 1e-9);
                     if (double(i) <= radius - rim)
                         QVERIFY2(was[i] * left <= 1.0 / 1024, qPrintable(QString::number(left)));
                     if (double(i) >= radius)

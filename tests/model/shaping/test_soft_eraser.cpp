@@ -326,7 +326,8 @@ private slots:
             // Where nothing is left to be seen, nothing is laid.
             const SoftTip whole{20, 0.6, 1, SoftWay::Fade}, small{4, 0.6, 1, SoftWay::Fade};
             const Stroke gone = erasedBy(whole, before, line({150, -60}, {150, 260}));
-            QVERIFY(erasedBy(small, gone, line({150, 80}, {150, 120})) == gone);
+            QVERIFY(erasedBy(small, gone, line({150, 80}, {150, 120}), gone.driesAt()) == gone);
+            QVERIFY(erasedBy(small, before, line({150, 80}, {150, 120}), gone.driesAt()) != before);
         }
     }
 
