@@ -252,8 +252,9 @@ inline void checkFades(const OpenDevice &open)
                 met = met.united(influenceOf(s, g, p->end()));
         for (int y = 0; y < 54; ++y)
             for (int x = 0; x < 72; ++x)
-                if (!met.grown(1).contains({x + 0.5, y + 0.5}))
-                    QVERIFY(std::equal(faded.at(x, y), faded.at(x, y) + 4, was.at(x, y)));
+                for (int c = 0; c < 4 && !met.grown(1).contains({x + 0.5, y + 0.5}); ++c)
+                    // A stroke with one more sum is evaluated by other code, which rounds in another way.
+                    QVERIFY(std::abs(faded.at(x, y)[c] - was.at(x, y)[c]) < 2e-6f);
     }
 }
 
