@@ -200,7 +200,7 @@ def strokes(payload):
     begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if is_marked else []) for _ in "xy"]
     filled = iter(list(fills(c, n)) if c.at < len(payload) else [None] * n)
     painted = iter(list(pictures(c, n, texts)) if c.at < len(payload) else [None] * n)
-    assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
+    assert c.at == len(payload) and max(marks, default=0) < 8, "bytes are left"
     marks = iter(marks)
     rows, identity, step, moment, before = iter(rows), 0, 0, 0, [0.0] * 8
     for (added, count, flags, name, brush, group, own, mix, *origin), mode in zip(of_stroke, modes):
