@@ -22,8 +22,8 @@ struct DeepNode {
     std::uint32_t row = 0;
 };
 
-/// A segment with s < 1 px (4 px if it takes paint away). The pixels that it reaches are supersampled 2^level ×
-/// 2^level.
+/// A segment with s < 1 px (4 px if it lifts paint, 2 px if it fades it). The pixels that it reaches are supersampled
+/// 2^level × 2^level.
 struct SmallSegment {
     int level = 0;
     int quarter = 0; ///< below levelQuarters; 2^level·s ≥ 2^(1 − (quarter + 1)/4) px (or liftFineness times that)
