@@ -260,6 +260,10 @@
         <translation>  Leinwand  %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  Maße      %1 × %2 mm, %3 Einheiten je Zoll</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  Striche   %1</translation>
     </message>
@@ -755,6 +759,14 @@
         <translation>Rückgängig-Schritte</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>Farbprofil</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>Größe auf Papier</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>dieser Version unbekannt, bleibt erhalten</translation>
     </message>
@@ -922,8 +934,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Von JPEG und WebP, 1 bis 100 (sonst 92); WebP verliert bei 100 nichts.</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>Pixel je Zoll, wie die Datei sie nennt (sonst nennt sie keine).</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>Pixel je Zoll, wie die Datei sie nennt (sonst so viele, dass das Bild auf Papier so groß ist, wie IN es sagt; sagt IN nichts, nennt sie keine).</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -956,6 +968,12 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi bleibt ohne Wirkung: %1-Dateien nennen keine Auflösung</translation>
+    </message>
+    <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  Segment %1 lässt verblassen: φ %2, es bleibt %3
+</translation>
     </message>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
@@ -1091,8 +1109,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--profile %1: %2; ein ICC-Profil für RGB-Farben angeben</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>Wenn OUT ein PDF ist: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in, in die das Blatt passt (sonst das Blatt selbst, von dem 96 Einheiten ein Zoll sind).</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>Wo OUT eine PDF-Datei ist: A3, A4, A5, Letter oder eine Größe wie 200x150mm oder 8x6in, in die das Blatt passt (sonst das Blatt, so groß wie es auf Papier ist; wo das nicht gesagt ist, sind 96 Einheiten ein Zoll).</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -2747,6 +2765,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>ein Strich braucht mindestens eines</translation>
     </message>
     <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>ein Segment, das abhebt, kann nicht auch verblassen lassen</translation>
+    </message>
+    <message>
         <source>the segment does not start where the one before it ends</source>
         <translation>das Segment beginnt nicht, wo das vorige endet</translation>
     </message>
@@ -3872,6 +3894,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 mm bei %3 dpi</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 Zoll bei %3 dpi</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -5032,7 +5062,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten</translation>
+        <translation>Rückgängig-Sc&amp;hritte in der Datei behalten</translation>
     </message>
     <message>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
@@ -5260,7 +5290,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten (%1)</translation>
+        <translation>Rückgängig-Sc&amp;hritte in der Datei behalten (%1)</translation>
     </message>
     <message>
         <source>Canvas, while held</source>
@@ -6102,6 +6132,22 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Zeichnun&amp;g exportieren …</translation>
     </message>
     <message>
+        <source>Prin&amp;t…</source>
+        <translation>D&amp;rucken …</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>Auf Papier oder als Seite einer PDF-Datei</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>Druck&amp;vorschau …</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>Die Seite groß ansehen, bevor sie gedruckt wird</translation>
+    </message>
+    <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>Genaue Umrisse und Bänder der Farbe für Inkscape, Plotter und Browser (SVG)</translation>
     </message>
@@ -6722,6 +6768,10 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>Verblassen</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Abheben</translation>
     </message>
@@ -6730,8 +6780,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>Abheben nimmt Farbe weich weg, wo immer sie zu sehen ist; Schneiden schneidet Kurven heraus</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>Verblassen macht Farbe blasser, wo immer sie zu sehen ist; Abheben nimmt ihre Dichte weg, sodass Ränder zurückweichen; Schneiden schneidet Kurven heraus</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6767,8 +6817,47 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Alle (nichts ausgewählt)</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>Wie viel Dichte weggenommen wird: Auslaufende Farbe wird blasser, scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>Verblassen: der Anteil der Farbe, der weggenommen wird. Abheben: wie viel Dichte, sodass auslaufende Farbe blasser wird und scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>Verblassen macht Farbe blasser; Abheben nimmt ihre Dichte weg, sodass Ränder zurückweichen.</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Verblassen</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Nimmt</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>Der Anteil der Farbe, den sie in ihrer Mitte wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>Stärke ändern</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>Art der Radierung ändern</translation>
     </message>
 </context>
 <context>
@@ -6776,6 +6865,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Erase</source>
         <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht die ausgewählten Striche blasser, je nach Stärke. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht die Striche der Gruppe blasser, je nach Stärke. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Verblassen: Ziehen macht Farbe blasser, je nach Stärke, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6790,24 +6891,24 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abheben: Ziehen nimmt Farbe weich weg, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ]: Größe, { und }: Stärke.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ]: Größe.</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: weich radieren. [ und ]: Größe.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>Nichts wurde radiert: Unter dem Kreis ist keine Farbe zu sehen.</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>Nichts wurde geschnitten: Unter dem Kreis liegt keine Kurve. Abheben nimmt Farbe weg, wo immer sie zu sehen ist.</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>Nichts wurde geschnitten: Unter dem Kreis liegt keine Kurve. „Verblassen“ nimmt Farbe weg, wo immer sie zu sehen ist.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6822,8 +6923,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist gesperrt.</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>Es wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Abheben“ nimmt ihre Farbe weg.</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>Es wurde geschnitten, doch ist kaum eine Lücke zu sehen: Ihre Ränder sind weicher, als der Schnitt breit ist. „Verblassen“ nimmt ihre Farbe weg.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6999,6 +7100,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nach %1 exportiert</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>An den Drucker %1 übergeben</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>%1 wird exportiert …</translation>
     </message>
@@ -7149,8 +7254,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie weich die Radierung endet: wie weit sie sich neben ihrer Kurve ausgebreitet hat, √(4·D·t_max).</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>Dichte, die ein Segment der Radierung in seiner Mitte wegnimmt; dünnere Farbe ist dort ganz weg.</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>Was ein Segment der Radierung in seiner Mitte wegnimmt: den Anteil der Farbe, wenn es verblassen lässt; Dichte, wenn es abhebt, und dünnere Farbe ist dort ganz weg.</translation>
     </message>
 </context>
 <context>
@@ -7160,8 +7265,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Bilder mit Ebenen (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7172,8 +7277,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7500,8 +7605,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Tintenaufzeichnung (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7984,8 +8089,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>wurde von einem neueren Programm (%1) geschrieben; bitte Suffuse aktualisieren</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, Xournal++, SVG und Diffusionskurven (XML)</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink, InkML, Excalidraw, MyPaint-Ereignisse, Xournal++, Rnote, SVG und Diffusionskurven (XML)</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8261,8 +8366,8 @@ Auch die Pfeiltasten wirken.</translation>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist weder ein SVG noch ein Notizbuch von Xournal++. Bitte erst entpacken. %1.</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>Diese Datei ist mit gzip gepackt, und was darin ist, ist weder ein SVG noch ein Notizbuch von Xournal++ oder Rnote. Bitte erst entpacken. %1.</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8283,6 +8388,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>the colour profile</source>
         <translation>das Farbprofil</translation>
+    </message>
+    <message>
+        <source>the size on paper</source>
+        <translation>die Größe auf Papier</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8332,11 +8441,88 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Xournal++ notebook</source>
         <translation>Xournal++-Notizbuch</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>InkML-Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Rnote-Notizbuch</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>das erste Element ist nicht ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>seine Gruppen sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>ein Punkt hat mehr als %1 Werte</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>die Spur ist keine Liste von Punkten mit je %1 Zahlen, oder es sind mehr als %2 Punkte</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>die Spur hat kein X und Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>ein Punkt ist weiter als 1e7 Einheiten entfernt</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>enthält kein lesbares Notizbuch; bitte mit Rnote 0.5 oder neuer speichern</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>ein Punkt besteht nicht aus zwei Zahlen innerhalb von ±1e7</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>hat mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>ist Universal Ink %1.%2; gelesen werden 3.0 und 3.1</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>ist beschädigt: Ein Teil ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>sein Teil %1 ist auf eine Weise gepackt, die nicht gelesen werden kann</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n Linienart</numerusform>
             <numerusform>%n Linienarten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n Form</numerusform>
+            <numerusform>%n Formen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n Weg des Stifts über dem Papier</numerusform>
+            <numerusform>%n Wege des Stifts über dem Papier</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n Abbildung von Kanälen</numerusform>
+            <numerusform>%n Abbildungen von Kanälen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8549,6 +8735,10 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%Ln radierendes Segment</numerusform>
             <numerusform>%Ln radierende Segmente</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>Sie machen Farbe blasser.</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
@@ -9128,6 +9318,212 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Save Preset</source>
         <translation>Vorgabe speichern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Drucken</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>Druckt die Farbe der Leinwand; ohne sie liegt die Farbe auf dem Papier, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>In Datei drucken (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>Wo die Seite herauskommt</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Eine Datei lässt sich anderswo drucken.</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>Die PDF-Datei, die geschrieben wird: eine Seite, so groß wie das Papier.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>Wie oft die Seite gedruckt wird</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>Wie das Papier liegt</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>Die Größe des Papiers</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>Linker Rand</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>Oberer Rand</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>Rechter Rand</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>Unterer Rand</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>Was an dieser Kante des Papiers leer bleibt</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>An die Seite angepasst</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Tatsächliche Größe</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>Von der tatsächlichen Größe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>Wie groß das Bild auf dem Papier liegt</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>Mit wie vielen Punkten je Zoll das Bild gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>Üblich: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>Die des Druckers: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>Die Ränder lassen auf dem Papier keinen Platz.</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>Das Bild misst auf dem Papier %1 × %2 mm.</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>Was nicht passt, wird abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>PDF-Dateien</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>„%1“ ist nicht mehr da. Wählen Sie einen anderen Drucker.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>Die Seite passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>Auf der Platte ist kein Platz für die Seite: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>Der Drucker nimmt die Seite nicht an. Sehen Sie nach, ob er da ist, oder drucken Sie in eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -10172,6 +10568,13 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Full</source>
         <translation>Voll</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>
@@ -12502,8 +12905,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>Eines PDFs: Das Blatt passt in die Seite, in ihre Mitte. Von selbst hat es 96 Einheiten je Zoll.</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>In einer PDF-Datei: Das Blatt passt in die Mitte der Seite. Für sich ist es so groß wie auf Papier oder hat, wo das nicht gesagt ist, 96 Einheiten je Zoll.</translation>
     </message>
 </context>
 <context>

@@ -414,6 +414,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n shape</numerusform>
+            <numerusform>%n shapes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n way of the pen over the paper</numerusform>
+            <numerusform>%n ways of the pen over the paper</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n mapping of channels</numerusform>
+            <numerusform>%n mappings of channels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n recording(s) of sound</source>
         <translation>
             <numerusform>%n recording of sound</numerusform>

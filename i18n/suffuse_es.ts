@@ -260,6 +260,10 @@
         <translation>  lienzo    %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  en papel  %1 × %2 mm, %3 unidades por pulgada</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  trazos    %1</translation>
     </message>
@@ -755,6 +759,14 @@
         <translation>historial de deshacer</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>perfil de color</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>tamaño en papel</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>desconocido para esta versión, se conserva</translation>
     </message>
@@ -922,8 +934,8 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>De JPEG y WebP, de 1 a 100 (predeterminado: 92); con 100, WebP no pierde nada.</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>Píxeles por pulgada, tal como lo dice el archivo (predeterminado: no dice nada).</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>Píxeles por pulgada, tal como lo dice el archivo (predeterminado: los que hacen que la imagen sea en papel tan grande como dice IN; si no lo dice, nada).</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -956,6 +968,12 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     <message>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi no tiene efecto: los archivos %1 no guardan la resolución</translation>
+    </message>
+    <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  el segmento %1 atenúa: φ %2, queda %3
+</translation>
     </message>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
@@ -1091,8 +1109,8 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>--profile %1: %2; indique un perfil ICC de colores RGB</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>Si OUT es un PDF: A3, A4, A5, Letter o un tamaño como 200x150mm u 8x6in, en el que cabe la hoja (predeterminado: la hoja, de la que 96 unidades son una pulgada).</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>Si OUT es un PDF: A3, A4, A5, Letter o un tamaño como 200x150mm u 8x6in, en el que cabe la hoja (predeterminado: la hoja, tan grande como es en papel; si no se dice, 96 unidades son una pulgada).</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -2747,6 +2765,10 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>un trazo necesita al menos uno</translation>
     </message>
     <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>un segmento que levanta no puede también atenuar</translation>
+    </message>
+    <message>
         <source>the segment does not start where the one before it ends</source>
         <translation>el segmento no empieza donde termina el anterior</translation>
     </message>
@@ -3874,6 +3896,14 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>Altura del lienzo en unidades; una unidad es un píxel al 100 %.</translation>
     </message>
     <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 mm a %3 ppp</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 in a %3 ppp</translation>
+    </message>
+    <message>
         <source>Texture</source>
         <translation>Textura</translation>
     </message>
@@ -4224,7 +4254,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
+        <translation>E&amp;xportar…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
@@ -4396,7 +4426,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation>Abrir &amp;reciente</translation>
+        <translation>A&amp;brir reciente</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -6099,7 +6129,23 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Export &amp;Drawing…</source>
-        <translation>Exportar di&amp;bujo…</translation>
+        <translation>Exportar dibu&amp;jo…</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t…</source>
+        <translation>Imp&amp;rimir…</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>En papel, o como página de un archivo PDF</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>Vista pr&amp;evia de impresión…</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>Ver la página en grande antes de imprimirla</translation>
     </message>
     <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
@@ -6722,6 +6768,10 @@ Las teclas de flecha también funcionan.</translation>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>Atenuar</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Levantar</translation>
     </message>
@@ -6730,8 +6780,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Cortar</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>Levantar quita pintura suavemente, dondequiera que se vea; Cortar recorta las curvas</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>Atenuar vuelve la pintura más pálida, dondequiera que se vea; Levantar quita su densidad, de modo que los bordes se retraen; Cortar recorta las curvas</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6767,8 +6817,47 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Todos (nada seleccionado)</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>Cuánta densidad se quita: la pintura difuminada se vuelve más pálida, y la de borde nítido, más estrecha. La presión del lápiz la reduce</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>Atenuar: la parte de la pintura que se quita. Levantar: cuánta densidad; la pintura difuminada se vuelve más pálida, y la de borde nítido, más estrecha. La presión del lápiz la reduce</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>Atenuar vuelve la pintura más pálida; Levantar quita su densidad, de modo que los bordes se retraen.</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Atenuar</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Levantar</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Quita</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>La parte de la pintura que quita en su medio.</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>Cambiar intensidad</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>No es posible para todo lo seleccionado: un valor quedaría fuera del intervalo.</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>Cambiar tipo de borrado</translation>
     </message>
 </context>
 <context>
@@ -6776,6 +6865,18 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Erase</source>
         <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atenuar: arrastrar para volver más pálidos los trazos seleccionados, según la intensidad. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atenuar: arrastrar para volver más pálidos los trazos del grupo, según la intensidad. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atenuar: arrastrar para volver la pintura más pálida, según la intensidad, dondequiera que se vea. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6790,24 +6891,24 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Levantar: arrastrar para quitar pintura suavemente, dondequiera que se vea. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas seleccionadas. Mayús: levantar. [ y ] cambian el tamaño.</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas seleccionadas. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas del grupo. Mayús: levantar. [ y ] cambian el tamaño.</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas del grupo. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay de las curvas bajo el círculo. Mayús: levantar. [ y ] cambian el tamaño.</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Cortar: arrastrar para recortar lo que hay de las curvas bajo el círculo. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>No se borra nada: no se ve pintura bajo el círculo.</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>No se corta nada: no hay ninguna curva bajo el círculo. Levantar quita pintura dondequiera que se vea.</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>No se corta nada: no hay ninguna curva bajo el círculo. Atenuar quita pintura dondequiera que se vea.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6822,8 +6923,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>No se borra nada: lo que hay bajo el círculo está bloqueado.</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>Se ha cortado, pero apenas se ve un hueco: sus bordes son más suaves que el ancho del corte. Levantar quita su pintura.</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>Se ha cortado, pero apenas se ve un hueco: sus bordes son más suaves que el ancho del corte. Atenuar quita su pintura.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6999,6 +7100,10 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Exportado a %1</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>Enviado a la impresora %1</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>Exportando %1…</translation>
     </message>
@@ -7149,8 +7254,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Con qué suavidad termina el borrado: hasta dónde se ha expandido junto a su curva, √(4·D·t_max).</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>Densidad que un segmento del borrado quita en su medio; la pintura menos densa desaparece ahí.</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>Lo que un segmento del borrado quita en su medio: una parte de la pintura si atenúa; densidad si levanta, y la pintura menos densa desaparece ahí.</translation>
     </message>
 </context>
 <context>
@@ -7160,8 +7265,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Imágenes con capas (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>Todo lo que se puede abrir (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>Todo lo que se puede abrir (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7172,8 +7277,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Copias de seguridad de obras (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>Grabaciones de lápiz (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>Grabaciones de lápiz (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7500,8 +7605,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Grabación de tinta (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7984,8 +8089,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>lo escribió un programa más nuevo (%1); actualice Suffuse</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse lee .suffuse, su forma de texto (.json), tinta como CSV, Universal Ink JSON, Excalidraw, eventos de MyPaint, Xournal++, SVG y curvas de difusión (XML)</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse lee .suffuse, su forma de texto (.json), tinta como CSV, Universal Ink, InkML, Excalidraw, eventos de MyPaint, Xournal++, Rnote, SVG y curvas de difusión (XML)</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8261,8 +8366,8 @@ Las teclas de flecha también funcionan.</translation>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>Este archivo está comprimido con gzip, y lo que contiene no es ni un SVG ni un cuaderno de Xournal++. Descomprímalo antes. %1.</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>Este archivo está comprimido con gzip, y lo que contiene no es ni un SVG ni un cuaderno de Xournal++ o de Rnote. Descomprímalo antes. %1.</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8283,6 +8388,10 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>the colour profile</source>
         <translation>el perfil de color</translation>
+    </message>
+    <message>
+        <source>the size on paper</source>
+        <translation>el tamaño en papel</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8332,11 +8441,88 @@ Las teclas de flecha también funcionan.</translation>
         <source>Xournal++ notebook</source>
         <translation>Cuaderno de Xournal++</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>Grabación InkML</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Cuaderno de Rnote</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>el primer elemento no es ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>sus grupos están anidados a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>un punto tiene más de %1 valores</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>la traza no es una lista de puntos con %1 números cada uno, o hay más de %2 puntos</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>la traza no tiene X e Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>un punto está a más de 1e7 unidades</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>no contiene ningún cuaderno que se pueda leer; guárdelo con Rnote 0.5 o posterior</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>un punto no consta de dos números dentro de ±1e7</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>tiene más de %1 números</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>es Universal Ink %1.%2; se pueden leer 3.0 y 3.1</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>está dañado: una de sus partes no está intacta</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>su parte %1 está comprimida de un modo que no se puede leer</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n estilo de línea</numerusform>
             <numerusform>%n estilos de línea</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n forma</numerusform>
+            <numerusform>%n formas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n trayecto del lápiz por encima del papel</numerusform>
+            <numerusform>%n trayectos del lápiz por encima del papel</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n conversión de canales</numerusform>
+            <numerusform>%n conversiones de canales</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8549,6 +8735,10 @@ Las teclas de flecha también funcionan.</translation>
             <numerusform>%Ln segmento que borra</numerusform>
             <numerusform>%Ln segmentos que borran</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>Vuelven la pintura más pálida.</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
@@ -9128,6 +9318,212 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Save Preset</source>
         <translation>Guardar preajuste</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Imprimir</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>Imprime el color del lienzo; sin él, la pintura queda sobre el papel tal como es.</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>Imprimir en archivo (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Impresora</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>Por dónde sale la página</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>No hay ninguna impresora configurada en este equipo. Un archivo se puede imprimir en otro lugar.</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>El archivo PDF que se escribe: una página tan grande como el papel.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copias</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>Cuántas veces se imprime la página</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>En qué sentido está el papel</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>El tamaño del papel</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierdo</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecho</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>Margen izquierdo</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>Margen superior</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>Margen derecho</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>Margen inferior</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>Lo que queda vacío en este borde del papel</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Márgenes</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>Ajustar a la página</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Tamaño real</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Escalado</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>Respecto al tamaño real</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>Qué tamaño tiene la imagen en el papel</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 ppp</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolución</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>Con cuántos puntos por pulgada se dibuja la imagen</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>Habitual: %1 ppp</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>La de la impresora: %1 ppp</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>Los márgenes no dejan espacio en el papel.</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>La imagen mide %1 × %2 mm en el papel.</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>Lo que no cabe se corta.</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>Archivos PDF</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>«%1» ya no está. Elija otra impresora.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>La página no cabe en la memoria.</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>No hay espacio para la página en el disco: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>La impresora no acepta la página. Compruebe si está ahí, o imprima en un archivo.</translation>
     </message>
 </context>
 <context>
@@ -10172,6 +10568,13 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Full</source>
         <translation>Completo</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
     </message>
 </context>
 <context>
@@ -12502,8 +12905,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Página</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>De un PDF: la hoja cabe en la página, en su centro. Por sí sola tiene 96 unidades por pulgada.</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>De un PDF: la hoja cabe en la página, en su centro. Por sí sola es tan grande como en papel o, si no se dice, tiene 96 unidades por pulgada.</translation>
     </message>
 </context>
 <context>

@@ -260,6 +260,10 @@
         <translation>  canevas   %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  imprimé   %1 × %2 mm, %3 unités par pouce</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  traits    %1</translation>
     </message>
@@ -755,6 +759,14 @@
         <translation>historique d’annulation</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>profil de couleur</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>taille sur papier</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>inconnu de cette version, conservé</translation>
     </message>
@@ -922,8 +934,8 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>Pour JPEG et WebP, de 1 à 100 (par défaut 92) ; à 100, WebP est sans perte.</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>Pixels par pouce, tels que le fichier les indique (par défaut : il n’indique rien).</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>Pixels par pouce, tels que le fichier les indique (par défaut : ce qu’il faut pour que l’image soit aussi grande sur papier que IN le dit ; sinon, il n’indique rien).</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -956,6 +968,12 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <message>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi est ignoré : les fichiers %1 ne contiennent pas de résolution</translation>
+    </message>
+    <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  le segment %1 atténue : φ %2, il en reste %3
+</translation>
     </message>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
@@ -1091,8 +1109,8 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>--profile %1 : %2 ; indiquez un profil ICC de couleurs RVB</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>Quand OUT est un PDF : A3, A4, A5, Letter, ou une taille comme 200x150mm ou 8x6in, dans laquelle la feuille s’inscrit (par défaut : la feuille, à 96 unités par pouce).</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>Quand OUT est un PDF : A3, A4, A5, Letter, ou une taille comme 200x150mm ou 8x6in, dans laquelle la feuille s’inscrit (par défaut : la feuille, aussi grande que sur papier ; si cela n’est pas dit, à 96 unités par pouce).</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -2747,6 +2765,10 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>un trait en demande au moins un</translation>
     </message>
     <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>un segment qui éponge ne peut pas aussi atténuer</translation>
+    </message>
+    <message>
         <source>the segment does not start where the one before it ends</source>
         <translation>le segment ne commence pas où finit le précédent</translation>
     </message>
@@ -3872,6 +3894,14 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>Hauteur du canevas en unités ; une unité est un pixel à 100 %.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 mm à %3 ppp</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 po à %3 ppp</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -5012,7 +5042,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Export Ti&amp;melapse…</source>
-        <translation>Exporter un &amp;accéléré…</translation>
+        <translation>Exporter un acc&amp;éléré…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
@@ -5116,7 +5146,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Save a Cop&amp;y…</source>
-        <translation>Enregistrer une co&amp;pie…</translation>
+        <translation>Enregistrer une &amp;copie…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+Shift+S</source>
@@ -6102,6 +6132,22 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Exporter un &amp;dessin…</translation>
     </message>
     <message>
+        <source>Prin&amp;t…</source>
+        <translation>Im&amp;primer…</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>Sur papier, ou comme page d’un fichier PDF</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>&amp;Aperçu avant impression…</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>Voir la page en grand avant de l’imprimer</translation>
+    </message>
+    <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>Contours exacts et bandes de peinture pour Inkscape, traceurs et navigateurs (SVG)</translation>
     </message>
@@ -6722,6 +6768,10 @@ Les touches fléchées fonctionnent aussi.</translation>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>Atténuer</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Éponger</translation>
     </message>
@@ -6730,8 +6780,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Couper</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>Éponger enlève de la peinture en douceur, partout où on la voit ; Couper découpe les courbes</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>Atténuer rend la peinture plus pâle, partout où on la voit ; Éponger enlève sa densité, si bien que les bords se retirent ; Couper découpe les courbes</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6767,8 +6817,47 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Tous (rien de sélectionné)</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>Combien de densité est enlevée : la peinture à bords fondus pâlit, celle à bord net rétrécit. La pression du stylet en retire</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>Atténuer : la part de peinture enlevée. Éponger : combien de densité ; la peinture à bords fondus pâlit, celle à bord net rétrécit. La pression du stylet en retire</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>Atténuer rend la peinture plus pâle ; Éponger enlève sa densité, si bien que les bords se retirent.</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Atténuer</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Éponger</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Enlève</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>La part de peinture qu’il enlève en son milieu.</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>Changer l’intensité</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Impossible pour toute la sélection : une valeur serait hors limites.</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>Changer le type d’effacement</translation>
     </message>
 </context>
 <context>
@@ -6776,6 +6865,18 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Erase</source>
         <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atténuer : glisser pour rendre plus pâles les traits sélectionnés, selon l’intensité. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atténuer : glisser pour rendre plus pâles les traits du groupe, selon l’intensité. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Atténuer : glisser pour rendre la peinture plus pâle, selon l’intensité, partout où on la voit. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6790,24 +6891,24 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Éponger : glisser pour enlever en douceur la peinture, partout où on la voit. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes sélectionnées, est sous le cercle. Maj : éponger. [ et ] changent la taille.</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Couper : glisser pour découper ce qui, des courbes sélectionnées, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes du groupe, est sous le cercle. Maj : éponger. [ et ] changent la taille.</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Couper : glisser pour découper ce qui, des courbes du groupe, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes, est sous le cercle. Maj : éponger. [ et ] changent la taille.</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>Couper : glisser pour découper ce qui, des courbes, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>Rien n’est effacé : on ne voit pas de peinture sous le cercle.</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>Rien n’est coupé : aucune courbe n’est sous le cercle. Éponger enlève de la peinture partout où on la voit.</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>Rien n’est coupé : aucune courbe n’est sous le cercle. Atténuer enlève de la peinture partout où on la voit.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6822,8 +6923,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Rien n’est effacé : ce qui est sous le cercle est verrouillé.</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>Coupé, mais on voit à peine une lacune : ses bords sont plus doux que la coupe n’est large. Éponger enlève sa peinture.</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>Coupé, mais on voit à peine une lacune : ses bords sont plus doux que la coupe n’est large. Atténuer enlève sa peinture.</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6999,6 +7100,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Exporté dans %1</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>Transmis à l’imprimante %1</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>Exportation de %1…</translation>
     </message>
@@ -7149,8 +7254,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Avec quelle douceur finit l’effacement : jusqu’où il s’est étalé à côté de sa courbe, √(4·D·t_max).</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>Densité qu’un segment de l’effacement enlève en son milieu ; une peinture plus mince y disparaît.</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>Ce qu’un segment de l’effacement enlève en son milieu : une part de la peinture s’il atténue ; de la densité s’il éponge, et une peinture plus mince y disparaît.</translation>
     </message>
 </context>
 <context>
@@ -7160,8 +7265,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Images à calques (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>Tout ce qui peut être ouvert (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>Tout ce qui peut être ouvert (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7172,8 +7277,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Sauvegardes de tableaux (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>Enregistrements au stylet (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>Enregistrements au stylet (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7500,8 +7605,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Enregistrement d’encre (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7984,8 +8089,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>a été écrit par un programme plus récent (%1) ; mettez Suffuse à jour</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse lit .suffuse, sa forme textuelle (.json), l’encre en CSV, Universal Ink JSON, Excalidraw, les événements MyPaint, Xournal++, SVG et les courbes de diffusion (XML)</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse lit .suffuse, sa forme textuelle (.json), l’encre en CSV, Universal Ink, InkML, Excalidraw, les événements MyPaint, Xournal++, Rnote, SVG et les courbes de diffusion (XML)</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8261,8 +8366,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>Ce fichier est compressé avec gzip, et ce qu’il contient n’est ni un SVG ni un carnet de Xournal++. Décompressez-le d’abord. %1.</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>Ce fichier est compressé avec gzip, et ce qu’il contient n’est ni un SVG ni un carnet de Xournal++ ou de Rnote. Décompressez-le d’abord. %1.</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8283,6 +8388,10 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>the colour profile</source>
         <translation>le profil de couleur</translation>
+    </message>
+    <message>
+        <source>the size on paper</source>
+        <translation>la taille sur papier</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8332,11 +8441,88 @@ Les touches fléchées fonctionnent aussi.</translation>
         <source>Xournal++ notebook</source>
         <translation>Carnet Xournal++</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>Enregistrement InkML</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Carnet Rnote</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>le premier élément n’est pas ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>ses groupes sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>un point a plus de %1 valeurs</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>le tracé n’est pas une liste de points à %1 nombres chacun, ou il y a plus de %2 points</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>le tracé n’a pas de X et Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>un point est à plus de 1e7 unités</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>ne contient pas de carnet lisible ; enregistrez-le avec Rnote 0.5 ou une version ultérieure</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>un point n’est pas fait de deux nombres dans ±1e7</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>a plus de %1 nombres</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>est en Universal Ink %1.%2 ; 3.0 et 3.1 sont lisibles</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>est endommagé : une partie n’en est pas intacte</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>sa partie %1 est compressée d’une façon illisible</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n style de ligne</numerusform>
             <numerusform>%n styles de ligne</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n forme</numerusform>
+            <numerusform>%n formes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n trajet du stylet au-dessus du papier</numerusform>
+            <numerusform>%n trajets du stylet au-dessus du papier</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n conversion de canaux</numerusform>
+            <numerusform>%n conversions de canaux</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8549,6 +8735,10 @@ Les touches fléchées fonctionnent aussi.</translation>
             <numerusform>%Ln segment qui efface</numerusform>
             <numerusform>%Ln segments qui effacent</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>Ils rendent la peinture plus pâle.</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
@@ -9128,6 +9318,212 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Save Preset</source>
         <translation>Enregistrer le préréglage</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>&amp;Imprimer</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>Imprime la couleur du canevas ; sans elle, la peinture est posée sur le papier tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>Imprimer dans un fichier (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Imprimante</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>Où sort la page</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>Aucune imprimante n’est configurée sur cet ordinateur. Un fichier peut être imprimé ailleurs.</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>Le fichier PDF écrit : une page aussi grande que le papier.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copies</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>Combien de fois la page est imprimée</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Portrait</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Paysage</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>Dans quel sens est le papier</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>La taille du papier</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>Marge gauche</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>Marge du haut</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>Marge droite</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>Marge du bas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>Ce qui reste vide à ce bord du papier</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Marges</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>Ajuster à la page</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Mise à l’échelle</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>Par rapport à la taille réelle</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>Quelle taille l’image a sur le papier</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 ppp</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>Avec combien de points par pouce l’image est dessinée</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>Habituelle : %1 ppp</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>Celle de l’imprimante : %1 ppp</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>Les marges ne laissent pas de place sur le papier.</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>L’image mesure %1 × %2 mm sur le papier.</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>Ce qui ne tient pas est coupé.</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>Fichiers PDF</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>« %1 » n’est plus là. Choisissez une autre imprimante.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>La page ne tient pas en mémoire.</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>Il n’y a pas de place pour la page sur le disque : %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>L’imprimante n’accepte pas la page. Vérifiez qu’elle est là, ou imprimez dans un fichier.</translation>
     </message>
 </context>
 <context>
@@ -10172,6 +10568,13 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Full</source>
         <translation>Complet</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
     </message>
 </context>
 <context>
@@ -12502,8 +12905,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Page</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>D’un PDF : la feuille s’inscrit dans la page, en son milieu. D’elle-même, elle a 96 unités par pouce.</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>D’un PDF : la feuille s’inscrit dans la page, en son milieu. D’elle-même, elle est aussi grande que sur papier ou, si cela n’est pas dit, a 96 unités par pouce.</translation>
     </message>
 </context>
 <context>

@@ -260,6 +260,10 @@
         <translation>  キャンバス  %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  紙の上      %1 × %2 mm、1 インチあたり %3 単位</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  ストローク  %1</translation>
     </message>
@@ -754,6 +758,14 @@
         <translation>取り消し履歴</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>カラープロファイル</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>紙の上での大きさ</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>このバージョンでは不明（保持します）</translation>
     </message>
@@ -916,8 +928,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>JPEG と WebP の画質、1～100（既定値 92）。WebP は 100 で無劣化です。</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>ファイルに記される 1 インチあたりのピクセル数（既定では記されません）。</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>ファイルに記される 1 インチあたりのピクセル数（既定では、紙の上での大きさが IN の示す大きさになる値。IN が示していなければ記されません）。</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -950,6 +962,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi は無視されます。%1 ファイルは解像度を持ちません</translation>
+    </message>
+    <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  セグメント %1 が薄くする: φ %2、残り %3
+</translation>
     </message>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
@@ -1084,8 +1102,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--profile %1: %2。RGB カラーの ICC プロファイルを指定してください</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>OUT が PDF の場合: A3、A4、A5、Letter、または 200x150mm や 8x6in のようなサイズ。用紙がこの中に収まります（既定では用紙と同じ、96 単位が 1 インチ）。</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>OUT が PDF の場合: A3、A4、A5、Letter、または 200x150mm や 8x6in のようなサイズ。用紙がこの中に収まります（既定では用紙の紙の上での大きさ。指定がなければ 96 単位が 1 インチ）。</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -2724,6 +2742,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>ストロークには少なくとも 1 つ必要です</translation>
     </message>
     <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>リフトするセグメントは、同時に薄くすることはできません</translation>
+    </message>
+    <message>
         <source>the segment does not start where the one before it ends</source>
         <translation>セグメントが、前のセグメントの終点から始まっていません</translation>
     </message>
@@ -3848,6 +3870,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>キャンバスの高さ、単位。1 単位は 100 % 表示で 1 ピクセルです。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 mm、%3 dpi</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 in、%3 dpi</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -6073,6 +6103,22 @@ Arrow keys work too.</source>
         <translation>ベクター画像をエクスポート(&amp;D)…</translation>
     </message>
     <message>
+        <source>Prin&amp;t…</source>
+        <translation>印刷(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>紙に、または PDF ファイルの 1 ページとして印刷します</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>印刷プレビュー(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>印刷する前にページを大きく表示します</translation>
+    </message>
+    <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>Inkscape、プロッター、ブラウザー用の正確なアウトラインと絵の具の帯（SVG）</translation>
     </message>
@@ -6693,6 +6739,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>薄くする</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>リフト</translation>
     </message>
@@ -6701,8 +6751,8 @@ Arrow keys work too.</source>
         <translation>カット</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>リフトは、見えている所の絵の具をやわらかく取り除きます。カットは曲線を切り抜きます</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>「薄くする」は、見えている所の絵の具を薄くします。リフトは濃度を取り除くため、縁が内側へ縮みます。カットは曲線を切り抜きます</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6738,8 +6788,47 @@ Arrow keys work too.</source>
         <translation>すべて（選択なし）</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>取り除く濃度の量。フェザーの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧で弱まります</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>薄くする：取り除く絵の具の割合。リフト：取り除く濃度の量。フェザーの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧で弱まります</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>「薄くする」は絵の具を薄くします。リフトは濃度を取り除くため、縁が内側へ縮みます。</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>薄くする</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>リフト</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>取り除く量</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>中央で取り除く絵の具の割合。</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>強さを変更</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>選択したものすべてには設定できません。範囲外になる値があります。</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>消し跡の種類を変更</translation>
     </message>
 </context>
 <context>
@@ -6747,6 +6836,18 @@ Arrow keys work too.</source>
     <message>
         <source>Erase</source>
         <translation>消去</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>薄くする：ドラッグで、選択したストロークを強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>薄くする：ドラッグで、グループのストロークを強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>薄くする：ドラッグで、見えている絵の具を強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6761,24 +6862,24 @@ Arrow keys work too.</source>
         <translation>リフト：ドラッグで、見えている絵の具をやわらかく取り除く。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、選択した曲線の円の下の部分を切り抜く。Shift：リフト。[ と ] でサイズを変更。</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>カット：ドラッグで、選択した曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、グループの曲線の円の下の部分を切り抜く。Shift：リフト。[ と ] でサイズを変更。</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>カット：ドラッグで、グループの曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、曲線の円の下の部分を切り抜く。Shift：リフト。[ と ] でサイズを変更。</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>カット：ドラッグで、曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>何も消えませんでした。円の下に絵の具が見えません。</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>何もカットされませんでした。円の下に曲線がありません。リフトなら、見えている所の絵の具を取り除けます。</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>何もカットされませんでした。円の下に曲線がありません。「薄くする」なら、見えている所の絵の具を取り除けます。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6793,8 +6894,8 @@ Arrow keys work too.</source>
         <translation>何も消えませんでした。円の下のものはロックされています。</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>カットされましたが、切れ目はほとんど見えません。カットの幅より縁がやわらかいためです。リフトなら絵の具を取り除けます。</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>カットされましたが、切れ目はほとんど見えません。カットの幅より縁がやわらかいためです。「薄くする」なら絵の具を取り除けます。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6970,6 +7071,10 @@ Arrow keys work too.</source>
         <translation>%1 にエクスポートしました</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>プリンター %1 に送りました</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>%1 をエクスポート中…</translation>
     </message>
@@ -7120,8 +7225,8 @@ Arrow keys work too.</source>
         <translation>消し跡の縁のやわらかさ。曲線の横へ広がった距離: √(4·D·t_max)。</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>消し跡の 1 セグメントが中央で取り除く濃度。これより薄い絵の具はなくなります。</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>消し跡の 1 セグメントが中央で取り除く量。「薄くする」では絵の具の割合、リフトでは濃度で、これより薄い絵の具はなくなります。</translation>
     </message>
 </context>
 <context>
@@ -7131,8 +7236,8 @@ Arrow keys work too.</source>
         <translation>レイヤー付き画像 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>開けるすべてのファイル (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>開けるすべてのファイル (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7143,8 +7248,8 @@ Arrow keys work too.</source>
         <translation>絵のバックアップ (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>ペンの記録 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>ペンの記録 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7466,8 +7571,8 @@ Arrow keys work too.</source>
         <translation>インク記録 (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7950,8 +8055,8 @@ Arrow keys work too.</source>
         <translation>より新しいプログラム（%1）で書き込まれています。Suffuse を更新してください</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse が読み込めるのは、.suffuse、そのテキスト形式 (.json)、CSV のインク、Universal Ink JSON、Excalidraw、MyPaint イベント、Xournal++、SVG、拡散曲線 (XML) です</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse が読み込めるのは、.suffuse、そのテキスト形式 (.json)、CSV のインク、Universal Ink、InkML、Excalidraw、MyPaint イベント、Xournal++、Rnote、SVG、拡散曲線 (XML) です</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8206,8 +8311,8 @@ Arrow keys work too.</source>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>このファイルは gzip で圧縮されており、中身は SVG でも Xournal++ のノートでもありません。先に展開してください。%1。</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>このファイルは gzip で圧縮されており、中身は SVG でも Xournal++ や Rnote のノートでもありません。先に展開してください。%1。</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8228,6 +8333,10 @@ Arrow keys work too.</source>
     <message>
         <source>the colour profile</source>
         <translation>カラープロファイル</translation>
+    </message>
+    <message>
+        <source>the size on paper</source>
+        <translation>紙の上での大きさ</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8277,10 +8386,84 @@ Arrow keys work too.</source>
         <source>Xournal++ notebook</source>
         <translation>Xournal++ ノート</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>InkML の記録</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Rnote ノート</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>最初の要素が ink ではありません</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>グループの入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>値が %1 個を超える点があります</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>トレースが、数値 %1 個ずつの点のリストではないか、点が %2 個を超えています</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>トレースに X と Y がありません</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>1e7 単位より遠い点があります</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>読み込めるノートがありません。Rnote 0.5 以降で保存してください</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>±1e7 の範囲の数値 2 個になっていない点があります</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>数値が %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>Universal Ink %1.%2 です。読み込めるのは 3.0 と 3.1 です</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>破損しています。一部が完全ではありません</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>%1 の部分は、読み込めない方法で圧縮されています</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>線のスタイル %n 個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>図形 %n 個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>紙から浮かせたペンの動き %n 個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>チャンネルの変換 %n 個</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8486,6 +8669,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>消去セグメント %Ln 個</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>絵の具を薄くします。</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
@@ -9060,6 +9247,212 @@ Arrow keys work too.</source>
     <message>
         <source>Save Preset</source>
         <translation>プリセットを保存</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>印刷(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>キャンバスの色を印刷します。オフの場合は、絵の具だけが用紙に印刷されます。</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>ファイルに印刷（PDF）</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>プリンター</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>ページの出力先</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>このコンピューターにはプリンターが設定されていません。ファイルなら、ほかの場所で印刷できます。</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>書き込む PDF ファイル。用紙と同じ大きさの 1 ページです。</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>部数</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>ページを印刷する回数</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>縦</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>用紙の向き</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>用紙のサイズ</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>左の余白</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>上の余白</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>右の余白</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>下の余白</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>用紙のこの端で空けておく幅</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>余白</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>ページに合わせる</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>実際のサイズ</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>倍率を指定</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>実際のサイズに対する割合</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>用紙の上での画像の大きさ</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>解像度</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>画像を描画する 1 インチあたりのドット数</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>標準: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>プリンターの解像度: %1 dpi</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>余白が大きすぎて、用紙に印刷する場所がありません。</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>画像は用紙の上で %1 × %2 mm です。</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>収まらない部分は切り取られます。</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>PDF ファイル</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>「%1」が見つからなくなりました。別のプリンターを選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>ページがメモリに収まりません。</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>ディスクにページを書き込む空きがありません: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>プリンターがページを受け付けません。プリンターがあるか確かめるか、ファイルに印刷してください。</translation>
     </message>
 </context>
 <context>
@@ -10102,6 +10495,13 @@ Arrow keys work too.</source>
     <message>
         <source>Full</source>
         <translation>すべて</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
     </message>
 </context>
 <context>
@@ -12422,8 +12822,8 @@ Arrow keys work too.</source>
         <translation>ページ</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>PDF の場合：用紙がページの中央に収まります。用紙自体は 1 インチあたり 96 単位です。</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>PDF の場合：用紙がページの中央に収まります。用紙自体は紙の上での大きさ、指定がなければ 1 インチあたり 96 単位です。</translation>
     </message>
 </context>
 <context>

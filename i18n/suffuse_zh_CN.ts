@@ -260,6 +260,10 @@
         <translation>  画布      %1 × %2</translation>
     </message>
     <message>
+        <source>  on paper  %1 × %2 mm, %3 units an inch</source>
+        <translation>  纸上大小  %1 × %2 毫米，每英寸 %3 个单位</translation>
+    </message>
+    <message>
         <source>  strokes   %1</source>
         <translation>  笔画      %1</translation>
     </message>
@@ -754,6 +758,14 @@
         <translation>撤销历史</translation>
     </message>
     <message>
+        <source>colour profile</source>
+        <translation>颜色配置文件</translation>
+    </message>
+    <message>
+        <source>size on paper</source>
+        <translation>纸上大小</translation>
+    </message>
+    <message>
         <source>unknown to this version, kept</source>
         <translation>此版本不认识，予以保留</translation>
     </message>
@@ -916,8 +928,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>JPEG 与 WebP 的质量，1 到 100（默认 92）；WebP 为 100 时无损。</translation>
     </message>
     <message>
-        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
-        <translation>文件中注明的每英寸像素数（默认不注明）。</translation>
+        <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
+        <translation>文件中标明的每英寸像素数（默认：使图片在纸上与 IN 标明的大小相同的值；否则不标明）。</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -950,6 +962,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi 被忽略：%1 文件不含分辨率</translation>
+    </message>
+    <message>
+        <source>  segment %1 fades: φ %2, which leaves %3
+</source>
+        <translation>  线段 %1 淡化：φ %2，剩余 %3
+</translation>
     </message>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
@@ -1084,8 +1102,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--profile %1：%2；请给出 RGB 颜色的 ICC 配置文件</translation>
     </message>
     <message>
-        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet, of which 96 units are an inch).</source>
-        <translation>OUT 为 PDF 时：A3、A4、A5、Letter，或 200x150mm、8x6in 之类的尺寸，画面会适应其中（默认：画面本身，96 单位为一英寸）。</translation>
+        <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
+        <translation>OUT 为 PDF 时：A3、A4、A5、Letter，或 200x150mm、8x6in 这样的尺寸，画纸会放入其中（默认：画纸在纸上的大小；没有给出时，96 个单位为一英寸）。</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -2724,6 +2742,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>一条笔画至少需要一条</translation>
     </message>
     <message>
+        <source>a segment that lifts cannot fade as well</source>
+        <translation>柔擦的线段不能同时淡化</translation>
+    </message>
+    <message>
         <source>the segment does not start where the one before it ends</source>
         <translation>线段的起点不在前一段的终点</translation>
     </message>
@@ -3848,6 +3870,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
         <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm at %3 dpi</source>
+        <translation>%1 × %2 毫米，%3 dpi</translation>
+    </message>
+    <message>
+        <source>%1 × %2 in at %3 dpi</source>
+        <translation>%1 × %2 英寸，%3 dpi</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -6073,6 +6103,22 @@ Arrow keys work too.</source>
         <translation>导出图形(&amp;D)…</translation>
     </message>
     <message>
+        <source>Prin&amp;t…</source>
+        <translation>打印(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>On paper, or as a page of a PDF file</source>
+        <translation>打印到纸上，或输出为 PDF 文件的一页</translation>
+    </message>
+    <message>
+        <source>Print Previe&amp;w…</source>
+        <translation>打印预览(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>See the page in large before it is printed</source>
+        <translation>打印前放大查看页面</translation>
+    </message>
+    <message>
         <source>Exact outlines and bands of paint for Inkscape, plotters and browsers (SVG)</source>
         <translation>为 Inkscape、绘图仪和浏览器导出颜料的精确轮廓和条带（SVG）</translation>
     </message>
@@ -6693,6 +6739,10 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::EraserFields</name>
     <message>
+        <source>Fade</source>
+        <translation>淡化</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>柔擦</translation>
     </message>
@@ -6701,8 +6751,8 @@ Arrow keys work too.</source>
         <translation>剪切</translation>
     </message>
     <message>
-        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>“柔擦”柔和地擦去一切可见的颜料；“剪切”剪除曲线</translation>
+        <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
+        <translation>“淡化”使一切可见的颜料变淡；“柔擦”减去其密度，使边缘内缩；“剪切”剪除曲线</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6738,8 +6788,47 @@ Arrow keys work too.</source>
         <translation>全部（未选择）</translation>
     </message>
     <message>
-        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>去除多少密度：羽化的颜料变淡，边缘清晰的颜料变窄。画笔压力会减弱它</translation>
+        <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>淡化：擦去颜料的比例。柔擦：减去多少密度，使羽化的颜料变淡、边缘清晰的颜料变窄。画笔压力会减弱它</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ErasureRows</name>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
+        <translation>“淡化”使颜料变淡；“柔擦”减去其密度，使边缘内缩。</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>淡化</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>柔擦</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>擦去</translation>
+    </message>
+    <message>
+        <source>The share of the paint that it takes in its middle.</source>
+        <translation>它在其中央擦去颜料的比例。</translation>
+    </message>
+    <message>
+        <source>Change strength</source>
+        <translation>更改强度</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
+    </message>
+    <message>
+        <source>Change kind of erasure</source>
+        <translation>更改擦除类型</translation>
     </message>
 </context>
 <context>
@@ -6747,6 +6836,18 @@ Arrow keys work too.</source>
     <message>
         <source>Erase</source>
         <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使所选笔触按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使该群组的笔触按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>淡化：拖动使一切可见的颜料按强度变淡。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
@@ -6761,24 +6862,24 @@ Arrow keys work too.</source>
         <translation>柔擦：拖动以柔和地擦去一切可见的颜料。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除所选曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除所选曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除该群组曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除该群组曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
-        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切：拖动以剪除曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
+        <translation>剪切：拖动以剪除曲线在圆下的部分。Shift：柔和擦除。[ 和 ] 改变大小。</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
         <translation>未擦除任何内容：圆下没有可见的颜料。</translation>
     </message>
     <message>
-        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>未剪切任何内容：圆下没有曲线。“柔擦”可擦去一切可见的颜料。</translation>
+        <source>Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.</source>
+        <translation>未剪切任何内容：圆下没有曲线。“淡化”可擦去一切可见的颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
@@ -6793,8 +6894,8 @@ Arrow keys work too.</source>
         <translation>未擦除任何内容：圆下的笔画已锁定。</translation>
     </message>
     <message>
-        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes its paint away.</source>
-        <translation>已切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“柔擦”可擦去其颜料。</translation>
+        <source>It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes its paint away.</source>
+        <translation>已切开，但几乎看不到缝隙：其边缘比切口宽度更柔和。“淡化”可擦去其颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
@@ -6970,6 +7071,10 @@ Arrow keys work too.</source>
         <translation>已导出到 %1</translation>
     </message>
     <message>
+        <source>Given to the printer %1</source>
+        <translation>已交给打印机 %1</translation>
+    </message>
+    <message>
         <source>Exporting %1…</source>
         <translation>正在导出 %1…</translation>
     </message>
@@ -7120,8 +7225,8 @@ Arrow keys work too.</source>
         <translation>擦除边缘的柔和程度：它在曲线旁扩散的距离，√(4·D·t_max)。</translation>
     </message>
     <message>
-        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
-        <translation>擦除的一个线段在其中央去除的密度；比它更薄的颜料在那里完全消失。</translation>
+        <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
+        <translation>擦除的一个线段在其中央擦去的量：淡化时为颜料的比例；柔擦时为密度，比它更薄的颜料在那里完全消失。</translation>
     </message>
 </context>
 <context>
@@ -7131,8 +7236,8 @@ Arrow keys work too.</source>
         <translation>带图层的图片 (*.ora *.psd)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.svg *.svgz *.pdf *.xml)</translation>
+        <source>All that can be opened (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.ora *.psd *.csv *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote *.svg *.svgz *.pdf *.xml)</translation>
     </message>
     <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
@@ -7143,8 +7248,8 @@ Arrow keys work too.</source>
         <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
     </message>
     <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</source>
-        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj)</translation>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</source>
+        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat *.xopp *.xoj *.uim *.inkml *.rnote)</translation>
     </message>
     <message>
         <source>Drawings (*.svg *.svgz *.pdf)</source>
@@ -7466,8 +7571,8 @@ Arrow keys work too.</source>
         <translation>笔迹记录 (CSV)</translation>
     </message>
     <message>
-        <source>Universal Ink (JSON)</source>
-        <translation>Universal Ink (JSON)</translation>
+        <source>Universal Ink</source>
+        <translation>Universal Ink</translation>
     </message>
     <message>
         <source>Excalidraw drawing</source>
@@ -7950,8 +8055,8 @@ Arrow keys work too.</source>
         <translation>由更新的程序（%1）写成；请更新 Suffuse</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)</source>
-        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、Xournal++、SVG 和扩散曲线（XML）</translation>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink、InkML、Excalidraw、MyPaint 事件、Xournal++、Rnote、SVG 和扩散曲线（XML）</translation>
     </message>
     <message>
         <source>SVG drawing</source>
@@ -8206,8 +8311,8 @@ Arrow keys work too.</source>
         </translation>
     </message>
     <message>
-        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++. Unpack it first. %1.</source>
-        <translation>此文件用 gzip 压缩，其中的内容既不是 SVG 也不是 Xournal++ 笔记。请先解压。%1。</translation>
+        <source>This file is compressed with gzip, and what is in it is neither an SVG nor a notebook of Xournal++ or Rnote. Unpack it first. %1.</source>
+        <translation>此文件用 gzip 压缩，其中的内容既不是 SVG，也不是 Xournal++ 或 Rnote 笔记。请先解压。%1。</translation>
     </message>
     <message>
         <source>Another program has changed the drawing since Suffuse wrote it. It is opened as it is drawn now, not as the painting that is in it.</source>
@@ -8228,6 +8333,10 @@ Arrow keys work too.</source>
     <message>
         <source>the colour profile</source>
         <translation>颜色配置文件</translation>
+    </message>
+    <message>
+        <source>the size on paper</source>
+        <translation>纸上大小</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8277,10 +8386,84 @@ Arrow keys work too.</source>
         <source>Xournal++ notebook</source>
         <translation>Xournal++ 笔记</translation>
     </message>
+    <message>
+        <source>InkML recording</source>
+        <translation>InkML 笔迹</translation>
+    </message>
+    <message>
+        <source>Rnote notebook</source>
+        <translation>Rnote 笔记</translation>
+    </message>
+    <message>
+        <source>the first element is not ink</source>
+        <translation>第一个元素不是 ink</translation>
+    </message>
+    <message>
+        <source>its groups are too deep</source>
+        <translation>分组嵌套过深</translation>
+    </message>
+    <message>
+        <source>a point has more than %1 values</source>
+        <translation>一个点的数值多于 %1 个</translation>
+    </message>
+    <message>
+        <source>the trace is not a list of points with %1 numbers each, or there are more than %2 points</source>
+        <translation>轨迹不是由各含 %1 个数字的点组成的列表，或点数超过 %2</translation>
+    </message>
+    <message>
+        <source>the trace has no X and Y</source>
+        <translation>轨迹没有 X 和 Y</translation>
+    </message>
+    <message>
+        <source>a point is farther than 1e7 units away</source>
+        <translation>有一个点的距离超过 1e7 个单位</translation>
+    </message>
+    <message>
+        <source>holds no notebook that can be read; save it with Rnote 0.5 or later</source>
+        <translation>不含可读取的笔记；请用 Rnote 0.5 或更新版本保存</translation>
+    </message>
+    <message>
+        <source>a point is not two numbers within ±1e7</source>
+        <translation>有一个点不是两个在 ±1e7 之内的数字</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>数字多于 %1 个</translation>
+    </message>
+    <message>
+        <source>is Universal Ink %1.%2; 3.0 and 3.1 can be read</source>
+        <translation>是 Universal Ink %1.%2；可读取 3.0 和 3.1</translation>
+    </message>
+    <message>
+        <source>is damaged: a part of it is not whole</source>
+        <translation>已损坏：有一部分不完整</translation>
+    </message>
+    <message>
+        <source>its part %1 is packed in a way that cannot be read</source>
+        <translation>其中的 %1 部分采用了无法读取的压缩方式</translation>
+    </message>
     <message numerus="yes">
         <source>%n line style(s)</source>
         <translation>
             <numerusform>%n 种线型</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shape(s)</source>
+        <translation>
+            <numerusform>%n 个形状</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) of the pen over the paper</source>
+        <translation>
+            <numerusform>%n 段笔在纸面上方的移动</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mapping(s) of channels</source>
+        <translation>
+            <numerusform>%n 个通道映射</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8486,6 +8669,10 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%Ln 个擦除线段</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They make paint paler.</source>
+        <translation>它们使颜料变淡。</translation>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
@@ -9060,6 +9247,212 @@ Arrow keys work too.</source>
     <message>
         <source>Save Preset</source>
         <translation>保存预设</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintDialog</name>
+    <message>
+        <source>Print</source>
+        <translation>打印</translation>
+    </message>
+    <message>
+        <source>&amp;Print</source>
+        <translation>打印(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Prints the canvas's colour; without it the paint lies on the paper as it is.</source>
+        <translation>打印画布的颜色；不勾选时，颜料直接落在纸上。</translation>
+    </message>
+    <message>
+        <source>Print to File (PDF)</source>
+        <translation>打印到文件 (PDF)</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>打印机</translation>
+    </message>
+    <message>
+        <source>Where the page comes out</source>
+        <translation>页面从哪里输出</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. A file can be printed elsewhere.</source>
+        <translation>这台电脑没有设置打印机。文件可以在别处打印。</translation>
+    </message>
+    <message>
+        <source>The PDF file that is written: one page as large as the paper.</source>
+        <translation>要写入的 PDF 文件：一页，与纸张一样大。</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>份数</translation>
+    </message>
+    <message>
+        <source>How often the page is printed</source>
+        <translation>页面打印几份</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 毫米</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>纵向</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横向</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>How the paper lies</source>
+        <translation>纸张的放置方向</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>The size of the paper</source>
+        <translation>纸张的大小</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Left margin</source>
+        <translation>左边距</translation>
+    </message>
+    <message>
+        <source>Top margin</source>
+        <translation>上边距</translation>
+    </message>
+    <message>
+        <source>Right margin</source>
+        <translation>右边距</translation>
+    </message>
+    <message>
+        <source>Bottom margin</source>
+        <translation>下边距</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> 毫米</translation>
+    </message>
+    <message>
+        <source>What stays empty at this edge of the paper</source>
+        <translation>纸张这一边留白的宽度</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>边距</translation>
+    </message>
+    <message>
+        <source>Fit to the page</source>
+        <translation>适合页面</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>实际尺寸</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Of the actual size</source>
+        <translation>相对于实际尺寸</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>How large the picture lies on the paper</source>
+        <translation>图片在纸上有多大</translation>
+    </message>
+    <message>
+        <source>%1 dpi</source>
+        <translation>%1 dpi</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source>How many dots an inch the picture is drawn with</source>
+        <translation>每英寸用多少点绘制图片</translation>
+    </message>
+    <message>
+        <source>Usual: %1 dpi</source>
+        <translation>通常：%1 dpi</translation>
+    </message>
+    <message>
+        <source>The printer's: %1 dpi</source>
+        <translation>打印机的：%1 dpi</translation>
+    </message>
+    <message>
+        <source>The margins leave no room on the paper.</source>
+        <translation>边距在纸上没有留下空间。</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 mm on the paper.</source>
+        <translation>图片在纸上为 %1 × %2 毫米。</translation>
+    </message>
+    <message>
+        <source>What does not fit is cut off.</source>
+        <translation>放不下的部分会被裁掉。</translation>
+    </message>
+    <message>
+        <source>PDF files</source>
+        <translation>PDF 文件</translation>
+    </message>
+    <message>
+        <source>“%1” is not there any more. Choose another printer.</source>
+        <translation>“%1”已不存在。请选择其他打印机。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintJob</name>
+    <message>
+        <source>The page does not fit into memory.</source>
+        <translation>内存放不下这一页。</translation>
+    </message>
+    <message>
+        <source>There is no room for the page on the disk: %1</source>
+        <translation>磁盘上没有存放此页的空间：%1</translation>
+    </message>
+    <message>
+        <source>The printer does not take the page. See whether it is there, or print to a file.</source>
+        <translation>打印机没有接受此页。请检查打印机是否可用，或打印到文件。</translation>
     </message>
 </context>
 <context>
@@ -10102,6 +10495,13 @@ Arrow keys work too.</source>
     <message>
         <source>Full</source>
         <translation>完整</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SheetView</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
     </message>
 </context>
 <context>
@@ -12422,8 +12822,8 @@ Arrow keys work too.</source>
         <translation>页面</translation>
     </message>
     <message>
-        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an inch.</source>
-        <translation>用于 PDF：画面适应页面并居中。其自身大小为每英寸 96 单位。</translation>
+        <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
+        <translation>用于 PDF：画纸放入页面并居中。不选页面时，画纸与纸上的大小相同；没有给出纸上大小时，每英寸 96 个单位。</translation>
     </message>
 </context>
 <context>

@@ -69,7 +69,7 @@ std::vector<ProbeStroke> probeStrokes(const reference::Drawing::Drawn &drawn, Mi
             if (!(density > 0))
                 continue;
             local.add(segment, stroke.styleOf(segment), density);
-            own.shares.push_back({int(k), segment.lift, density, 0});
+            own.shares.push_back({int(k), segment.lift, segment.fade, density, 0});
         }
     }
     ProbeStroke result;
@@ -83,6 +83,7 @@ std::vector<ProbeStroke> probeStrokes(const reference::Drawing::Drawn &drawn, Mi
     result.fillShare = result.fillDensity / local.laid();
     result.density = local.density();
     result.lifted = local.lifted();
+    result.faded = local.faded();
     result.granulation = local.granulation();
     result.modulated = modulation(local.granulation(), paper) * local.density();
     result.densityFunction = local.coverage(paper);
@@ -96,7 +97,7 @@ std::vector<ProbeStroke> probeStrokes(const reference::Drawing::Drawn &drawn, Mi
     for (ProbeStroke &own : all) {
         result.id = own.id, result.name = own.name;
         for (ProbeShare &share : own.shares)
-            share.share = share.density / local.laid();
+            share.share = share.fades ? 0 : share.density / local.laid();
         result.shares = std::move(own.shares);
         own = result;
     }
@@ -108,7 +109,7 @@ double partOf(const ProbeStroke &stroke)
 {
     double part = stroke.fillShare;
     for (const ProbeShare &share : stroke.shares)
-        part += share.lifts ? 0 : share.share;
+        part += share.lifts || share.fades ? 0 : share.share;
     return part;
 }
 

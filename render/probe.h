@@ -13,8 +13,9 @@ namespace suffuse {
 struct ProbeShare {
     int segment = 0;    ///< index of the segment
     bool lifts = false; ///< whether it takes so much paint away
+    bool fades = false; ///< whether it makes the paint paler
     double density = 0; ///< φ_k
-    double share = 0;   ///< φ_k/φ⁺, where φ⁺ is the sum over the segments that lay paint
+    double share = 0;   ///< φ_k/φ⁺, where φ⁺ is the sum over the segments that lay paint; 0 if it fades
 };
 
 /// A stroke at the point, and the colour of the canvas after it.
@@ -23,6 +24,7 @@ struct ProbeStroke {
     QString name;
     double density = 0;             ///< φ (14): what is left of φ⁺ where paint is taken away
     double lifted = 0;              ///< φ⁻, the density that is taken away
+    double faded = 0;               ///< φ_f: e^−φ_f of the opacity is left
     double granulation = 1;         ///< ω̄ (15)
     double modulated = 0;           ///< φ′ = γφ (16)
     double densityFunction = 0;     ///< F (17-19)

@@ -81,9 +81,10 @@ std::vector<LineOfWidth> seenLines(const Stroke &stroke)
             const Segment &segment = stroke.segments[std::size_t(k)];
             const Cubic curve = offsetsOf(segment);
             const double age = segment.age(segment.driesAt()), cut = visibleCut(stroke.styleOf(segment));
-            const double half = segment.lift || !(cut > 0) ? 0
-                                                           : halfWidth(diffusionAcross(segment, tangentAt(curve, 0.5)),
-                                                                       double(segment.density), age, cut);
+            const double half =
+                segment.takesPaint() || !(cut > 0)
+                    ? 0
+                    : halfWidth(diffusionAcross(segment, tangentAt(curve, 0.5)), double(segment.density), age, cut);
             if (!(half > 0)) {
                 goesOn = false;
                 continue;
@@ -143,7 +144,7 @@ Fill fillOfLines(const Stroke &stroke)
 void layNoPaint(Stroke &stroke)
 {
     for (Segment &segment : stroke.segments)
-        if (!segment.lift)
+        if (!segment.takesPaint())
             segment.density = 0;
 }
 

@@ -27,12 +27,12 @@ Rect enclosedBox(const Stroke &stroke)
 
 Fill usualFill(const Stroke &stroke)
 {
-    const auto paints = std::ranges::find_if(stroke.segments, [](const Segment &s) { return !s.lift; });
+    const auto paints = std::ranges::find_if(stroke.segments, [](const Segment &s) { return !s.takesPaint(); });
     Fill fill;
     fill.density = float(2 * visibleCut(stroke.style)); // It is half of that along a long straight edge.
     fill.born = stroke.born();
     for (const Segment &segment : stroke.segments) // An outline that is being drawn encloses nothing yet.
-        if (!segment.lift)
+        if (!segment.takesPaint())
             fill.born = std::max(fill.born, segment.born);
     if (paints == stroke.segments.end())
         return fill;

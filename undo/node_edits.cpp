@@ -354,7 +354,8 @@ Edit removeErasures(const Document &document)
         const bool isPart = chosen != selection.segments.end() && chosen->stroke == stroke.id;
         std::vector<int> gone, sources;
         for (int k = 0; k < int(stroke.segments.size()); ++k)
-            if (stroke.segments[std::size_t(k)].lift && (!isPart || selection.segments.contains({stroke.id, k})))
+            if (stroke.segments[std::size_t(k)].takesPaint() &&
+                (!isPart || selection.segments.contains({stroke.id, k})))
                 gone.push_back(k);
         std::optional<Stroke> left = gone.empty() ? std::nullopt : withoutSegments(stroke, gone, &sources);
         if (!left)

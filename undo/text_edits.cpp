@@ -192,9 +192,9 @@ std::vector<int> stayingLetters(const std::vector<Letter> &old, const QString &o
 /// Gives a stroke the outline of a letter. The segments have the values of the first one it had that lays paint.
 void setOutline(Stroke &stroke, const Letter &letter)
 {
-    const auto laying = std::ranges::find(stroke.segments, false, &Segment::lift);
+    const auto laying = std::ranges::find(stroke.segments, false, &Segment::takesPaint);
     Segment values = laying == stroke.segments.end() ? stroke.segments.front() : *laying;
-    values.start = values.lift = false;
+    values.start = values.lift = values.fade = false;
     values.node = NodeKind::Corner;
     values.style.reset();
     stroke.segments.clear();
@@ -229,7 +229,7 @@ StrokePtr asLetter(const Stroke &values, const Letter &letter, const Affine &map
     stroke->name = letter.characters.toString();
     setOutline(*stroke, letter);
     Stroke erased = values;
-    std::erase_if(erased.segments, [](const Segment &segment) { return !segment.lift; });
+    std::erase_if(erased.segments, [](const Segment &segment) { return !segment.takesPaint(); });
     if (!erased.segments.empty() && !stroke->segments.empty()) {
         erased.fill = {};
         erased = transformed(erased, map, SpreadRule::Scales);
@@ -264,12 +264,13 @@ Stroke like(const Stroke &neighbour, const Stroke &letter)
     stroke.id = 0;
     stroke.visible = true;
     stroke.locked = false;
-    std::erase_if(stroke.segments, [](const Segment &segment) { return segment.lift; }); // only that letter is erased
+    std::erase_if(stroke.segments,
+                  [](const Segment &segment) { return segment.takesPaint(); }); // only that letter is erased
     stroke.segments.resize(1);
     Segment &values = stroke.segments.front();
     values.born = letter.segments.front().born;
     values.rewet.clear();
-    values.lift = false;
+    values.lift = values.fade = false;
     if (stroke.fill) {
         Fill fill = *stroke.fill;
         fill.born = values.born;

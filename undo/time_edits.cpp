@@ -27,7 +27,7 @@ public:
         const auto first = selection.segments.lower_bound({stroke.id, 0});
         m_all = first == selection.segments.end() || first->stroke != stroke.id;
         for (std::size_t k = 0; k < stroke.segments.size() && !m_drawsPaint; ++k)
-            m_drawsPaint = !stroke.segments[k].lift && contains(k);
+            m_drawsPaint = !stroke.segments[k].takesPaint() && contains(k);
     }
     bool any() const { return m_there; }
     /// Whether it means the stroke itself, its fill included, and not some of its segments.
@@ -37,7 +37,7 @@ public:
         return m_there && (m_all || m_selection.segments.contains({m_stroke.id, int(segment)}));
     }
     /// Whether the segment is of the kind that is drawn, selected or not.
-    bool isOfDrawing(std::size_t segment) const { return m_stroke.segments[segment].lift != m_drawsPaint; }
+    bool isOfDrawing(std::size_t segment) const { return m_stroke.segments[segment].takesPaint() != m_drawsPaint; }
     bool draws(std::size_t segment) const { return isOfDrawing(segment) && contains(segment); }
 
 private:
@@ -177,7 +177,7 @@ Microseconds paintBegins(const Stroke &stroke)
 {
     Microseconds begin = latest;
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift)
+        if (!segment.takesPaint())
             begin = std::min(begin, segment.born);
     return begin;
 }
@@ -191,7 +191,7 @@ void drawAnew(Stroke &stroke, Apply apply)
     apply(stroke);
     const Microseconds begin = paintBegins(stroke);
     for (Segment &segment : stroke.segments)
-        if (segment.lift && segment.born >= before && segment.born < begin)
+        if (segment.takesPaint() && segment.born >= before && segment.born < begin)
             shift(segment, {.by = begin - segment.born});
 }
 

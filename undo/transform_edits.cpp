@@ -143,7 +143,7 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
             continue;
         const bool lays = stroke->laysPaint();
         for (const Segment &segment : stroke->segments) {
-            if (segment.lift && lays)
+            if (segment.takesPaint() && lays)
                 continue;
             const Cubic cubic = stroke->cubicOf(segment);
             const auto isWithin = [&box, control = cubic.controlBox()] {

@@ -1,7 +1,6 @@
 #include "app/canvas/canvas_widget.h"
 
 #include "app/canvas/handles/guide_handle.h"
-#include "app/canvas/handles/rulers.h"
 #include "app/canvas/handles/symmetry_handle.h"
 #include "app/canvas/input/layer_note.h"
 #include "app/session/colour_convert.h"
@@ -44,7 +43,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make, C
     setTabletTracking(true);
     setMinimumSize(160, 120);
     setAttribute(Qt::WA_AcceptTouchEvents);
-    readPalette();
+    m_overlay.readPalette(palette());
     m_screenColours.read(*this);
     m_presenter = makePresenter(*this, this);
     m_repaint.setPresenter(m_presenter);
@@ -54,7 +53,9 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make, C
         addHandles();
     } else {
         m_input.setLooksOnly();
-        m_aids.showOutlines = false;
+        CanvasAids aids = m_overlay.aids();
+        aids.showOutlines = false;
+        m_overlay.setAids(aids);
     }
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
@@ -64,8 +65,8 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make, C
     // The canvas may have become bare, or is no longer bare.
     connect(&editor, &Editor::comparedChanged, this, [this] { updateOverlay(); });
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
-    connect(&m_note, &CanvasNote::changed, this, [this] { updateOverlay(); });
-    connect(&editor.layer(), &CurrentLayer::noted, &m_note, &CanvasNote::show);
+    connect(&note(), &CanvasNote::changed, this, [this] { updateOverlay(); });
+    connect(&editor.layer(), &CurrentLayer::noted, &note(), &CanvasNote::show);
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
@@ -94,14 +95,20 @@ void CanvasWidget::addHandles()
 {
     const auto dpr = [this] { return devicePixelRatioF(); };
     m_handles.add(std::make_unique<SymmetryHandle>(
-        m_editor.aids(), m_view, [this] { return m_aids.showSymmetry && !isBare(); }, dpr));
+        m_editor.aids(), m_view, [this] { return aids().showSymmetry && !isBare(); }, dpr));
     m_handles.add(std::make_unique<GuideHandle>(
         m_editor.aids(), m_view,
-        GuideHandle::Surroundings{[this] { return m_aids; }, [this] { return isBare(); },
+        GuideHandle::Surroundings{[this] { return aids(); }, [this] { return rulerUnit(); },
+                                  [this] { return isBare(); },
                                   [this](Point pixel) { return tool() && tool()->leavesToGuides(pixel); }, dpr,
                                   [this](int guide) { emit guideAsked(guide); }}));
     connect(&m_editor.aids(), &DrawingAids::aboutToReset, this, [this] { m_handles.cancel(); });
     connect(&m_editor.aids(), &DrawingAids::changed, this, [this] { updateOverlay(); });
+}
+
+RulerUnit CanvasWidget::rulerUnit() const
+{
+    return m_overlay.rulerUnit();
 }
 
 CanvasWidget::~CanvasWidget()
@@ -125,7 +132,7 @@ void CanvasWidget::follow(const Change &change)
     if (change.canvas || change.reset)
         wantUnderlay();
     const bool altersFrame = change.texts && !m_editor.selection().isEmpty(); // around a text that is selected
-    if (change.canvas || change.reset || altersFrame || m_aids.showErasures || m_missing.any())
+    if (change.canvas || change.reset || altersFrame || m_overlay.followsPaint())
         updateOverlay();
     else if (change.selection || !m_editor.selection().isEmpty())
         m_repaint.follow(change);
@@ -139,7 +146,7 @@ void CanvasWidget::follow(const Change &change)
 
 void CanvasWidget::followMoment()
 {
-    if (m_aids.showErasures && !m_erasures.holds(m_editor.clock().time()))
+    if (m_overlay.changesUntil(m_editor.clock().time()))
         updateOverlay();
     if (!m_selected.followMoment())
         return;
@@ -190,7 +197,7 @@ void CanvasWidget::setTool(Tool *next)
     if (tool())
         disconnect(tool(), nullptr, this, nullptr);
     m_input.hand().setTool(next);
-    m_revealed = false;
+    m_overlay.reveal(false); // All of the overlay is painted anew below.
     if (next)
         connect(next, &Tool::typingChanged, this, &CanvasWidget::followTyping);
     if (next)
@@ -385,102 +392,27 @@ std::optional<ShownUnderlay> CanvasWidget::underlay() const
 
 void CanvasWidget::paintAround(QPainter &painter)
 {
-    constexpr int veil = 115; // Paint below this veil is seen as paint, and as no part of the picture.
-    OverlayColours colours = m_colours;
-    if (m_aids.showBeyond)
-        colours.pasteboard.setAlpha(veil);
-    painter.save();
-    paintPasteboard(painter, view(), m_editor.unsettled().painting()->canvas.area(), colours, devicePixelRatioF());
-    painter.restore();
+    m_overlay.paintAround(painter, devicePixelRatioF());
 }
 
 void CanvasWidget::paintOverlay(QPainter &painter)
 {
-    const double dpr = devicePixelRatioF();
-    painter.save();
-    if (m_aids.showGrid)
-        paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
-    painter.setRenderHint(QPainter::Antialiasing);
-    m_handles.paint(painter, view(), m_colours, dpr);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    if (!isBare())
-        m_missing.paint(painter, view(), m_editor.unsettled().painting(), m_colours, dpr);
-    if (showsOutlines())
-        paintSelection(painter, dpr);
-    paintErasures(painter, dpr);
-    painter.restore();
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (tool() && !isBare())
-        tool()->paint(painter, view(), dpr);
-    m_input.keyboardPen().paint(painter, dpr);
-    paintAngle(painter, dpr);
-    if (m_aids.showRulers)
-        paintRulers(painter, view(), unitOf(m_aids.rulerUnits), m_colours, dpr);
-    m_note.paint(painter, view(), dpr);
+    m_overlay.paint(painter, devicePixelRatioF());
     m_repaint.painted(m_lift.isFloating());
     if (m_use == CanvasUse::Work)
         m_editor.laterChanges().painted();
 }
 
-void CanvasWidget::paintSelection(QPainter &painter, double dpr)
-{
-    SelectionOutline &outline = m_selected.outline();
-    if (selection().isEmpty() || m_lift.paintOutline(painter, outline, selection(), m_colours, dpr))
-        return;
-    outline.paint(painter, view(), *m_editor.unsettled().painting(), selection(), m_colours, dpr, isMoving());
-}
-
-void CanvasWidget::paintErasures(QPainter &painter, double dpr)
-{
-    const bool selected = !selection().isEmpty(); // else they are those of all strokes
-    const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
-    const bool ofSelected = selected && !showsAllErasures();
-    if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
-        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), m_editor.clock().time(),
-                         ofSelected ? &selection().strokes : nullptr, m_colours, dpr);
-}
-
-bool CanvasWidget::showsAllErasures() const
-{
-    return m_aids.showErasures && !isBare() && (selection().isEmpty() || (tool() && tool()->showsErasures()));
-}
-
-bool CanvasWidget::isBare() const
-{
-    return m_input.keys().isBare() || m_editor.compared();
-}
-
-bool CanvasWidget::showsOutlines() const
-{
-    return m_aids.showOutlines && !isBare() && (m_revealed || !tool() || tool()->showsOutlines());
-}
-
 void CanvasWidget::revealSelection(bool revealed)
 {
-    if (std::exchange(m_revealed, revealed) != revealed && !(tool() && tool()->showsOutlines()))
+    if (m_overlay.reveal(revealed))
         updateOverlay();
-}
-
-/// Paints the angle beside the pointer while the canvas is turned by hand.
-void CanvasWidget::paintAngle(QPainter &painter, double dpr) const
-{
-    if (m_input.hand().navigation() == Navigation::Rotate)
-        paintBadge(painter, angleText(view().rotation), m_input.hand().lastPixel(), 0, view(), dpr);
-}
-
-void CanvasWidget::readPalette()
-{
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    m_colours.pasteboard = dark ? QColor(43, 45, 49) : QColor(209, 211, 215);
-    m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
-    m_colours.accent = QColor(4, 46, 124);
-    m_colours.guide = QColor(0, 92, 92);
 }
 
 void CanvasWidget::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange && m_presenter) {
-        readPalette();
+        m_overlay.readPalette(palette());
         updateOverlay();
     }
     QWidget::changeEvent(event);

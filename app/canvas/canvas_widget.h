@@ -5,10 +5,7 @@
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/input/canvas_input.h"
-#include "app/canvas/overlay/canvas_note.h"
-#include "app/canvas/overlay/erasure_lines.h"
-#include "app/canvas/overlay/missing_pictures.h"
-#include "app/canvas/overlay/overlay.h"
+#include "app/canvas/overlay/canvas_overlay.h"
 #include "app/canvas/overlay/overlay_repaint.h"
 #include "app/canvas/overlay/shown_selection.h"
 #include "app/canvas/presenters/canvas_colours.h"
@@ -27,6 +24,7 @@ namespace suffuse {
 
 class Editor;
 struct Change;
+struct RulerUnit;
 
 /// Whether one works on a canvas or, since the painting is painted elsewhere, only looks at it.
 enum class CanvasUse { Work, Look };
@@ -97,7 +95,7 @@ public:
     void setKeyboardPenOn(bool on) { keyboardPen().setOn(on, zoomCentre()); }
 
     /// What is written over the picture for a moment.
-    CanvasNote &note() { return m_note; }
+    CanvasNote &note() { return m_overlay.note(); }
 
     /// Repaints the overlay, or the part of it in `pixels`.
     void updateOverlay() { m_repaint.all(); }
@@ -131,24 +129,26 @@ public:
     /// A copy of the last finished frame, without overlay. It is null while frames stay on the device.
     QImage picture();
     /// The colours of pasteboard and overlay, which follow the palette.
-    const OverlayColours &overlayColours() const { return m_colours; }
+    const OverlayColours &overlayColours() const { return m_overlay.colours(); }
 
     /// Whether nothing of the selection or of the tool lies over the picture. It is so while the key for it is held,
     /// and while another state of the painting is shown.
-    bool isBare() const;
+    bool isBare() const { return m_overlay.isBare(); }
     /// Whether lines are drawn through the selected strokes.
-    bool showsOutlines() const;
+    bool showsOutlines() const { return m_overlay.showsOutlines(); }
     /// Shows what is selected, though the tool in use shows no outlines, until something is painted or another tool is
     /// taken. What is selected anew is shown by itself.
     void revealSelection(bool revealed = true);
-    bool isSelectionRevealed() const { return m_revealed; }
+    bool isSelectionRevealed() const { return m_overlay.isRevealed(); }
     /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
-    bool showsAllErasures() const;
+    bool showsAllErasures() const { return m_overlay.showsAllErasures(); }
     /// How snapping works, and what is drawn over the picture.
-    const CanvasAids &aids() const { return m_aids; }
+    const CanvasAids &aids() const { return m_overlay.aids(); }
+    /// What the rulers count.
+    RulerUnit rulerUnit() const;
     void setAids(const CanvasAids &aids)
     {
-        m_aids = aids;
+        m_overlay.setAids(aids);
         updateOverlay();
     }
     const PenSettings &penSettings() const { return m_input.pen().settings(); }
@@ -217,15 +217,11 @@ private:
     /// Whether what is shown changes again and again, so that quick frames are good enough.
     bool isMoving() const;
     void handRests(quint64 serial);
-    void paintSelection(QPainter &painter, double dpr);
-    void paintErasures(QPainter &painter, double dpr);
-    void paintAngle(QPainter &painter, double dpr) const;
     void frameReady(const FrameInfo &frame);
     void viewMoved();
     void connectInput();
     void addHandles();
     void tellShown(bool shown);
-    void readPalette();
     /// Input methods work while what is typed goes into a text.
     void followTyping();
     Point zoomCentre() const;
@@ -239,20 +235,15 @@ private:
     CanvasView m_view;
     CanvasHandles m_handles; ///< of the symmetry, and guides
     CanvasInput m_input;
-    OverlayColours m_colours;
-    CanvasAids m_aids;
-    ErasureLines m_erasures;
-    MissingPictures m_missing;
     ShownSelection m_selected;
     OverlayRepaint m_repaint;
-    CanvasNote m_note;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
 
     CanvasLift m_lift{m_editor, m_worker, m_view, [this] { scheduleRender(); }};
+    CanvasOverlay m_overlay{m_editor, m_view, m_input, m_handles, m_selected, m_lift};
     bool m_renderScheduled = false;
-    bool m_revealed = false; ///< the selection, though the tool shows no outlines
     quint64 m_lastSerial = 0;
 };
 

@@ -1,7 +1,7 @@
 // suffuse-cli: paintings without a window, and without a display.
 #include "app/cli/application.h"
-#include "app/cli/bench_command.h"
 #include "app/cli/options.h"
+#include "app/cli/pictures/bench_command.h"
 
 #include <QCoreApplication>
 #include <QTextStream>

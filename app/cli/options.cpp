@@ -30,7 +30,7 @@ QString withDashes(const QString &name)
 }
 
 /// What an argument is, by its name in the syntax.
-QString meaningOf(const QString &argument)
+QString meaningOfArgument(const QString &argument)
 {
     if (argument == QLatin1String("IN"))
         return QCoreApplication::translate("Cli", "The painting, recording or drawing to read; -: standard input.");
@@ -69,7 +69,7 @@ CommandLine::CommandLine(const QString &command, const QString &description, con
 {
     m_parser.setApplicationDescription(description);
     for (const QString &name : positional)
-        m_parser.addPositionalArgument(name, meaningOf(name));
+        m_parser.addPositionalArgument(name, meaningOfArgument(name));
     m_parser.addOption(
         {{QStringLiteral("h"), QStringLiteral("help")}, QCoreApplication::translate("Cli", "Shows this help.")});
 }
@@ -140,10 +140,10 @@ std::optional<int> CommandLine::parse(const QStringList &arguments, int required
     return {};
 }
 
-Result<Painting> paintingOf(const QString &path)
+Result<Painting> paintingOf(const QString &path, double *resolution)
 {
     QString leftOut;
-    Result<Painting> painting = loadPainting(path, nullptr, &leftOut);
+    Result<Painting> painting = loadPainting(path, nullptr, &leftOut, resolution);
     if (painting && !leftOut.isEmpty())
         warn(QStringLiteral("%1: %2").arg(path, leftOut));
     return painting;

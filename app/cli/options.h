@@ -78,8 +78,8 @@ private:
 };
 
 /// The painting of a file, or of the standard input for "-". What a foreign file has and a painting cannot have is left
-/// out with a warning.
-Result<Painting> paintingOf(const QString &path);
+/// out with a warning. `resolution` receives DocumentExtras::resolution.
+Result<Painting> paintingOf(const QString &path, double *resolution = nullptr);
 
 /// Whether what is written to `out` takes the place of `in`, by whatever names and links.
 bool isSameFile(const QString &in, const QString &out);
@@ -115,6 +115,8 @@ struct PictureOptions {
 };
 /// What limits a picture: its pixels, which are all in memory, or in tiles its sides.
 enum class PictureLimit { Pixels, Side };
+/// Adds --size, --scale and --area.
+void addViewOptions(CommandLine &line);
 /// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
 Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting,
                                       PictureLimit limit = PictureLimit::Pixels);

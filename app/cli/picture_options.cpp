@@ -93,6 +93,14 @@ QString limitProblem(const Rect &area, int width, PictureLimit limit)
 
 } // namespace
 
+void addViewOptions(CommandLine &line)
+{
+    line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
+    line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
+    line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
+             "X,Y,W,H");
+}
+
 Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting, PictureLimit limit)
 {
     PictureOptions out;

@@ -32,7 +32,7 @@ Display displayIn(int unit, double resolution)
 {
     switch (unit) {
     case InMillimetres:
-        return {.unit = NewDialog::tr(" mm"), .factor = inch / resolution, .decimals = 1};
+        return {.unit = NewDialog::tr(" mm"), .factor = millimetresOfInch / resolution, .decimals = 1};
     case InInches:
         return {.unit = NewDialog::tr(" in"), .factor = 1 / resolution, .decimals = 2};
     default:
@@ -128,11 +128,11 @@ void NewDialog::addUnits(QHBoxLayout &row)
     label->setBuddy(m_units);
     auto *resolutionLabel = new QLabel(tr("Resolution"), this);
     m_resolution = new NumberField(this);
-    m_resolution->setRange(1, 10'000);
+    m_resolution->setRange(leastResolution, mostResolution);
     m_resolution->setDisplay({.unit = tr(" dpi"), .decimals = 1});
     m_resolution->setStep(10);
     const double kept = s.value("newCanvas/resolution", usualResolution).toDouble();
-    m_resolution->setValue(kept >= 1 && kept <= 10'000 ? kept : usualResolution);
+    m_resolution->setValue(isResolution(kept) ? kept : usualResolution);
     m_resolution->setAccessibleName(tr("Resolution"));
     m_resolution->setToolTip(tr("Pixels for each inch of paper. The sheet stays as large on paper."));
     resolutionLabel->setBuddy(m_resolution);
@@ -148,6 +148,19 @@ void NewDialog::addUnits(QHBoxLayout &row)
 const Canvas &NewDialog::canvas() const
 {
     return m_section->canvas();
+}
+
+NewSheet NewDialog::sheet() const
+{
+    const bool isPaper = m_units->currentIndex() != InPixels || (preset() && !preset()->paper.isEmpty());
+    return {canvas(), isPaper ? *m_resolution->value() : 0};
+}
+
+/// The sheet that is shown as chosen; null: another one.
+const SheetPreset *NewDialog::preset() const
+{
+    const int index = m_presets->currentIndex();
+    return index < 0 ? nullptr : &m_sheets[std::size_t(m_presets->itemData(index).toInt())];
 }
 
 void NewDialog::takePreset(int index)
@@ -180,8 +193,8 @@ void NewDialog::takeResolution(double resolution)
     Canvas canvas = m_section->canvas();
     for (double *side : {&canvas.width, &canvas.height})
         *side = std::max(1.0, std::round(*side * factor));
-    if (const int index = m_presets->currentIndex(); index >= 0) { // Rounding twice would lose it.
-        const QSizeF sides = m_sheets[std::size_t(m_presets->itemData(index).toInt())].sides(resolution);
+    if (const SheetPreset *shown = preset()) { // Rounding twice would lose it.
+        const QSizeF sides = shown->sides(resolution);
         canvas.width = sides.width(), canvas.height = sides.height();
     }
     m_resolution->setValue(resolution);
@@ -213,7 +226,7 @@ void NewDialog::showPreset()
     m_presets->setCurrentIndex(index < 0 ? -1 : m_presets->findData(index));
 }
 
-std::optional<Canvas> NewDialog::ask(QWidget *parent)
+std::optional<NewSheet> NewDialog::ask(QWidget *parent)
 {
     NewDialog dialog(parent);
     if (dialog.exec() != QDialog::Accepted)
@@ -222,7 +235,7 @@ std::optional<Canvas> NewDialog::ask(QWidget *parent)
     settings::store().setValue("newCanvas/height", dialog.canvas().height);
     settings::store().setValue("newCanvas/unit", dialog.units()->currentIndex());
     settings::store().setValue("newCanvas/resolution", *dialog.resolution()->value());
-    return dialog.canvas();
+    return dialog.sheet();
 }
 
 } // namespace suffuse

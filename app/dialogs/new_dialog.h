@@ -22,11 +22,13 @@ class NewDialog : public QDialog {
 public:
     explicit NewDialog(QWidget *parent = nullptr);
 
-    /// Returns the chosen canvas, or nothing if the user gave up. The dialog begins with the canvas that was chosen
-    /// last.
-    static std::optional<Canvas> ask(QWidget *parent);
+    /// Returns the chosen sheet, or nothing if the user gave up. The dialog begins with the sheet that was chosen last.
+    static std::optional<NewSheet> ask(QWidget *parent);
 
     const Canvas &canvas() const;
+    /// The canvas, with a resolution where its sides are lengths of paper: they are given as such, or those of a usual
+    /// sheet of paper.
+    NewSheet sheet() const;
     QComboBox *presets() const { return m_presets; }
     QComboBox *units() const { return m_units; }
     NumberField *resolution() const { return m_resolution; }
@@ -40,6 +42,7 @@ private:
     void takeResolution(double resolution);
     void swapSides();
     void showPreset();
+    const SheetPreset *preset() const;
 
     const std::vector<SheetPreset> m_sheets = sheetPresets();
     QComboBox *m_presets = nullptr;

@@ -49,7 +49,8 @@ SheetPreset Sheets::paper(const QString &name, double width, double height)
     canvas.width = unitsOf(width, usualResolution);
     canvas.height = unitsOf(height, usualResolution);
     const QString metric = tr("%1 × %2 mm").arg(sideText(width, 0), sideText(height, 0));
-    const QString imperial = tr("%1 × %2 in").arg(sideText(width / inch, 1), sideText(height / inch, 1));
+    const QString imperial =
+        tr("%1 × %2 in").arg(sideText(width / millimetresOfInch, 1), sideText(height / millimetresOfInch, 1));
     const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
     return {tr("Paper"), name, (isMetric ? metric : imperial) + QStringLiteral(" · ") + (isMetric ? imperial : metric),
             canvas, QSizeF(width, height)};
@@ -87,7 +88,7 @@ std::vector<SheetPreset> Sheets::all()
 
 double unitsOf(double millimetres, double resolution)
 {
-    return std::max(1.0, std::round(millimetres / inch * resolution));
+    return std::max(1.0, std::round(millimetres / millimetresOfInch * resolution));
 }
 
 QSizeF SheetPreset::sides(double resolution) const

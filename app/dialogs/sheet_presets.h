@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/painting/painting.h"
+#include "model/painting/resolution.h"
 
 #include <QSizeF>
 #include <QString>
@@ -10,8 +11,11 @@
 
 namespace suffuse {
 
-constexpr double inch = 25.4;           ///< mm
-constexpr double usualResolution = 150; ///< of paper, pixels an inch
+/// What a new painting begins with.
+struct NewSheet {
+    Canvas canvas;
+    double resolution = 0; ///< canvas units an inch of paper; 0: it has no size on paper
+};
 
 struct SheetPreset {
     QString section; ///< the heading that it stands below, translated
@@ -23,6 +27,8 @@ struct SheetPreset {
 
     /// The sides in units, where an inch of paper has so many pixels. A unit is a pixel.
     QSizeF sides(double resolution) const;
+    /// As it is offered: what has a size on paper has the usual resolution.
+    NewSheet sheet() const { return {canvas, paper.isEmpty() ? 0 : usualResolution}; }
 };
 
 /// A side of a sheet of paper in whole units.

@@ -2,7 +2,7 @@
 #include "app/python/pictures.h"
 #include "app/python/views.h"
 
-#include "app/cli/film_work.h"
+#include "app/cli/pictures/film_work.h"
 #include "render/backends.h"
 
 namespace suffuse::python {

@@ -18,6 +18,7 @@ py::dict dictOf(const ProbeStroke &s)
         row["density"] = k.density;
         row["share"] = k.share;
         row["lift"] = k.lifts;
+        row["fade"] = k.fades;
         segments.append(row);
     }
     py::dict fill;
@@ -28,6 +29,7 @@ py::dict dictOf(const ProbeStroke &s)
     out["name"] = s.name;
     out["density"] = s.density;
     out["lifted"] = s.lifted;
+    out["faded"] = s.faded;
     out["granulation"] = s.granulation;
     out["modulated_density"] = s.modulated;
     out["density_function"] = s.densityFunction;
@@ -74,6 +76,8 @@ double densityAt(const Stroke &stroke, Microseconds time, Point point)
 {
     double sum = stroke.fill ? fillDensityAt(stroke, time, point) : 0;
     for (const Segment &segment : stroke.segments) {
+        if (segment.fade) // It is no density of paint.
+            continue;
         const double density = segmentDensityAt(stroke, segment, time, point);
         sum += segment.lift ? -density : density;
     }

@@ -3,7 +3,7 @@
 #include "app/python/pixels.h"
 #include "app/python/views.h"
 
-#include "app/cli/refit_work.h"
+#include "app/cli/fitting/refit_work.h"
 #include "render/image_io/image_io.h"
 
 #include <QFile>

@@ -32,23 +32,23 @@ Edit added(Document &document, const Painting &other, bool select)
     return strokes.empty() ? Edit() : addStrokes(document, strokes, select);
 }
 
-using Numbers = std::array<float, 4>;
+using ColourNumbers = std::array<float, 4>;
 
-Numbers numbersOf(const Colour &colour)
+ColourNumbers numbersOf(const Colour &colour)
 {
     return {colour.red, colour.yellow, colour.blue, colour.opacity};
 }
 
 /// Gives each colour of the selection the one that Python makes of it, which is asked once for each.
-bool recolourBy(EditedPainting &self, const std::function<Numbers(Numbers)> &map)
+bool recolourBy(EditedPainting &self, const std::function<ColourNumbers(ColourNumbers)> &map)
 {
     const ColourParts parts = partsToColour(*self.painting(), self.selection());
-    std::map<Numbers, Colour> made;
+    std::map<ColourNumbers, Colour> made;
     const auto ask = [&](const Colour &colour) {
-        const Numbers before = numbersOf(colour);
+        const ColourNumbers before = numbersOf(colour);
         if (made.contains(before))
             return;
-        const Numbers to = map(before);
+        const ColourNumbers to = map(before);
         const Colour after{to[0], to[1], to[2], to[3]};
         if (const QString problem = problemOf(after); !problem.isEmpty())
             raise(Raised::Value, problem);

@@ -1,7 +1,7 @@
 // Pictures of any size, in tiles on the disk.
 #include "app/python/views.h"
 
-#include "app/cli/tiles_work.h"
+#include "app/cli/tiles/tiles_work.h"
 
 #include <QElapsedTimer>
 

@@ -9,6 +9,7 @@
 #include "model/formats/messages.h"
 #include "model/formats/picture_links.h"
 #include "model/painting/paper_presets.h"
+#include "model/painting/resolution.h"
 #include "undo/history/kept_history.h"
 #include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
@@ -97,6 +98,8 @@ void Editor::tellModified()
 void Editor::followDocument(const Change &change)
 {
     setCompared(nullptr);
+    if (change.selection)
+        ++m_selection;
     if (change.draft || change.reset)
         m_clock.setDraftEnd(m_document.draft() ? m_document.draft()->driesAt() : 0);
     if (!altersPainting(change))
@@ -161,23 +164,28 @@ void Editor::push(Edit edit, const QString &text, ValueEntry *entry)
     if (entry && goesOn(*entry)) {
         m_sinceStep.start();
         goOnWithStep(m_undoStack, m_document, std::move(edit));
+        entry->m_selection = m_selection;
         return;
     }
     std::optional<Edit> back = doEdit(m_document, std::move(edit));
     if (!back)
         return;
     pushDone(std::move(*back), text);
-    if (entry)
-        entry->m_step = static_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1))->sharedEdit();
+    if (!entry)
+        return;
+    entry->m_step = static_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1))->sharedEdit();
+    entry->m_selection = m_selection;
 }
 
-/// Whether the entry's step is the last one, and is in no file.
+/// Whether the entry's step is the last one and is in no file. What a key or a wheel steps must be what is selected
+/// now.
 bool Editor::goesOn(const ValueEntry &entry) const
 {
     const std::shared_ptr<Edit> step = entry.m_step.lock();
     const auto *last = dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
-    return step && last && last->sharedEdit() == step && !m_undoStack.canRedo() && !m_undoStack.isClean() &&
-           !m_savedStep.isNow();
+    return step && last && last->sharedEdit() == step &&
+           (!entry.m_sinceStep.isValid() || entry.m_selection == m_selection) && !m_undoStack.canRedo() &&
+           !m_undoStack.isClean() && !m_savedStep.isNow();
 }
 
 /// What was done becomes a step.
@@ -185,7 +193,9 @@ void Editor::pushDone(Edit back, const QString &text)
 {
     m_savedStep.willPush();
     m_layer->stepComes(m_undoStack.index());
-    m_undoStack.push(new EditCommand(m_document, std::move(back), text));
+    auto *step = new EditCommand(m_document, std::move(back), text);
+    step->keepSelection();
+    m_undoStack.push(step);
 }
 
 QString Editor::undoText() const
@@ -314,11 +324,17 @@ Canvas Editor::usualCanvas()
     return canvas;
 }
 
-void Editor::newPainting(const Canvas &canvas)
+double Editor::resolution() const
+{
+    return isResolution(m_extras.resolution) ? m_extras.resolution : usualResolution;
+}
+
+void Editor::newPainting(const Canvas &canvas, double resolution)
 {
     auto painting = std::make_shared<Painting>();
     painting->canvas = canvas;
     m_extras = {};
+    m_extras.resolution = resolution;
     show(std::move(painting), {});
 }
 

@@ -135,9 +135,10 @@ public:
 
     /// What a new painting has where nothing else is asked for: a sheet of grainy paper.
     static Canvas usualCanvas();
-    void newPainting(const Canvas &canvas);
-    /// Shows what was read of a file. Formats that cannot be saved (recordings) open untitled, and so do samples. So does a damaged file,
-    /// modified, with what is whole of it; returns what is lost.
+    /// `resolution`: canvas units an inch of paper; 0: it is not said.
+    void newPainting(const Canvas &canvas, double resolution = 0);
+    /// Shows what was read of a file. Formats that cannot be saved (recordings) open untitled, and so do samples. So
+    /// does a damaged file, modified, with what is whole of it; returns what is lost.
     std::vector<QString> open(OpenedFile file);
     /// Reads it first; one that cannot be read changes nothing.
     Result<std::vector<QString>> open(const QString &path);
@@ -156,6 +157,9 @@ public:
     Result<void> revert();
     /// What is beside the picture in the file.
     DocumentExtras &extras() { return m_extras; }
+    const DocumentExtras &extras() const { return m_extras; }
+    /// Canvas units an inch of paper; the usual number where the painting says none.
+    double resolution() const;
     /// Undo steps go into the file, so that whoever opens it goes on undoing.
     bool keepsHistory() const { return m_keepsHistory; }
     void setKeepsHistory(bool keeps);
@@ -212,6 +216,7 @@ private:
     quint64 m_lastSave = 0;      ///< number of the last save
     bool m_takesUpSteps = false; ///< of a file, or lets go those of one: nothing is done
     QElapsedTimer m_sinceStep;   ///< since one went on
+    quint64 m_selection = 0;     ///< counts selections
     PaintingClock m_clock;
     StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none

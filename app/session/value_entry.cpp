@@ -2,6 +2,12 @@
 
 namespace suffuse {
 
+namespace {
+
+constexpr int stepGapMs = 900; ///< keys and turns of a wheel that come no later are one undo step
+
+} // namespace
+
 ValueEntry::~ValueEntry()
 {
     commitDrag();
@@ -18,6 +24,13 @@ void ValueEntry::commitDrag()
 {
     m_drags = false;
     m_gesture.commit();
+}
+
+void ValueEntry::noteStep(bool held)
+{
+    if (!held && (!m_sinceStep.isValid() || m_sinceStep.elapsed() > stepGapMs))
+        endSteps();
+    m_sinceStep.start();
 }
 
 const PaintingPtr &ValueEntry::start(const Document &document)

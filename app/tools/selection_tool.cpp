@@ -123,8 +123,7 @@ bool SelectionTool::keyPress(QKeyEvent *event)
     const std::set<StrokeId> &moved = m_canvas.selection().strokes;
     if (!way || isBusy() || moved.empty())
         return false;
-    if (!event->isAutoRepeat()) // A key that is held down is one step.
-        m_nudges.endSteps();
+    m_nudges.noteStep(event->isAutoRepeat());
     commands::moveStrokes(m_editor, moved, *way, &m_nudges);
     return true;
 }
@@ -203,7 +202,7 @@ double SelectionTool::tolerance() const
 
 std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
 {
-    return pickTopmost(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
+    return pickSeen(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance());
 }
 
 const Selection &SelectionTool::selection() const

@@ -60,6 +60,7 @@ QMenu *addFileMenu(QMenuBar &bar, const Commands &table)
             {Revert, RestoreBackup},
             {ImportStrokes, ImportPicture, ImportUnderlay, PictureToStrokes},
             {Export, ExportAgain, ExportDrawing, ExportTimelapse},
+            {Print, PrintPreview},
             {Close, Quit}});
     return recent;
 }

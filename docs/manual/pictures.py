@@ -77,7 +77,7 @@ def filled(curves, colour, spread=3.0, density=1.0, style=UNIFORM, **more):
 def painting(width, height, strokes, groups=(), paper=None):
     for i, s in enumerate(strokes):
         s["id"] = i + 1
-    return {"format": "suffuse-text", "version": 3, "groups": list(groups), "strokes": strokes,
+    return {"format": "suffuse-text", "version": 4, "groups": list(groups), "strokes": strokes,
             "canvas": {"width": width, "height": height, "background": list(SHEET), "paper": paper or {"kind": "none"}}}
 
 
@@ -176,19 +176,21 @@ def layers():
 
 
 def erasing():
+    """A stroke, and the same made paler by 60 %, lifted and cut."""
     rows = []
-    for i in range(3):
-        x = at(i, 3)
-        whole = cubics(wave(x, 60, 170, 10, 12))
-        s = stroke(whole, PLUM, 18, 1.5, feather(1.6))
-        if i == 1:
-            lift = stroke(cubics([[x - 6, 20], [x + 2, 60], [x + 10, 100]]), PLUM, 9, 1.6)["segments"]
-            for n, part in enumerate(lift):
-                part.update({"lift": True, "start": n == 0})
-            s["segments"] += lift
-        if i == 2:
-            s["segments"] = s["segments"][:5] + s["segments"][7:]
-            s["segments"][5]["start"] = True
+    for i in range(4):
+        x = at(i, 4)
+        whole = cubics(wave(x, 60, 120, 10, 12))
+        s = stroke(whole, PLUM, 18, 1.5, edge(0.6))
+        if i in (1, 2):
+            peak = 0.92 if i == 1 else 1.6
+            taken = stroke(cubics([[x - 6, 20], [x + 2, 60], [x + 10, 100]]), PLUM, 9, peak)["segments"]
+            for n, part in enumerate(taken):
+                part.update({"fade" if i == 1 else "lift": True, "start": n == 0})
+            s["segments"] += taken
+        if i == 3:
+            s["segments"] = s["segments"][:4] + s["segments"][8:]
+            s["segments"][4]["start"] = True
         rows.append(s)
     return painting(620, 120, rows)
 

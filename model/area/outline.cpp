@@ -37,7 +37,7 @@ std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke)
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         if (stroke.beginsChain(k))
             close();
-        if (!stroke.segments[k].lift)
+        if (!stroke.segments[k].takesPaint())
             add(offsetsOf(stroke.segments[k]));
     }
     close();
@@ -48,7 +48,7 @@ Rect outlineBox(const Stroke &stroke)
 {
     Rect box;
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift)
+        if (!segment.takesPaint())
             for (const Offset &o : segment.bezier)
                 box.include(Point() + o);
     return box;
@@ -57,19 +57,19 @@ Rect outlineBox(const Stroke &stroke)
 bool onlyBounds(const Stroke &stroke, std::size_t segment)
 {
     const Segment &s = stroke.segments[segment];
-    return stroke.fill && !s.lift && !(s.density > 0);
+    return stroke.fill && !s.takesPaint() && !(s.density > 0);
 }
 
 bool isFillAlone(const Stroke &stroke)
 {
-    return stroke.fill && std::ranges::all_of(stroke.segments,
-                                              [](const Segment &s) { return s.lift || !(s.density > 0); });
+    return stroke.fill &&
+           std::ranges::all_of(stroke.segments, [](const Segment &s) { return s.takesPaint() || !(s.density > 0); });
 }
 
 bool sameOutline(const Stroke &a, const Stroke &b)
 {
     const auto same = [](const Segment &s, const Segment &t) {
-        return s.bezier == t.bezier && s.start == t.start && s.lift == t.lift;
+        return s.bezier == t.bezier && s.start == t.start && s.takesPaint() == t.takesPaint();
     };
     return std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(), same);
 }

@@ -3,6 +3,7 @@
 #include "model/area/area_sets.h"
 #include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
+#include "model/colour/one_colour.h"
 #include "model/colour/perceived.h"
 #include "model/paint/derived_figures.h"
 #include "model/paint/style_function.h"
@@ -81,7 +82,7 @@ std::vector<ExactUse> exactUses(const ColourParts &parts)
             addFill(found, part);
         for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
             const Segment &segment = stroke.segments[k];
-            if (!part.has(k) || segment.lift || onlyBounds(stroke, k))
+            if (!part.has(k) || segment.takesPaint() || onlyBounds(stroke, k))
                 continue;
             ExactUse &use = found[withOpacity(segment.colour, 1)];
             ++use.segments;
@@ -129,12 +130,12 @@ std::vector<std::size_t> groupedInto(const std::vector<ExactUse> &uses, std::siz
 void leaveErasuresOut(ColourPart &part)
 {
     const std::vector<Segment> &segments = part.stroke->segments;
-    if (!part.stroke->hasLift())
+    if (!part.stroke->hasErasure())
         return;
     if (part.chosen.empty())
         part.chosen.assign(segments.size(), true);
     for (std::size_t k = 0; k < segments.size(); ++k)
-        part.chosen[k] = part.chosen[k] && !segments[k].lift;
+        part.chosen[k] = part.chosen[k] && !segments[k].takesPaint();
 }
 
 /// Whether what is chosen of a stroke means its fill, too: all of it, or nothing that lays paint.
@@ -145,7 +146,7 @@ bool meansFill(const ColourPart &part)
         return false;
     bool all = true, lays = false;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        all = all && (part.has(k) || stroke.segments[k].lift);
+        all = all && (part.has(k) || stroke.segments[k].takesPaint());
         lays = lays || (part.has(k) && !onlyBounds(stroke, k));
     }
     return all || !lays;
@@ -158,7 +159,7 @@ Colour shownColourOf(const Stroke &stroke)
     if (!isFillAlone(stroke)) {
         std::vector<const Segment *> paint;
         for (const Segment &segment : stroke.segments)
-            if (!segment.lift)
+            if (!segment.takesPaint())
                 paint.push_back(&segment);
         return paint.empty() ? stroke.segments.front().colour : paint[paint.size() / 2]->colour;
     }
@@ -203,7 +204,7 @@ ColourParts partsOfColour(const Painting &painting, const Colour &colour)
         ColourPart part{stroke, std::vector<bool>(stroke->segments.size())};
         bool isSeen = false; // What only bounds a fill goes along with others.
         for (std::size_t k = 0; k < part.chosen.size(); ++k) {
-            part.chosen[k] = !stroke->segments[k].lift && samePaint(stroke->segments[k].colour, colour);
+            part.chosen[k] = !stroke->segments[k].takesPaint() && samePaint(stroke->segments[k].colour, colour);
             isSeen = isSeen || (part.chosen[k] && !onlyBounds(*stroke, k));
         }
         if (const SharedFill &fill = stroke->fill) {
@@ -306,10 +307,7 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
         most = segments;
         summary.other = colour;
     }
-    const Perceived seenUsual = perceivedOf(usual);
-    summary.several = std::ranges::any_of(counts, [&](const Count &count) {
-        return !samePaint(count.colour, usual) && !looksLike(perceivedOf(count.colour), seenUsual);
-    });
+    summary.several = !looksLikeOne(parts, usual);
     if (!summary.several)
         summary.other.reset();
     return summary;

@@ -54,7 +54,7 @@ std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most);
 struct ColourSummary {
     Colour usual;         ///< that most segments have, opacity included; of several, the first. A fill counts as many
                           ///< times as its stroke has segments
-    bool several = false; ///< they differ in red, yellow or blue
+    bool several = false; ///< they look like several: what a brush strays by within a stroke is one colour
     std::optional<Colour> other;  ///< of several, the one that most segments have but for the usual one
     std::array<bool, 4> differ{}; ///< whether they do in red, in yellow, in blue, in opacity
     std::size_t strokes = 0;

@@ -16,7 +16,7 @@ Perceived perceivedOf(const Colour &colour);
 /// The distance between two of them; 1 from black to white.
 double distanceOf(const Perceived &a, const Perceived &b);
 
-/// Whether people call two of them one colour, as they do the strays of a brush that make its paint lively.
+/// Whether people call two of them one colour.
 bool looksLike(const Perceived &a, const Perceived &b);
 
 /// Colours of which the one is asked that looks nearest to another.

@@ -3,6 +3,7 @@
 #include "model/formats/gzip.h"
 #include "model/formats/ink/diffusion_curves.h"
 #include "model/formats/ink/recording.h"
+#include "model/formats/ink/universal_container.h"
 #include "model/formats/messages.h"
 #include "model/formats/ora/ora_parts.h"
 #include "model/formats/pdf/pdf_embedding.h"
@@ -129,11 +130,13 @@ FileFormat formatOfText(const QByteArray &bytes)
     if (first == text.npos)
         return FileFormat::Unknown;
     if (text[first] == '{')
-        return JsonGlance(text).format();
+        return isRnote(text) ? FileFormat::Rnote : JsonGlance(text).format();
     if (text[first] == '<' && text.substr(first, 4096).find("<curve_set") != text.npos)
         return FileFormat::DiffusionCurves;
     if (text[first] == '<' && text.substr(first, 4096).find("<xournal") != text.npos)
         return FileFormat::Xournal;
+    if (text[first] == '<' && text.substr(first, 4096).find("http://www.w3.org/2003/InkML") != text.npos)
+        return FileFormat::InkMl;
     // Some programs put pages of comments and entities before it.
     if (text[first] == '<' && text.substr(first, 65536).find("<svg") != text.npos)
         return FileFormat::Svg;
@@ -161,8 +164,12 @@ FileFormat detectFormat(const QByteArray &bytes)
         return FileFormat::Xournal;
     if (isGzip(bytes)) { // Of what is packed, only drawings and notebooks are read.
         const FileFormat packed = packedFormat(bytes);
-        return packed == FileFormat::Svg || packed == FileFormat::Xournal ? packed : FileFormat::Unknown;
+        const bool isRead =
+            packed == FileFormat::Svg || packed == FileFormat::Xournal || packed == FileFormat::Rnote;
+        return isRead ? packed : FileFormat::Unknown;
     }
+    if (isUniversalContainer(bytes))
+        return FileFormat::UniversalInk;
     if (psd::isPsd(bytes))
         return FileFormat::Photoshop;
     const FileFormat format = formatOfText(bytes);
@@ -188,7 +195,7 @@ QString nameOf(FileFormat format)
     case FileFormat::InkCsv:
         return FileMessages::tr("Ink recording (CSV)");
     case FileFormat::UniversalInk:
-        return FileMessages::tr("Universal Ink (JSON)");
+        return FileMessages::tr("Universal Ink");
     case FileFormat::Excalidraw:
         return FileMessages::tr("Excalidraw drawing");
     case FileFormat::MyPaintEvents:
@@ -205,6 +212,10 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("Xournal++ notebook");
     case FileFormat::Pdf:
         return FileMessages::tr("PDF file");
+    case FileFormat::InkMl:
+        return FileMessages::tr("InkML recording");
+    case FileFormat::Rnote:
+        return FileMessages::tr("Rnote notebook");
     case FileFormat::Unknown:
         break;
     }

@@ -27,15 +27,15 @@ namespace {
 QString unknownFormat(const QByteArray &bytes)
 {
     const QString known =
-        FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
-                         "Excalidraw, MyPaint events, Xournal++, SVG and diffusion curves (XML)");
+        FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink, InkML, "
+                         "Excalidraw, MyPaint events, Xournal++, Rnote, SVG and diffusion curves (XML)");
     if (bytes.isEmpty())
         return FileMessages::tr("This file is empty: nothing was saved in it.");
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("This is UTF-16 text. Save it as UTF-8.");
     if (bytes.startsWith("\x1f\x8b"))
         return FileMessages::tr("This file is compressed with gzip, and what is in it is neither an SVG nor a "
-                                "notebook of Xournal++. Unpack it first. %1.")
+                                "notebook of Xournal++ or Rnote. Unpack it first. %1.")
             .arg(known);
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
         return FileMessages::tr("This is a picture, not a painting. %1.").arg(known);
@@ -149,6 +149,10 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         return painted(readMyPaintEvents(bytes, fileName));
     case FileFormat::Xournal:
         return painted(readXournal(bytes, fileName));
+    case FileFormat::InkMl:
+        return painted(readInkml(bytes, fileName));
+    case FileFormat::Rnote:
+        return painted(readRnote(bytes, fileName));
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:
@@ -175,10 +179,11 @@ QString takeLinks(Painting &painting, const QString &fileName)
 }
 
 /// Reads any format, and refuses a damaged file.
-Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
+Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut,
+                           double *resolution = nullptr)
 {
     const FileFormat format = detectFormat(bytes);
-    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
+    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName, resolution)
                                                               : readOther(bytes, fileName, format, brush, leftOut);
     if (painting)
         leftOut = QStringList{leftOut, takeLinks(*painting, fileName)}.join(QLatin1Char(' ')).trimmed();
@@ -233,11 +238,11 @@ Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &file
     return document;
 }
 
-Result<Painting> loadPainting(const QString &path, const Brush *brush, QString *leftOut)
+Result<Painting> loadPainting(const QString &path, const Brush *brush, QString *leftOut, double *resolution)
 {
     const auto bytes = loadBytes(path);
     QString ignored;
-    return bytes ? readWhole(*bytes, path, brush, leftOut ? *leftOut : ignored) : Error{bytes.error()};
+    return bytes ? readWhole(*bytes, path, brush, leftOut ? *leftOut : ignored, resolution) : Error{bytes.error()};
 }
 
 Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/brush/brush.h"
+#include "model/formats/print_setup.h"
 #include "model/geometry/guide.h"
 #include "model/geometry/symmetry.h"
 #include "model/painting/painting.h"
@@ -29,7 +30,9 @@ enum class FileFormat {
     OpenRaster,
     Photoshop,
     Xournal,
-    Pdf
+    Pdf,
+    InkMl,
+    Rnote
 };
 
 /// The format by the first bytes, never by the name.
@@ -43,8 +46,10 @@ QString nameOf(FileFormat format); ///< translated, for people
 /// and drawings are painted with `brush` (by default with the first built-in one).
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
 /// Reads a file, or the standard input for "-". Errors name the file, the place and the remedy. `leftOut` receives what
-/// LoadedDocument::leftOut tells of a foreign file, and LoadedDocument::missing of any.
-Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr, QString *leftOut = nullptr);
+/// LoadedDocument::leftOut tells of a foreign file, and LoadedDocument::missing of any; `resolution` receives
+/// DocumentExtras::resolution.
+Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr, QString *leftOut = nullptr,
+                              double *resolution = nullptr);
 
 /// The bytes of a painting in a format that can be saved (Suffuse or Text).
 QByteArray writePainting(const Painting &painting, FileFormat format);
@@ -73,6 +78,7 @@ struct WorkspaceState {
     std::optional<BegunLayer> begun = {}; ///< what was painted on, where it has no stroke yet; layer is 0 then
     std::optional<Symmetry> symmetry = {}; ///< in which one paints; no value: as every painting begins
     std::vector<Guide> guides = {};
+    std::optional<PrintSetup> print = {}; ///< how it was printed last; no value: not yet
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };
 
@@ -94,6 +100,7 @@ struct DocumentExtras {
     QByteArray history;
     /// the ICC profile in which pictures of the painting go out; empty: sRGB
     QByteArray profile;
+    double resolution = 0; ///< canvas units an inch of paper (model/painting/resolution.h); 0: it is not said
     std::vector<AncillaryChunk> unknown; ///< in the order of the file
     friend bool operator==(const DocumentExtras &, const DocumentExtras &) = default;
 };
@@ -130,7 +137,7 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes);
 /// Read and write the exact text form (docs/text-form.md) and the binary document (docs/file-format.md).
 Result<Painting> readTextForm(const QByteArray &bytes, const QString &fileName);
 QByteArray writeTextForm(const Painting &painting);
-Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName);
+Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName, double *resolution = nullptr);
 Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QString &fileName);
 QByteArray writeSuffuseFile(const Painting &painting, const DocumentExtras &extras = {});
 /// The chunks of a .suffuse file for `info`, including damaged ones.

@@ -1,5 +1,8 @@
 #include "model/paint/derived_figures.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace suffuse {
 
 CurveDiffusion curveDiffusion(const Segment &segment)
@@ -26,6 +29,20 @@ DerivedFigures derivedFigures(const Segment &segment, const Style &style)
     if (t < age)
         figures.driesOut = t;
     return figures;
+}
+
+double takenShare(const Segment &segment)
+{
+    const double spread = spreadAt(curveDiffusion(segment).across, segment.maxAge);
+    return -std::expm1(-peakDensity(segment.density, spread));
+}
+
+void setTakenShare(Segment &segment, double share)
+{
+    constexpr double mostPeak = 11; // It leaves a 60,000th.
+    const double spread = spreadAt(curveDiffusion(segment).across, segment.maxAge);
+    const double peak = std::min(-std::log1p(-share), mostPeak);
+    segment.density = float(std::min(densityOfPeak(peak, spread), 1e12));
 }
 
 } // namespace suffuse

@@ -25,4 +25,10 @@ struct DerivedFigures {
 };
 DerivedFigures derivedFigures(const Segment &segment, const Style &style);
 
+/// Of a segment that makes paint paler: the share of the paint that it takes in the middle of a long straight erasure,
+/// 1 − e^−pk.
+double takenShare(const Segment &segment);
+/// Gives it the density that takes this share, which is at most so much that nothing is left to be seen.
+void setTakenShare(Segment &segment, double share);
+
 } // namespace suffuse

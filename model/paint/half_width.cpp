@@ -112,11 +112,11 @@ Rect seenBox(const Stroke &stroke)
 {
     double total = 0;
     for (const Segment &segment : stroke.segments)
-        total += segment.lift ? 0 : arcLength(stroke.cubicOf(segment));
+        total += segment.takesPaint() ? 0 : arcLength(stroke.cubicOf(segment));
     Rect box;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
-        if (segment.lift)
+        if (segment.takesPaint())
             continue;
         const Cubic cubic = stroke.cubicOf(segment);
         const SeenPaintOf seen(segment, stroke.styleOf(segment), total);

@@ -4,8 +4,8 @@ namespace suffuse {
 
 void LocalPaint::add(const Segment &segment, const Style &style, double density)
 {
-    if (segment.lift) {
-        m_lifted += density;
+    if (segment.takesPaint()) {
+        (segment.lift ? m_lifted : m_faded) += density;
         return;
     }
     addLaid(segment.colour, segment.granulation, style, density);

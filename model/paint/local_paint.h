@@ -5,6 +5,7 @@
 #include "model/painting/fill.h"
 
 #include <array>
+#include <cmath>
 
 namespace suffuse {
 
@@ -23,14 +24,16 @@ public:
     double laid() const { return m_laid; }
     /// φ⁻, the density of the segments that take paint away.
     double lifted() const { return m_lifted; }
+    /// φ_f, the density of the segments that make paint paler.
+    double faded() const { return m_faded; }
     /// ω̄ (15); 1 where no paint is laid.
     double granulation() const;
     /// C̄ (20): R, Y, B, opacity; 0 where no paint is laid.
     std::array<double, 4> colour() const;
     /// F(φ′) = Σ share·F_kind(φ′; ξ̄_kind), φ′ = γφ (16), where the paper's texture is η; 0 where there is no paint.
     double coverage(double eta) const;
-    /// w = F·C̄_opacity (21).
-    double opacity(double eta) const { return coverage(eta) * colour()[3]; }
+    /// w = F·C̄_opacity·e^−φ_f (21).
+    double opacity(double eta) const { return coverage(eta) * colour()[3] * std::exp(-m_faded); }
 
 private:
     void addLaid(const Colour &colour, float granulation, const Style &style, double density);
@@ -41,6 +44,7 @@ private:
     };
     double m_laid = 0;
     double m_lifted = 0;
+    double m_faded = 0;
     double m_granulation = 0;
     std::array<double, 4> m_colour{};
     std::array<KindSum, styleKinds.size()> m_kinds{};

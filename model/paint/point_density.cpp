@@ -146,7 +146,8 @@ double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point)
 {
     double density = 0;
     for (const Segment &segment : stroke.segments)
-        density += (segment.lift ? -1 : 1) * segmentDensityAt(stroke, segment, time, point);
+        if (!segment.fade)
+            density += (segment.lift ? -1 : 1) * segmentDensityAt(stroke, segment, time, point);
     density += fillDensityAt(stroke, time, point);
     return std::max(0.0, density);
 }

@@ -15,7 +15,7 @@ public:
     {
         const Segment &segment = m_stroke.segments[k];
         m_paint.add(segment, m_stroke.styleOf(segment), density);
-        if (density > m_largest && !segment.lift) {
+        if (density > m_largest && !segment.takesPaint()) {
             m_largest = density;
             m_segment = int(k);
         }
@@ -32,7 +32,11 @@ public:
     SeenPaint seen() const
     {
         const std::array<double, 4> c = m_paint.colour();
-        return {m_paint.density(), m_paint.opacity(1), m_segment, {float(c[0]), float(c[1]), float(c[2]), float(c[3])}};
+        return {m_paint.density(),
+                m_paint.opacity(1),
+                m_segment,
+                std::exp(-m_paint.faded()),
+                {float(c[0]), float(c[1]), float(c[2]), float(c[3])}};
     }
 
 private:
@@ -43,7 +47,7 @@ private:
         double least = 0;
         for (std::size_t k = 0; k < m_stroke.segments.size(); ++k) {
             const Segment &segment = m_stroke.segments[k];
-            for (int i = 0; i <= 4 && !segment.lift; ++i) {
+            for (int i = 0; i <= 4 && !segment.takesPaint(); ++i) {
                 const Point away = offsetsOf(segment).at(i / 4.0) - fromOrigin;
                 if (const double square = dot(away, away); nearest < 0 || square < least)
                     least = square, nearest = int(k);

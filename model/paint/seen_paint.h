@@ -18,6 +18,7 @@ struct SeenPaint {
     /// the segment with the largest share of the density that is laid or, where only the fill reaches the point, the
     /// nearest one that bounds it; -1 if nothing reaches the point
     int segment = -1;
+    double left = 1; ///< e^−φ_f: the share of its opacity that is left where it was made paler
     /// C̄ (20), what all that lays paint there has together, a gradient where the point is; 0 where nothing does
     Colour colour;
 };

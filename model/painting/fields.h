@@ -227,7 +227,8 @@ struct FieldsOf<Segment> {
         field("node", &Segment::node, {.presence = Presence::Unusual}),
         field("rewet", &Segment::rewet, {.presence = Presence::Unusual}),
         field("start", &Segment::start, {.presence = Presence::Unusual, .since = 2, .averages = false}),
-        field("lift", &Segment::lift, {.presence = Presence::Unusual, .since = 2, .averages = false})};
+        field("lift", &Segment::lift, {.presence = Presence::Unusual, .since = 2, .averages = false}),
+        field("fade", &Segment::fade, {.presence = Presence::Unusual, .since = 4, .averages = false})};
 };
 
 template <>

@@ -16,7 +16,7 @@ Rect influenceOfFill(const Stroke &stroke, Microseconds T)
     if (!stroke.fill || !(stroke.fill->age(T) > 0))
         return box;
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift)
+        if (!segment.takesPaint())
             box = box.united(stroke.cubicOf(segment).controlBox());
     const Fill &fill = *stroke.fill;
     return box.grown(reachInSpreads * fill.spread(T) * std::sqrt(std::max(1.0, double(fill.anisotropyRatio))));

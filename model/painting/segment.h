@@ -51,11 +51,16 @@ struct Segment {
     /// Whether the segment begins a new chain, so that it need not start where the one before it ends. A stroke's first
     /// segment begins a chain in any case, and has false here.
     bool start = false;
-    /// whether it takes paint away: its density is subtracted from that of the stroke's other segments
+    /// Whether it takes density away: its own is subtracted from that of the segments that lay paint.
     bool lift = false;
+    /// Whether it makes the stroke's paint paler: of the opacity e^−φ is left, φ the density of what fades. No segment
+    /// both lifts and fades.
+    bool fade = false;
 
     friend bool operator==(const Segment &, const Segment &) = default;
 
+    /// Whether it takes paint away, in whichever way. Its colour, granulation and style then count for nothing.
+    bool takesPaint() const { return lift || fade; }
     bool isIsotropic() const { return anisotropyRatio == 1; }
 
     /// The age t in seconds at document time T. Up to 0 the segment is not there yet.

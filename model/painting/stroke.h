@@ -33,14 +33,19 @@ struct Stroke {
     /// Whether a segment begins a chain.
     bool beginsChain(std::size_t segment) const { return segment == 0 || segments[segment].start; }
     /// Whether some of its segments take paint away.
-    bool hasLift() const
+    bool hasErasure() const
     {
-        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return s.lift; });
+        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return s.takesPaint(); });
+    }
+    /// Whether some of its segments make its paint paler.
+    bool hasFade() const
+    {
+        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return s.fade; });
     }
     /// Whether some of its segments lay paint: others have nothing to take away from.
     bool laysPaint() const
     {
-        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return !s.lift; });
+        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return !s.takesPaint(); });
     }
     const Style &styleOf(const Segment &s) const { return s.style ? *s.style : style; }
     Cubic cubicOf(const Segment &s) const

@@ -234,11 +234,15 @@ QString problemOf(const Colour &colour)
 
 QString problemOf(const Segment &segment)
 {
-    if (fits(segment))
-        return {};
-    DomainCheck check;
-    check.checkFields(segment);
-    return check.problem();
+    if (!fits(segment)) {
+        DomainCheck check;
+        check.checkFields(segment);
+        if (!check.ok())
+            return check.problem();
+    }
+    if (segment.lift && segment.fade)
+        return says(QStringLiteral("fade"), QT_TRANSLATE_NOOP("Validate", "a segment that lifts cannot fade as well"));
+    return {};
 }
 
 /// What fields of a fill demand of each other, and of the stroke.

@@ -32,7 +32,7 @@ std::vector<std::size_t> appearanceSegments(const Stroke &stroke, const std::vec
         if (!chosen.empty() && !chosen[k])
             continue;
         all.push_back(k);
-        if (!stroke.segments[k].lift)
+        if (!stroke.segments[k].takesPaint())
             painting.push_back(k);
     }
     return painting.empty() ? all : painting;
@@ -137,7 +137,7 @@ Microseconds closedAt(const Stroke &stroke)
 {
     Microseconds last = stroke.born();
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift)
+        if (!segment.takesPaint())
             last = std::max(last, segment.born);
     return last;
 }

@@ -72,7 +72,7 @@ std::vector<Heard> laidAlong(const Stroke &stroke, const Brush *painted, const s
     double widest = 0, largest = 0;
     for (const Segment &segment : stroke.segments) {
         laid.push_back(laidBy(stroke, segment));
-        if (!segment.lift) {
+        if (!segment.takesPaint()) {
             widest = std::max(widest, spreadAt(segment.diffusion, segment.maxAge));
             largest = std::max(largest, laid.back()[0]);
         }
@@ -144,7 +144,7 @@ void StrongestPaint::take(const Stroke &stroke, const Brush *painted)
 {
     const std::vector<Heard> laid = laidAlong(stroke, painted, placesAlong(stroke));
     for (std::size_t k = 0; k < laid.size(); ++k) {
-        if (stroke.segments[k].lift)
+        if (stroke.segments[k].takesPaint())
             continue;
         size = std::max(size, laid[k][0]);
         peak = std::max(peak, laid[k][1]);

@@ -37,7 +37,7 @@ Stroke splitFor(const Stroke &stroke, const Brush &brush, const std::vector<bool
     std::vector<CurvePlace> cuts;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const double length = arcLength(stroke.cubicOf(stroke.segments[k]));
-        const bool isMeant = (chosen.empty() || chosen[k]) && !stroke.segments[k].lift;
+        const bool isMeant = (chosen.empty() || chosen[k]) && !stroke.segments[k].takesPaint();
         const int parts = isMeant ? int(std::clamp(std::ceil(length / longest), 1.0, double(mostBrushParts))) : 1;
         for (int i = 1; i < parts; ++i)
             cuts.push_back({int(k), double(i) / parts});
@@ -171,7 +171,7 @@ Stroke restyled(const Stroke &stroke, const Restyle &how, const std::vector<bool
     double widest = 0;
     for (std::size_t k = 0; k < result.segments.size(); ++k) {
         const Segment &segment = result.segments[k];
-        meant.push_back((chosen.empty() || chosen[std::size_t(origins[k])]) && !segment.lift);
+        meant.push_back((chosen.empty() || chosen[std::size_t(origins[k])]) && !segment.takesPaint());
         Segment laid;
         setPaint(laid, how.brush, paintOf(how.brush, pens[k], stroke.id), tangentAt(result.cubicOf(segment), 0.5));
         widest = std::max(widest, spreadAt(laid.diffusion, laid.maxAge));

@@ -125,7 +125,7 @@ Stroke varied(const Stroke &stroke, const VaryAmounts &amounts, const std::vecto
         const double arc = arcLength(stroke.cubicOf(segment));
         strays.goTo(k, distance + 0.5 * arc);
         distance += arc;
-        if ((chosen.empty() || chosen[k]) && !segment.lift)
+        if ((chosen.empty() || chosen[k]) && !segment.takesPaint())
             result.segments[k] = variedSegment(segment, amounts, strays);
     }
     bool meansFill = bool(stroke.fill);

@@ -348,7 +348,7 @@ bool appendLifts(Stroke &stroke, const Stroke &other)
     Stroke result = stroke;
     const Point shift = other.origin - stroke.origin;
     for (const Chain &chain : chainsOf(other)) {
-        if (!other.segments[std::size_t(chain.first)].lift)
+        if (!other.segments[std::size_t(chain.first)].takesPaint())
             continue;
         std::vector<Segment> segments = chainOnly(other, chain).segments;
         for (Segment &segment : segments)

@@ -52,7 +52,7 @@ void BoundValues::add(const Stroke &stroke, const Stroke &to)
 {
     const Point shift = stroke.origin - to.origin;
     for (const Segment &segment : stroke.segments) {
-        if (segment.lift)
+        if (segment.takesPaint())
             continue;
         Segment values = segment;
         values.start = false;

@@ -297,7 +297,7 @@ Rect curveBox(const Stroke &stroke)
     Rect box;
     const bool lays = stroke.laysPaint();
     for (const Segment &segment : stroke.segments) {
-        if (segment.lift && lays)
+        if (segment.takesPaint() && lays)
             continue;
         const Cubic curve = stroke.cubicOf(segment);
         // Most segments lie within what is covered already.

@@ -19,7 +19,7 @@ constexpr double softened = 1.0 / 32;
 bool isEven(const Stroke &stroke)
 {
     return std::all_of(stroke.segments.begin(), stroke.segments.end(), [&](const Segment &s) {
-        return s.lift || !(s.density > 0) ||
+        return s.takesPaint() || !(s.density > 0) ||
                (stroke.styleOf(s) == stroke.style && s.colour.opacity == stroke.fill->colour.opacity);
     });
 }
@@ -33,7 +33,7 @@ double mostOpacity(const Stroke &stroke)
     if (stroke.fill && stroke.fill->gradient)
         most = std::max(most, double(stroke.fill->gradient->colour.opacity));
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift && segment.density > 0)
+        if (!segment.takesPaint() && segment.density > 0)
             most = std::max(most, double(segment.colour.opacity));
     return most;
 }
@@ -44,7 +44,7 @@ Stroke prepared(const Stroke &stroke, Microseconds T)
     if (!stroke.fill || !(stroke.fill->age(T) > 0))
         return copy;
     const bool fades = stroke.fill->gradient && stroke.fill->gradient->colour.opacity != stroke.fill->colour.opacity;
-    if (isFillAlone(stroke) || (isEven(stroke) && !stroke.hasLift() && !fades))
+    if (!stroke.hasFade() && (isFillAlone(stroke) || (isEven(stroke) && !stroke.hasErasure() && !fades)))
         return copy;
     Fill fill = *stroke.fill;
     fill.diffusion = std::max(fill.diffusion, float(softened * softened / (4 * fill.age(T))));

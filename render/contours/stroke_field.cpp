@@ -98,14 +98,16 @@ StrokeField::StrokeField(const Stroke &stroke, Microseconds T, double eta, doubl
         s.node.reach = std::sqrt(s.node.cut) * larger;
         s.node.halfWidth = std::sqrt(s.node.cut * tensor.xx), s.node.halfHeight = std::sqrt(s.node.cut * tensor.yy);
         s.node.row = std::uint32_t(m_rows.size());
-        m_rows.push_back({&segment, modulation(segment.granulation, eta), segment.lift, double(segment.granulation),
-                          double(segment.colour.opacity), &stroke.styleOf(segment)});
+        m_rows.push_back({&segment, modulation(segment.granulation, eta), segment.lift, segment.fade,
+                          double(segment.granulation), double(segment.colour.opacity), &stroke.styleOf(segment)});
         std::vector<Gauss> &nodes = byOctave[int(std::floor(std::log2(smaller)))];
         addGausses(s, s.curve, s.epsilon, 0, nodes);
     }
     addFill(stroke, T);
     classify();
-    if (std::ranges::all_of(m_rows, &Row::lifts)) { // What only takes paint away shows nothing.
+    if (std::ranges::all_of(m_rows, [](const Row &row) {
+            return row.lifts || row.fades;
+        })) { // What only takes paint away shows nothing.
         m_box = {};
         return;
     }
@@ -124,7 +126,7 @@ void StrokeField::addFill(const Stroke &stroke, Microseconds T)
         return;
     const Fill &fill = *stroke.fill;
     m_areaRow = std::uint32_t(m_rows.size());
-    m_rows.push_back({nullptr, modulation(double(fill.granulation), m_eta), false, double(fill.granulation),
+    m_rows.push_back({nullptr, modulation(double(fill.granulation), m_eta), false, false, double(fill.granulation),
                       double(fill.colour.opacity), &stroke.style});
     const double smaller = fill.spread(T) * std::sqrt(std::min(1.0, double(fill.anisotropyRatio)));
     if (smaller < crispSpread) {
@@ -138,10 +140,10 @@ void StrokeField::addFill(const Stroke &stroke, Microseconds T)
 void StrokeField::classify()
 {
     const Row *first = nullptr;
-    bool even = true, hasLift = false, oneStyle = true, oneOpacity = true, oneColour = true;
+    bool even = true, hasLift = false, hasFade = false, oneStyle = true, oneOpacity = true, oneColour = true;
     for (const Row &row : m_rows) {
-        hasLift = hasLift || row.lifts;
-        if (row.lifts)
+        hasLift = hasLift || row.lifts, hasFade = hasFade || row.fades;
+        if (row.lifts || row.fades)
             continue;
         if (!first)
             first = &row;
@@ -157,14 +159,14 @@ void StrokeField::classify()
     }
     if (!oneColour)
         m_evenColour.reset();
-    if (oneStyle) {
+    if (oneStyle && !hasFade) {
         m_style = first ? *first->style : m_stroke.style;
         m_curve.emplace(*m_style);
     }
     if (oneOpacity)
         m_evenOpacity = first ? first->opacity : 0;
     // Without lifting φ′ is a sum, whatever the granulation; with it only where all have the same.
-    m_kind = !oneStyle ? Kind::Mixed : hasLift && !even ? Kind::OneStyle : Kind::Even;
+    m_kind = !oneStyle || hasFade ? Kind::Mixed : hasLift && !even ? Kind::OneStyle : Kind::Even;
     if (m_kind == Kind::Even && first)
         for (Row &row : m_rows)
             if (row.lifts)
@@ -263,7 +265,7 @@ Sloped StrokeField::paintAt(Point p, bool withOpacity) const
         return {};
     const auto value = [&](Point step) {
         const LocalPaint local = localPaint(rows, step, p);
-        return withOpacity ? local.opacity(m_eta) : local.coverage(m_eta);
+        return withOpacity ? local.opacity(m_eta) : local.coverage(m_eta) * std::exp(-local.faded());
     };
     const double h = 1e-5 * sum / std::max(steepest, 1e-300);
     const double here = value({});
@@ -320,7 +322,7 @@ FieldPart StrokeField::within(const FieldPart &part, const Rect &box) const
         out.gauss.emplace_back(bins, i);
         out.narrowest = std::min(out.narrowest, g.spread);
         const Row &row = m_rows[g.row];
-        if (row.lifts)
+        if (row.lifts || row.fades)
             continue;
         // as if it were round, and as wide everywhere as along its longer axis
         out.most += row.gain * g.weight * std::exp(-g.cut * (dx * dx + dy * dy) / (g.reach * g.reach));

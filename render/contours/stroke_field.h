@@ -27,7 +27,7 @@ public:
     /// `tolerance`: how far contours may lie from where they are, canvas units.
     StrokeField(const Stroke &stroke, Microseconds T, double eta, double tolerance);
 
-    /// Whether coverage depends on φ′ alone: all that lays paint has one style.
+    /// Whether coverage depends on φ′ alone: all that lays paint has one style, and nothing makes it paler.
     bool hasOneStyle() const { return m_style.has_value(); }
     const Style &style() const { return *m_style; }
     /// Whether opacity is the coverage times this.
@@ -38,7 +38,7 @@ public:
 
     /// φ′ (16), without a crisp fill.
     Sloped modulatedAt(Point p) const;
-    /// F, and w (21).
+    /// F times what is left of it where paint is made paler, and w (21).
     Sloped coverageAt(Point p) const;
     Sloped opacityAt(Point p) const;
     /// R, Y, B and opacity (20); 0 where there is no paint.
@@ -54,7 +54,7 @@ private:
     struct Row {
         const Segment *segment = nullptr; ///< null: the fill
         double gain = 1;                  ///< γ, negative where paint is taken away
-        bool lifts = false;
+        bool lifts = false, fades = false;
         double granulation = 1, opacity = 1;
         const Style *style = nullptr;
     };

@@ -45,16 +45,17 @@ struct Meeting {
     }
 };
 
-/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, separable ones that
-/// take it away, oblique ones.
+/// Nodes of a stroke whose sums are wanted, as indices that rise: separable ones that lay paint, that lift it, that
+/// fade it; oblique ones.
 struct ListedNodes {
     const ViewNode *nodes = nullptr;
     const std::uint32_t *at = nullptr;
-    int laying = 0, separable = 0,
-        count = 0;                 ///< of `at`, how many come before the lifting, before the oblique ones; all
+    int laying = 0, painted = 0, separable = 0,
+        count = 0;                 ///< of `at`, how many come before the lifting, the fading, the oblique ones; all
     const float *values = nullptr; ///< rows of `channels` floats
     int channels = 0;
-    bool laid = false; ///< whether the last channel is φ⁺
+    int painting = 0;  ///< how many channels come before φ_f, which is the last one if it is there
+    bool laid = false; ///< whether the last of these is φ⁺
 };
 
 /// Sample (i, j) lies at (x + (i+½)·step, y + (j+½)·step), in pixels.

@@ -210,16 +210,20 @@ ToldBlock shadeBent(const ShadeParams &params, int channels, Sums &sums, const f
                     OverMap *map, Shaded &out)
 {
     Told told;
+    // Nothing fades where a pixel is told.
+    const int painting = params.fadeChannel >= 0 ? params.fadeChannel : channels;
+    ShadeParams unfaded = params;
+    unfaded.fadeChannel = -1;
     const bool left = withStyle<Lanes>(
         params.kind[0].kind, [&](int i) { return Lanes(params.kind[0].xi[i]); },
-        [&](const auto &style) { return tell(style, params, channels, sums, etaOfSamples, marks, told); });
+        [&](const auto &style) { return tell(style, params, painting, sums, etaOfSamples, marks, told); });
     if (!left && told.count == 0) {
         shadeInto(params, sums, eta, 1, keep, backdrop, map);
         return ToldBlock::Mixed;
     }
     shade(params, sums, eta, 1, out);
     if (told.count > 0)
-        shadeTold(params, channels, told, etaOfSamples, out);
+        shadeTold(unfaded, painting, told, etaOfSamples, out);
     return left ? ToldBlock::SomeLeft : ToldBlock::Shaded;
 }
 

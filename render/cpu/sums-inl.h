@@ -154,6 +154,20 @@ HWY_INLINE void scaleRows(const float (*rows)[blockSide], const ViewNode *nodes,
     }
 }
 
+/// Fills the tables of `n` nodes, the `first`-th and those behind it.
+HWY_INLINE void fillTables(const Block &block, const ListedNodes &listed, int first, int n, const float *offsets,
+                           Tables &t)
+{
+    const std::uint32_t *at = listed.at + first;
+    fillPlaces(block, listed.nodes, at, n, t);
+    for (int i = 0; i < n; ++i) {
+        const ViewNode &node = listed.nodes[at[i]];
+        const float *place = t.place[i];
+        axisTable<false>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
+        axisTable<true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
+    }
+}
+
 /// Adds separable nodes, and of channels the first ones. With `begin` the sums begin.
 HWY_INLINE void addSeparable(const Block &block, const ListedNodes &listed, int from, int to, int channels, bool begin,
                              Sums &sums)
@@ -164,13 +178,7 @@ HWY_INLINE void addSeparable(const Block &block, const ListedNodes &listed, int 
     for (int first = from; first < to || (first == from && begin); first += chunk) {
         const int n = std::min(chunk, to - first);
         const std::uint32_t *at = listed.at + first;
-        fillPlaces(block, listed.nodes, at, n, t);
-        for (int i = 0; i < n; ++i) {
-            const ViewNode &node = listed.nodes[at[i]];
-            const float *place = t.place[i];
-            axisTable<false>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
-            axisTable<true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
-        }
+        fillTables(block, listed, first, n, offsets, t);
         const bool add = !begin || first > from;
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
         addOuter(t.column, t.rowSlope, n, add, sums.v[2]);
@@ -178,6 +186,24 @@ HWY_INLINE void addSeparable(const Block &block, const ListedNodes &listed, int 
             scaleRows(t.row, listed.nodes, at, n, listed.values, listed.channels, c, t.scaledRow);
             addOuter(t.column, t.scaledRow, n, add, sums.v[fixedSums + c]);
         }
+    }
+}
+
+/// Adds nodes that make paint paler to their one sum, which is the last channel.
+HWY_INLINE void addFading(const Block &block, const ListedNodes &listed, bool begin, Sums &sums)
+{
+    float *sum = sums.v[fixedSums + listed.painting];
+    if (begin && listed.painted == listed.separable)
+        std::memset(sum, 0, sizeof sums.v[0]);
+    Tables t;
+    alignas(64) float offsets[blockSide];
+    cellOffsets(block.step, offsets);
+    for (int first = listed.painted; first < listed.separable; first += chunk) {
+        const int n = std::min(chunk, listed.separable - first);
+        fillTables(block, listed, first, n, offsets, t);
+        scaleRows(t.row, listed.nodes, listed.at + first, n, listed.values, listed.channels, listed.painting,
+                  t.scaledRow);
+        addOuter(t.column, t.scaledRow, n, !begin || first > listed.painted, sum);
     }
 }
 
@@ -214,16 +240,16 @@ void addOblique(const Block &block, const ListedNodes &listed, Sums &sums)
     }
 }
 
-/// Calls `add(from, to, channels, begin)` for the separable nodes that lay paint, then for those that take it away.
+/// Calls `add(from, to, channels, begin)` for the separable nodes that lay paint, then for those that lift it.
 /// These have no channels, so φ⁺ is what φ is between them; `keepLaid` takes it then.
 template <class Add, class KeepLaid>
 HWY_INLINE void addBySign(const ListedNodes &listed, bool begin, Add add, KeepLaid keepLaid)
 {
-    add(0, listed.laying, listed.laid ? listed.channels - 1 : listed.channels, begin);
+    add(0, listed.laying, listed.laid ? listed.painting - 1 : listed.painting, begin);
     if (listed.laid && (begin || listed.laying > 0)) // else φ⁺ is what it was
         keepLaid();
-    if (listed.laying < listed.separable)
-        add(listed.laying, listed.separable, 0, false);
+    if (listed.laying < listed.painted)
+        add(listed.laying, listed.painted, 0, false);
 }
 
 void accumulate(const Block &block, const ListedNodes &listed, bool add, Sums &sums)
@@ -233,7 +259,9 @@ void accumulate(const Block &block, const ListedNodes &listed, bool add, Sums &s
         [&](int from, int to, int channels, bool begin) {
             addSeparable(block, listed, from, to, channels, begin, sums);
         },
-        [&] { std::memcpy(sums.v[fixedSums + listed.channels - 1], sums.v[0], sizeof sums.v[0]); });
+        [&] { std::memcpy(sums.v[fixedSums + listed.painting - 1], sums.v[0], sizeof sums.v[0]); });
+    if (listed.painting < listed.channels)
+        addFading(block, listed, !add, sums);
     addOblique(block, listed, sums);
 }
 

@@ -25,8 +25,17 @@ ListedNodes listedOf(const SceneStroke &stroke, NodeList nodes)
     const auto before = [nodes](int index) {
         return int(std::ranges::lower_bound(nodes, std::uint32_t(index)) - nodes.begin());
     };
-    return {stroke.nodes.data(), nodes.data(),         before(stroke.laying), before(stroke.separable),
-            int(nodes.size()),   stroke.values.data(), stroke.channels,       stroke.shade.laidChannel >= 0};
+    const ShadeParams &shade = stroke.shade;
+    return {stroke.nodes.data(),
+            nodes.data(),
+            before(stroke.laying),
+            before(stroke.painted),
+            before(stroke.separable),
+            int(nodes.size()),
+            stroke.values.data(),
+            stroke.channels,
+            shade.fadeChannel >= 0 ? shade.fadeChannel : stroke.channels,
+            shade.laidChannel >= 0};
 }
 
 int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,

@@ -353,7 +353,9 @@ HWY_INLINE bool tell(const Style &style, const ShadeParams &params, int channels
         const Lanes spread = exp2_(Lanes(3 - 1.0f / levelQuarters) - Lanes(1.0f / levelQuarters) * mark);
         const Doubt<Lanes> doubt = doubtAbout(style, bent, spread, gammaOf(params, eta, at));
         const Mask shows = less_(Lanes(style.level()), doubt.high);
-        const Mask told = and_(first, or_(not_(shows), less_(doubt.four, Lanes(most))));
+        Mask told = and_(first, or_(not_(shows), less_(doubt.four, Lanes(most))));
+        if (params.fadeChannel >= 0) // Where paint is made paler each sample is looked at.
+            told = and_(told, not_(less_(Lanes(0), load(sums.v[fixedSums + params.fadeChannel] + at))));
         const Mask one = and_(told, and_(shows, less_(doubt.one, limitOfOne)));
         const Mask four = and_(told, and_(shows, not_(one)));
         if (!hn::AllFalse(tag, four))

@@ -32,7 +32,7 @@ bool isPlain(const SceneStroke &s)
     if (fill && fill->crisp && !s.nodes.empty())
         return false;
     return !s.picture && math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
-           s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
+           s.shade.fadeChannel < 0 && s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
 }
 
 /// Finds the pixels that nodes [begin, end) may show in: their boxes and a pixel around them, since coverage looks at

@@ -59,8 +59,11 @@ Result<QByteArray> pdfBytes(std::span<const PreparedDrawing> prepared, std::span
                             const std::atomic<bool> *cancel)
 {
     std::vector<PdfPage> pages;
-    for (std::size_t k = 0; k < prepared.size(); ++k)
-        pages.push_back({prepared[k].drawing, prepared[k].png, prepared[k].paper, writeSuffuseFile(paintings[k])});
+    for (std::size_t k = 0; k < prepared.size(); ++k) {
+        const Canvas &canvas = paintings[k].canvas;
+        const PageSize paper = prepared[k].paper.value_or(ownPage(canvas.width, canvas.height, prepared[k].resolution));
+        pages.push_back({prepared[k].drawing, prepared[k].png, paper, writeSuffuseFile(paintings[k])});
+    }
     Result<QByteArray> pdf = pdfOf(pages, prepared.front().about, cancel);
     return pdf || !isCancelled(cancel) ? std::move(pdf) : Result<QByteArray>(drawingInterrupted());
 }
@@ -100,7 +103,7 @@ Result<QByteArray> bytesOf(const PreparedDrawing &prepared, const Painting &pain
 {
     if (prepared.drawing.format == DrawingFormat::Pdf)
         return pdfBytes({&prepared, 1}, {&painting, 1}, cancel);
-    const QByteArray svg = svgOf(prepared.drawing, prepared.png, cancel);
+    const QByteArray svg = svgOf(prepared.drawing, prepared.png, prepared.resolution, cancel);
     if (svg.isEmpty() || isCancelled(cancel))
         return drawingInterrupted();
     QByteArray whole = withEmbedded(svg, writeSuffuseFile(painting));

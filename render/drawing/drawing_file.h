@@ -12,6 +12,7 @@ struct PreparedDrawing {
     QByteArray png; ///< the picture, if paths are unpainted
     DrawingDifference difference;
     std::optional<PageSize> paper = {}; ///< of PDF: what it is printed on; no value: a page as large as the sheet
+    double resolution = 0;              ///< of the sheet, units an inch; 0: an inch has 96, as in CSS and SVG
     PdfAbout about = {};                ///< of PDF
 };
 

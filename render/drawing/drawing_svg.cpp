@@ -1,6 +1,7 @@
 #include "render/drawing/drawing_svg.h"
 
 #include "model/formats/svg/svg_group_writer.h"
+#include "model/painting/resolution.h"
 #include "model/painting/ryb.h"
 #include "render/drawing/band_mask.h"
 #include "render/drawing/drawn_picture.h"
@@ -30,8 +31,9 @@ QString hex(const DrawnColour &colour)
 
 class DrawingWriter {
 public:
-    DrawingWriter(const PathDrawing &drawing, const QByteArray &png, const std::atomic<bool> *cancel)
-        : m_drawing(drawing), m_png(png), m_cancel(cancel), m_xml(&m_bytes), m_data(drawing.painting->canvas)
+    DrawingWriter(const PathDrawing &drawing, const QByteArray &png, double resolution, const std::atomic<bool> *cancel)
+        : m_drawing(drawing), m_png(png), m_resolution(resolution), m_cancel(cancel), m_xml(&m_bytes),
+          m_data(drawing.painting->canvas)
     {}
 
     QByteArray write()
@@ -43,8 +45,8 @@ public:
         m_xml.writeNamespace(inkscapeNamespace, "inkscape");
         if (!m_png.isEmpty() || std::ranges::any_of(m_drawing.strokes, hasPicture))
             m_xml.writeNamespace(linkNamespace, "xlink");
-        m_xml.writeAttribute("width", decimal(canvas.width));
-        m_xml.writeAttribute("height", decimal(canvas.height));
+        m_xml.writeAttribute("width", onPaper(canvas.width));
+        m_xml.writeAttribute("height", onPaper(canvas.height));
         m_xml.writeAttribute("viewBox", "0 0 " + decimal(canvas.width) + ' ' + decimal(canvas.height));
         if (std::ranges::any_of(m_drawing.strokes, [](const DrawnStroke &s) { return s.bands.size() > 1; }))
             m_xml.writeTextElement("style", ".step{mix-blend-mode:difference;fill-rule:evenodd}");
@@ -75,6 +77,11 @@ public:
 private:
     static inline const QString linkNamespace = QStringLiteral("http://www.w3.org/1999/xlink");
 
+    /// A side of the sheet, in pixels where nothing says how large it is on paper.
+    QString onPaper(double side) const
+    {
+        return isResolution(m_resolution) ? decimal(side / m_resolution * millimetresOfInch) + "mm" : decimal(side);
+    }
     /// The picture, or the canvas' colour, which ours and other programs know by its id.
     void writeBelow(const Canvas &canvas)
     {
@@ -280,6 +287,7 @@ private:
 
     const PathDrawing &m_drawing;
     const QByteArray &m_png;
+    double m_resolution;
     const std::atomic<bool> *m_cancel;
     std::map<std::tuple<QString, std::uint32_t, std::uint32_t>, QString> m_images; ///< by their ids in the drawing
     QByteArray m_bytes;
@@ -289,9 +297,9 @@ private:
 
 } // namespace
 
-QByteArray svgOf(const PathDrawing &drawing, const QByteArray &png, const std::atomic<bool> *cancel)
+QByteArray svgOf(const PathDrawing &drawing, const QByteArray &png, double resolution, const std::atomic<bool> *cancel)
 {
-    return DrawingWriter(drawing, png, cancel).write();
+    return DrawingWriter(drawing, png, resolution, cancel).write();
 }
 
 } // namespace suffuse

@@ -51,7 +51,7 @@ std::vector<Sample> samplesOf(const contours::StrokeContours &contours, const st
     for (std::size_t i = 0; i < places.size(); i += every)
         take(places[i]);
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift && segment.density > 0)
+        if (!segment.takesPaint() && segment.density > 0)
             take(stroke.cubicOf(segment).at(0.5));
     return out;
 }

@@ -1,5 +1,7 @@
 #include "render/drawing/page_size.h"
 
+#include "model/painting/resolution.h"
+
 #include <QRegularExpression>
 
 #include <cmath>
@@ -9,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double pointsOfInch = 72, millimetresOfInch = 25.4, unitsOfInch = 96;
+constexpr double pointsOfInch = 72, pixelsOfInch = 96;
 constexpr double smallest = 1, largest = 100'000; // mm
 
 struct NamedPage {
@@ -51,9 +53,10 @@ std::optional<PageSize> pageSizeFrom(const QString &text)
     return PageSize{points(width), points(height), false};
 }
 
-PageSize ownPage(double wide, double high)
+PageSize ownPage(double wide, double high, double resolution)
 {
-    return {wide * pointsOfInch / unitsOfInch, high * pointsOfInch / unitsOfInch, false};
+    const double unit = pointsOfInch / (isResolution(resolution) ? resolution : pixelsOfInch);
+    return {wide * unit, high * unit, false};
 }
 
 } // namespace suffuse

@@ -20,7 +20,8 @@ struct PageSize {
 /// A4, A5, A3, Letter, or a size such as "210x297mm" or "8.5x11in". No value for anything else, and for pages that are
 /// smaller than a millimetre or larger than 100 metres.
 std::optional<PageSize> pageSizeFrom(const QString &text);
-/// The page of a painting at its own size: a unit is a pixel of which an inch has 96, as in CSS and SVG.
-PageSize ownPage(double wide, double high);
+/// The page of a painting at its own size. `resolution`: how many units an inch has; 0: a unit is a pixel of which it
+/// has 96, as in CSS and SVG.
+PageSize ownPage(double wide, double high, double resolution = 0);
 
 } // namespace suffuse

@@ -33,7 +33,7 @@ double meanOpacity(const contours::StrokeContours &contours)
         return *even;
     double sum = 0, weights = 0;
     for (const Segment &segment : contours.stroke().segments) {
-        const double weight = segment.lift ? 0 : double(segment.density) * polygonLength(offsetsOf(segment));
+        const double weight = segment.takesPaint() ? 0 : double(segment.density) * polygonLength(offsetsOf(segment));
         sum += weight * double(segment.colour.opacity), weights += weight;
     }
     if (weights > 0)

@@ -56,7 +56,7 @@ StrokePtr strokeOf(const FitStroke &n, const FittedStrokes &fitted, std::size_t 
 QString problemOf(const Stroke &stroke, StyleKind style)
 {
     const auto says = [](const char *text) { return QCoreApplication::translate("fitting", text); };
-    if (stroke.fill || stroke.picture || stroke.hasLift())
+    if (stroke.fill || stroke.picture || stroke.hasErasure())
         return says("it has a fill, a picture, or segments that take paint away");
     if (stroke.segments.size() != strokeCubics)
         return says("it has not three segments");

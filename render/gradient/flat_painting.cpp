@@ -17,7 +17,9 @@ QString obstacleOf(const Painting &painting, const Stroke &stroke)
             return QStringLiteral("it is in a group that is a layer of its own. Take it out of the group");
     if (stroke.picture)
         return QStringLiteral("it is painted with a picture. Remove the picture");
-    if (stroke.hasLift() && stroke.style.kind == StyleKind::Edge)
+    if (stroke.hasFade())
+        return QStringLiteral("some of its segments make its paint paler. Remove them");
+    if (stroke.hasErasure() && stroke.style.kind == StyleKind::Edge)
         return QStringLiteral("paint is taken away from it, and its edge is darkened. Choose another style");
     return {};
 }

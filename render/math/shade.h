@@ -49,7 +49,10 @@ SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, const M
     for (int k = 0; k < params.kinds; ++k) {
         const KindParams &kind = params.kind[k];
         const bool only = kind.shareChannel < 0;
-        const V share = only ? V(1) : channel(kind.shareChannel) * m.inverse;
+        // Without paint ξ̄ is nothing, and would show what is lifted.
+        const V share = !only                ? channel(kind.shareChannel) * m.inverse
+                        : kind.xiChannel < 0 ? V(1)
+                                             : select_(less_(V(0), channel(kind.xiChannel)), V(1), V(0));
         const V weight = only ? m.inverse : V(1) / max_(channel(kind.shareChannel), V(1e-36));
         const auto xi = [&](int i) {
             return kind.xiChannel < 0 ? V(kind.xi[i])
@@ -115,8 +118,10 @@ SUFFUSE_INLINE Paint<V> paintOf(const ShadeParams &params, V inverse, Channel ch
         return line < 0 ? V(from) : mulAdd_(place, V(to - from), V(from));
     };
     const Colour &from = params.colour, &to = params.colourEnd;
-    return {f * mean(3, from.opacity, to.opacity), mean(0, from.red, to.red), mean(1, from.yellow, to.yellow),
-            mean(2, from.blue, to.blue)};
+    V w = f * mean(3, from.opacity, to.opacity);
+    if (params.fadeChannel >= 0) // Where nothing fades it is times 1, to the bit.
+        w = w * exp2_(V(-log2e) * channel(params.fadeChannel));
+    return {w, mean(0, from.red, to.red), mean(1, from.yellow, to.yellow), mean(2, from.blue, to.blue)};
 }
 
 /// One style for the whole stroke: made once, used for all samples.

@@ -9,7 +9,11 @@ namespace suffuse {
 /// Sums at a sample: φ, −½∂φ/∂x, −½∂φ/∂y (per pixel), then Σφ_k·value for each channel. Where segments take paint away
 /// φ is φ⁺ − φ⁻, which may lie below 0, and the channels are sums over the others.
 inline constexpr int fixedSums = 3;
-inline constexpr int maxChannels = 16; ///< colour 4, granulation 1, shares 3, ξ 7, φ⁺ 1
+inline constexpr int maxChannels = 17; ///< colour 4, granulation 1, shares 3, ξ 7, φ⁺ 1, φ_f 1
+
+/// Nodes that make paint paler stand among the others, but have only 2^−80 of their weight: that much counts for
+/// nothing in sums of density. Their channel, φ_f, has it back. Both are exact, since they are powers of two.
+inline constexpr float fadeUnit = 1208925819614629174706176.0f; ///< 2^80
 
 /// A level of supersampling (docs/reference.md) is divided into so many parts by the spread.
 inline constexpr int levelQuarters = 4;
@@ -34,6 +38,7 @@ struct ShadeParams {
     int grainChannel = -1; ///< −1: constant `grain`
     float grain = 1;
     int laidChannel = -1; ///< φ⁺, where segments take paint away and it is asked for; −1: φ stands for it
+    int fadeChannel = -1; ///< φ_f, the last channel: e^−φ_f of the opacity is left; −1: nothing fades
 };
 
 /// True only if F is zero for all densities and h up to these. `level`: the style's.

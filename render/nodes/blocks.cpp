@@ -24,7 +24,8 @@ std::uint64_t numberOf(const Offset &point)
 /// Tells whether a stroke is cut before the segment, whatever its points are.
 bool isCutBefore(const std::vector<Segment> &segments, std::size_t k)
 {
-    return segments[k].start || segments[k].lift != segments[k - 1].lift;
+    const Segment &before = segments[k - 1], &here = segments[k];
+    return here.start || here.lift != before.lift || here.fade != before.fade;
 }
 
 /// Tells whether number k is less than the `reach` numbers on each side, which must all be there. Of equal numbers the

@@ -23,7 +23,7 @@ struct StrokeBlocks {
 
 /// Finds the blocks of a stroke from segment `from` on, which must be 0 or a firm border of this stroke.
 ///
-/// A chain begins a block, and so does each change between segments that lay paint and segments that lift it. Between
+/// A chain begins a block, and so does each change between segments that lay paint, lift it or fade it. Between
 /// these places the points decide: each segment's first point (as an offset from the stroke's origin) is hashed, and a
 /// block begins at each hash that is the least within `blockReach` segments on both sides. No border depends on how
 /// many segments lie before it. So an edit, a cut or a removed segment moves the borders near it and no others, and a

@@ -45,7 +45,7 @@ std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows)
             return dot(d, d);
         };
         const auto isNearer = [&](const NodeValues &a, const NodeValues &b) {
-            return !b.lift && (a.lift || distance(a) < distance(b));
+            return b.laysPaint() && (!a.laysPaint() || distance(a) < distance(b));
         };
         return std::max_element(rows.begin(), rows.end(), isNearer)->colour;
     };
@@ -57,7 +57,7 @@ std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows)
         return {};
     const Channels along = difference(line.to, line.from);
     for (const NodeValues &v : rows) {
-        if (v.lift)
+        if (!v.laysPaint())
             continue;
         const Channels d = difference(v.colour, line.from);
         const double place = double(line.placeOf(v.colour));

@@ -13,7 +13,7 @@ namespace {
 bool hasOneStyle(const Stroke &stroke)
 {
     return std::ranges::all_of(stroke.segments,
-                               [&](const Segment &s) { return s.lift || stroke.styleOf(s) == stroke.style; });
+                               [&](const Segment &s) { return s.takesPaint() || stroke.styleOf(s) == stroke.style; });
 }
 
 /// Finds the last firm border up to which all segments from `known` on are dry.

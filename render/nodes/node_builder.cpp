@@ -10,7 +10,7 @@ namespace suffuse {
 
 const NodeValues *firstLaying(std::span<const NodeValues> rows)
 {
-    const auto it = std::ranges::find(rows, false, &NodeValues::lift);
+    const auto it = std::ranges::find(rows, true, &NodeValues::laysPaint);
     return it == rows.end() ? nullptr : &*it;
 }
 
@@ -26,7 +26,7 @@ NodeContext contextOf(const Stroke &stroke, Microseconds T, int octave, const Re
     NodeContext context{T, octave, clip, {}};
     auto &styles = context.styles; // Every segment's density passes through all of them.
     for (const Segment &segment : stroke.segments)
-        if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
+        if (!segment.takesPaint() && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
     return context;
 }

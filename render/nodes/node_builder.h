@@ -13,8 +13,8 @@
 namespace suffuse {
 
 /// A node is weight · e^(−q(d)) with q = a·dx² + 2b·dx·dy + c·dy² and d = x − position. It is taken as zero where q >
-/// cutRadius² per axis. Nodes of segments that take paint away have negative weights: a stroke's sum over all its nodes
-/// is φ⁺ − φ⁻.
+/// cutRadius² per axis. Nodes of segments that lift paint have negative weights: a stroke's sum over all its nodes is
+/// φ⁺ − φ⁻. Those of segments that make paint paler belong to neither: their sum is φ_f.
 struct Node {
     double x = 0; ///< offset from the stroke's origin, canvas units
     double y = 0;
@@ -34,11 +34,14 @@ struct NodeValues {
     Colour colour;
     float granulation = 1;
     Style style;       ///< the segment's own or the stroke's
-    bool lift = false; ///< whether it takes paint away; the other values then count for nothing
+    bool lift = false; ///< whether it takes density away, or
+    bool fade = false; ///< makes paint paler; the other values then count for nothing
+
+    bool laysPaint() const { return !lift && !fade; }
     friend bool operator==(const NodeValues &, const NodeValues &) = default;
 };
 
-/// Where paint is taken away, the samples of a pixel lie this many times closer (docs/solver.md, "Lift").
+/// Where paint is lifted, the samples of a pixel lie this many times closer (docs/solver.md, "Lift").
 inline constexpr double liftFineness = 4;
 
 /// Returns the first row that lays paint, or null if there is none.
@@ -46,7 +49,7 @@ const NodeValues *firstLaying(std::span<const NodeValues> rows);
 
 /// Says where a segment makes pixels supersampled (docs/reference.md), in offsets from the stroke's origin.
 struct SegmentReach {
-    double spread = 0; ///< s, the smaller axis where anisotropic; divided by liftFineness if it takes paint away
+    double spread = 0; ///< s, the smaller axis where anisotropic; divided by the fineness of what takes paint
     Rect box;          ///< as influenceOf gives it
     friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
 };

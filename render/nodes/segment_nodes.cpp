@@ -210,7 +210,7 @@ Rect greatestReach(const Stroke &stroke, Microseconds T)
     if (stroke.fill && stroke.fill->age(T) > 0) {
         const double larger = stroke.fill->spread(T) * std::sqrt(std::max(1.0, double(stroke.fill->anisotropyRatio)));
         for (const Segment &segment : stroke.segments)
-            if (!segment.lift) // The hull of the boxes contains the area.
+            if (!segment.takesPaint()) // The hull of the boxes contains the area.
                 box = box.united(stroke.cubicOf(segment).controlBox().grown(radius * larger));
     }
     return box;
@@ -227,13 +227,15 @@ namespace {
 bool describe(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale, SegmentNodes &out,
               Source &s)
 {
-    const std::vector<Style> &styles = context.styles;
+    static const std::vector<Style> none;
+    // What fades passes through no style: an error of its density is at most one of the opacity.
+    const std::vector<Style> &styles = segment.fade ? none : context.styles;
     const Axes axes(segment, context.T);
     if (!isSeen(segment, axes, scale))
         return false;
     const double spread = axes.smaller, larger = axes.larger;
     out.peak = segment.density / (std::sqrt(std::numbers::pi) * spread);
-    double tolerance = 1e300;
+    double tolerance = segment.fade ? unseen : 1e300;
     // Where a segment alone has too little density for the style to show, several lie on top of each other, and their
     // errors add up.
     for (const Style &style : styles)
@@ -273,12 +275,15 @@ bool describe(const Stroke &stroke, const Segment &segment, const NodeContext &c
     out.gain = s.gain;
     out.tolerance = out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1);
     out.isotropic = s.isotropic;
-    if (segment.lift)
-        out.values = {{}, 1, stroke.style, true}, out.weightGain = -out.weightGain;
+    if (segment.takesPaint())
+        out.values = {{}, 1, stroke.style, segment.lift, segment.fade};
     else
-        out.values = {segment.colour, segment.granulation, stroke.styleOf(segment), false};
+        out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
+    if (segment.lift)
+        out.weightGain = -out.weightGain;
     out.spread = spread;
-    out.reach = {segment.lift ? spread / liftFineness : spread, box.grown(reachInSpreads * larger)};
+    const double fineness = segment.lift ? liftFineness : segment.fade ? fadeFineness : 1;
+    out.reach = {spread / fineness, box.grown(reachInSpreads * larger)};
     out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
     return true;
 }
@@ -332,7 +337,7 @@ void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
 void appendWindows(std::span<const SegmentNodes> run, const MergedSpan &merged, StrokeNodes &out)
 {
     const double s = run[0].spread, metric = 1 / (s * s);
-    const NodeValues &values = run[0].values; // All segments of the run have its style and lift.
+    const NodeValues &values = run[0].values; // All segments of the run have its style, and take paint away as it does.
     const std::size_t origin = run[0].begin;
     std::size_t first = 0, next = 0; // the first segments of the window and of the next one
     for (const SpanWindow &window : merged.windows) {
@@ -352,8 +357,11 @@ void appendWindows(std::span<const SegmentNodes> run, const MergedSpan &merged, 
             out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight * gain, radius});
             if (g.rowPerNode || out.rows.size() == g.row) {
                 const auto &v = n.values;
-                out.rows.push_back(
-                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), values.style, values.lift});
+                out.rows.push_back({{float(v[0]), float(v[1]), float(v[2]), float(v[3])},
+                                    float(v[4]),
+                                    values.style,
+                                    values.lift,
+                                    values.fade});
             }
         }
         g.end = std::uint32_t(out.nodes.size());

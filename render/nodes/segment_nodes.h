@@ -10,6 +10,10 @@
 
 namespace suffuse {
 
+/// Where paint is made paler, the samples of a pixel lie this many times closer than elsewhere. They need not lie as
+/// close as where it is lifted, since no style makes an edge of what they tell (docs/solver.md, "Supersampling").
+inline constexpr double fadeFineness = 2;
+
 /// Describes the Level 0 nodes of one segment before blocks are put together.
 struct SegmentNodes {
     std::size_t begin = 0; ///< the range of its nodes among those of the block
@@ -48,7 +52,8 @@ void forEachRun(std::span<const SegmentNodes> segments, Use use)
 {
     const bool merge = std::ranges::all_of(segments, &SegmentNodes::mergeable);
     const auto together = [](const SegmentNodes &a, const SegmentNodes &b) {
-        return a.spread == b.spread && a.values.style == b.values.style && a.values.lift == b.values.lift;
+        return a.spread == b.spread && a.values.style == b.values.style && a.values.lift == b.values.lift &&
+               a.values.fade == b.values.fade;
     };
     for (std::size_t i = 0; i < segments.size();) {
         std::size_t end = i + 1;

@@ -50,7 +50,7 @@ std::vector<Cubic> closedChains(const Stroke &stroke, const ToPixels &toPixels)
             open = false;
         }
         const Segment &segment = stroke.segments[k];
-        if (segment.lift)
+        if (segment.takesPaint())
             continue;
         Cubic curve;
         for (std::size_t i = 0; i < 4; ++i)

@@ -1,5 +1,7 @@
 #include "render/reference/local_paint.h"
 
+#include <cmath>
+
 namespace suffuse::reference {
 
 double modulation(double granulation, double eta)
@@ -22,7 +24,7 @@ double localDensityFunction(const LocalDensity &local, double eta, double px)
 
 Paint paintOf(const LocalDensity &local, double eta, double px)
 {
-    return {localDensityFunction(local, eta, px) * local.colour[3],
+    return {localDensityFunction(local, eta, px) * local.colour[3] * std::exp(-local.faded),
             {local.colour[0], local.colour[1], local.colour[2]}};
 }
 

@@ -17,6 +17,7 @@ struct LocalDensity {
     double density = 0; ///< φ⁺ − φ⁻, from the segments that lay paint and those that take it away; may be < 0
     double slope = 0;   ///< |∇(φ⁺ − φ⁻)|
     double lifted = 0;  ///< φ⁻/φ⁺
+    double faded = 0;   ///< φ_f, from the segments that make paint paler
     double granulation = 1;             ///< ω̄ (15)
     std::array<double, 4> colour{};     ///< C̄ (20): R, Y, B, opacity
     std::array<StyleShare, 3> styles{}; ///< by the kinds that there are
@@ -29,7 +30,7 @@ double modulation(double granulation, double eta);
 /// F(φ′), φ′ = γφ: its mean over a spot of size `px` in the slope's unit, where 0 means the spot itself. In [0, 1].
 double localDensityFunction(const LocalDensity &local, double eta, double px);
 
-/// w = F·C̄_opacity (21) with C̄.
+/// w = F·C̄_opacity·e^−φ_f (21) with C̄.
 Paint paintOf(const LocalDensity &local, double eta, double px);
 
 } // namespace suffuse::reference

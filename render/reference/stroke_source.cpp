@@ -52,7 +52,7 @@ std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
     bool differ = false;
     std::array<bool, 3> there{};
     for (const Segment &segment : stroke.segments) {
-        if (segment.age(time) <= 0 || segment.lift)
+        if (segment.age(time) <= 0 || segment.takesPaint())
             continue;
         const Style &style = stroke.styleOf(segment);
         differ = differ || (first && !(*first == style));
@@ -105,8 +105,9 @@ SegmentSource segmentSource(const Stroke &stroke, const Segment &segment, Micros
     source.onTheFly = source.kernel.smallerSpread < thinPixels;
     source.channels = channelsOf(segment, stroke.styleOf(segment), whole.kinds);
     source.lifts = segment.lift;
+    source.fades = segment.fade;
     if (source.factor > 0) // What adds nothing does not decide how others are sampled.
-        source.level = levelOf(source.kernel.smallerSpread, segment.lift ? 4 : 1);
+        source.level = levelOf(source.kernel.smallerSpread, segment.lift ? 4 : segment.fade ? 2 : 1);
     source.influence = influenceOf(stroke, segment, time);
 
     const Rect picture = Rect::of(0, 0, view.width, view.height).grown(source.reach);
@@ -127,9 +128,9 @@ double reachOf(const Stroke &stroke, Microseconds time)
         if (segment.age(time) <= 0)
             continue;
         const Style &style = stroke.styleOf(segment);
-        if (!segment.lift)
+        if (!segment.takesPaint())
             least = std::min(least, double(style.xi[0]));
-        if (!segment.lift && style.kind == StyleKind::Uniform)
+        if (!segment.takesPaint() && style.kind == StyleKind::Uniform)
             least = std::min(least, double(style.xi[1]));
         const double s = segment.spread(time);
         const Kernel kernel =
@@ -164,9 +165,9 @@ StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &v
     for (const Segment &segment : stroke.segments) {
         if (segment.age(time) <= 0)
             continue;
-        if (!lays && !segment.lift)
+        if (!lays && !segment.takesPaint())
             source.style = stroke.styleOf(segment);
-        lays = lays || !segment.lift;
+        lays = lays || !segment.takesPaint();
         source.segments.push_back(segmentSource(stroke, segment, time, view, source));
         source.box = source.box.united(source.segments.back().box);
     }

@@ -23,7 +23,8 @@ struct SegmentSource {
     bool onTheFly = false;        ///< whether it is so thin that panels are made where they are needed
     std::vector<Panel> panels;    ///< otherwise the panels that reach the picture
     std::vector<double> channels; ///< values by `Channel`
-    bool lifts = false;           ///< whether it takes paint away; its channels then do not count
+    bool lifts = false;           ///< whether it takes density away; its channels then do not count
+    bool fades = false;           ///< whether it makes paint paler; its density is then a sum of its own
     int level = 0;                ///< the smallest k ≤ 6 with s·2^k ≥ 1 px, or 4 px if it takes paint away
     Rect influence;               ///< canvas units, for the rule of supersampling
 };

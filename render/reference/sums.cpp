@@ -37,7 +37,7 @@ void StrokeSums::evaluate(const StrokeSource &stroke, const SampleBlock &block)
 {
     m_block = block;
     const std::size_t samples = std::size_t(block.nx) * std::size_t(block.ny);
-    for (auto *sum : {&m_density, &m_lifted, &m_gradientX, &m_gradientY})
+    for (auto *sum : {&m_density, &m_lifted, &m_faded, &m_gradientX, &m_gradientY})
         sum->assign(samples, 0.0);
     m_channels.resize(std::max(m_channels.size(), stroke.channels));
     for (std::size_t c = 0; c < stroke.channels; ++c)
@@ -106,6 +106,10 @@ void StrokeSums::addSegment(const SegmentSource &segment)
 
     for (int j = rows.from; j < rows.to; ++j) {
         const std::size_t start = index(columns.from, j);
+        if (segment.fades) {
+            addScaled(&m_faded[start], &m_own[start], 1, n);
+            continue;
+        }
         const double sign = segment.lifts ? -1 : 1;
         addScaled(segment.lifts ? &m_lifted[start] : &m_density[start], &m_own[start], 1, n);
         addScaled(&m_gradientX[start], &m_ownX[start], sign, n);
@@ -173,6 +177,7 @@ LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j, bool insid
     const double laid = m_density[s] + area.density;
     local.density = laid - m_lifted[s];
     local.lifted = m_lifted[s] / laid;
+    local.faded = m_faded[s];
     local.slope = std::hypot(m_gradientX[s], m_gradientY[s]);
     local.granulation = channelSum(GranulationChannel) / laid;
     for (std::size_t c = 0; c < 4; ++c)

@@ -51,7 +51,7 @@ private:
     void addAnisotropicNode(const Node &node, const SegmentSource &segment);
 
     SampleBlock m_block;
-    std::vector<double> m_density, m_lifted, m_gradientX, m_gradientY;
+    std::vector<double> m_density, m_lifted, m_faded, m_gradientX, m_gradientY;
     std::vector<std::vector<double>> m_channels;
     std::vector<double> m_covered; ///< empty without a crisp fill
     std::vector<double> m_own, m_ownX, m_ownY; ///< of the present segment

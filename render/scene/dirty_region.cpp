@@ -163,7 +163,7 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
     return isSamePicture(a.picture.get(), b.picture.get()) && a.keep == b.keep && a.granulated == b.granulated &&
            a.calm == b.calm && a.channels == b.channels && a.shade.colourChannel == b.shade.colourChannel &&
            a.shade.lineChannel == b.shade.lineChannel && a.shade.grainChannel == b.shade.grainChannel &&
-           a.shade.laidChannel == b.shade.laidChannel &&
+           a.shade.laidChannel == b.shade.laidChannel && a.shade.fadeChannel == b.shade.fadeChannel &&
            (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&
            (a.shade.lineChannel < 0 || a.shade.colourEnd == b.shade.colourEnd) &&
            (a.shade.grainChannel >= 0 || a.shade.grain == b.shade.grain) && a.deep.empty() == b.deep.empty() &&

@@ -99,15 +99,15 @@ struct Placed {
     std::uint32_t footprint;
 };
 
-/// How the segments of a stroke that lay paint differ from the first of them, and whether there are segments that take
-/// paint away.
+/// How the segments of a stroke that lay paint differ from the first of them, and whether there are segments that lift
+/// paint, or fade it.
 struct Differences {
-    bool colour = false, granulation = false, style = false, kind = false, lift = false;
+    bool colour = false, granulation = false, style = false, kind = false, lift = false, fade = false;
 
     void look(const NodeValues &first, const NodeValues &v)
     {
-        lift |= v.lift;
-        if (v.lift)
+        lift |= v.lift, fade |= v.fade;
+        if (!v.laysPaint())
             return;
         colour |= v.colour != first.colour;
         granulation |= v.granulation != first.granulation;
@@ -117,6 +117,7 @@ struct Differences {
     void operator|=(const Differences &d)
     {
         colour |= d.colour, granulation |= d.granulation, style |= d.style, kind |= d.kind, lift |= d.lift;
+        fade |= d.fade;
     }
 };
 
@@ -125,7 +126,7 @@ struct PlacedNodes {
     Differences differences;
     std::vector<SmallSegment> small;
     std::vector<Footprint> footprints;
-    std::vector<Placed> laying, lifting, oblique; ///< the first two are separable
+    std::vector<Placed> laying, lifting, fading, oblique; ///< all but the last are separable
     std::vector<DeepNode> deep;
     Rect box;
     double narrowestLaid = 1e300; ///< px, of the nodes that lay paint
@@ -204,11 +205,11 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     // Subtracting in double before scaling keeps the digits of a painting far from 0 at deep zoom.
     const Point fromCentre = origin - view.centre, base = view.toPixels(origin);
     Rect box; // the box of a group
-    const auto add = [&](const Node &n, std::uint32_t row) {
+    const auto add = [&](const Node &n, std::uint32_t row, bool fades) {
         if (out.footprints.empty() || !out.footprints.back().fits(n))
             out.footprints.emplace_back(n, j, view.scale);
         const Footprint &f = out.footprints.back();
-        if (n.weight > 0)
+        if (n.weight > 0 && !fades)
             out.narrowestLaid = std::min(out.narrowestLaid, f.narrowest);
         const Point d = j(fromCentre + Point{n.x, n.y});
         const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
@@ -216,17 +217,19 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
             at.y - f.reach.y > seen.bottom)
             return;
         includeNode(box, at, f.reach);
+        const double weight = fades ? n.weight / double(fadeUnit) : n.weight;
         if (f.narrowest > deepSpread)
-            out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, n.weight, row});
+            out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, weight, row});
         else
-            (f.metric.b != 0 ? out.oblique : n.weight < 0 ? out.lifting : out.laying)
-                .push_back({at, float(n.weight), row, std::uint32_t(out.footprints.size() - 1)});
+            (f.metric.b != 0 ? out.oblique : fades ? out.fading : weight < 0 ? out.lifting : out.laying)
+                .push_back({at, float(weight), row, std::uint32_t(out.footprints.size() - 1)});
     };
     for (std::size_t g = from; g < to; ++g) {
         const NodeGroup &group = source.groups[g];
         box = {};
+        const bool fades = source.rows[group.row].fade;
         for (std::uint32_t i = group.begin; i < group.end; ++i)
-            add(source.nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+            add(source.nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0), fades);
         out.box = out.box.united(box);
         if (!bounds)
             continue;
@@ -260,15 +263,16 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
         const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
         parts[k] = placeGroups(source, from, to, s.stroke->origin, grid, changes ? s.groupBounds.data() : nullptr);
     });
-    std::size_t laying = 0, separable = 0, nodes = 0;
+    std::size_t laying = 0, painted = 0, separable = 0, nodes = 0;
     Differences differences;
     Rect box;
     s.calm = true;
     for (const PlacedNodes &part : parts) {
         s.calm &= part.narrowestLaid >= liftFineness;
         laying += part.laying.size();
-        separable += part.laying.size() + part.lifting.size();
-        nodes += part.laying.size() + part.lifting.size() + part.oblique.size();
+        painted += part.laying.size() + part.lifting.size();
+        separable += part.laying.size() + part.lifting.size() + part.fading.size();
+        nodes += part.laying.size() + part.lifting.size() + part.fading.size() + part.oblique.size();
         box = box.united(part.box);
         differences |= part.differences;
         s.small.insert(s.small.end(), part.small.begin(), part.small.end());
@@ -278,21 +282,24 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
     for (std::size_t i = 0; i < s.small.size(); ++i)
         s.smallRuns[i / smallRun] = s.smallRuns[i / smallRun].united(s.small[i].reach);
     s.laying = int(laying);
+    s.painted = int(painted);
     s.separable = int(separable);
     s.bounds = toPixelRect(box, grid.window);
     s.nodes.resize(nodes);
     s.boxes.reserve(nodes);
-    std::vector<std::array<std::size_t, 3>> places; // where the nodes of each kind and part begin
-    std::array<std::size_t, 3> place{0, laying, separable};
+    std::vector<std::array<std::size_t, 4>> places; // where the nodes of each kind and part begin
+    std::array<std::size_t, 4> place{0, laying, painted, separable};
     for (const PlacedNodes &part : parts) {
         places.push_back(place);
-        place[0] += part.laying.size(), place[1] += part.lifting.size(), place[2] += part.oblique.size();
+        place[0] += part.laying.size(), place[1] += part.lifting.size();
+        place[2] += part.fading.size(), place[3] += part.oblique.size();
     }
     parallelFor(parts.size(), threads, [&](std::size_t k) {
         const PlacedNodes &part = parts[k];
         writeNodes(part.laying, part.footprints, grid.window, s, places[k][0]);
         writeNodes(part.lifting, part.footprints, grid.window, s, places[k][1]);
-        writeNodes(part.oblique, part.footprints, grid.window, s, places[k][2]);
+        writeNodes(part.fading, part.footprints, grid.window, s, places[k][2]);
+        writeNodes(part.oblique, part.footprints, grid.window, s, places[k][3]);
     });
     return differences;
 }
@@ -301,7 +308,7 @@ Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads,
 std::array<NodeValues, 2> valuesOf(const Stroke &stroke)
 {
     const Fill &fill = *stroke.fill;
-    const NodeValues from{fill.colour, fill.granulation, stroke.style, false};
+    const NodeValues from{fill.colour, fill.granulation, stroke.style};
     NodeValues to = from;
     if (fill.gradient)
         to.colour = fill.gradient->colour;
@@ -343,7 +350,7 @@ void planChannels(SceneStroke &s, Differences differ)
     s.shade.kinds = 0;
     for (StyleKind kind : styleKinds) {
         const auto member = std::find_if(rows.begin(), rows.end(),
-                                         [&](const NodeValues &v) { return !v.lift && v.style.kind == kind; });
+                                         [&](const NodeValues &v) { return v.laysPaint() && v.style.kind == kind; });
         if (member == rows.end())
             continue;
         KindParams &p = s.shade.kind[s.shade.kinds++];
@@ -357,6 +364,8 @@ void planChannels(SceneStroke &s, Differences differ)
     // φ⁺ itself has a channel if it is needed. Otherwise only max(0, φ⁺ − φ⁻) matters.
     if (differ.lift && (s.channels > 0 || hasRim(first.style.kind)))
         s.shade.laidChannel = s.channels++;
+    if (differ.fade)
+        s.shade.fadeChannel = s.channels++;
 }
 
 /// Finds the levels of styles. If ξ varies, the levels do, too, and a bound is not worth it.
@@ -375,8 +384,10 @@ void findLevels(SceneStroke &s)
 /// Writes the channels of what carries some values; they are 0 before.
 void writeChannels(const ShadeParams &shade, const NodeValues &v, float *row)
 {
-    if (v.lift)
-        return; // It only counts in the density.
+    if (v.fade)
+        row[shade.fadeChannel] = fadeUnit;
+    if (!v.laysPaint())
+        return; // What lifts only counts in the density.
     if (shade.laidChannel >= 0)
         row[shade.laidChannel] = 1;
     if (const int c = shade.colourChannel; c >= 0) {

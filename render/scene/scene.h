@@ -22,8 +22,8 @@ struct DeepNode {
     std::uint32_t row = 0;
 };
 
-/// A segment with s < 1 px (4 px if it takes paint away). The pixels that it reaches are supersampled 2^level ×
-/// 2^level.
+/// A segment with s < 1 px (4 px if it lifts paint, 2 px if it fades it). The pixels that it reaches are supersampled
+/// 2^level × 2^level.
 struct SmallSegment {
     int level = 0;
     int quarter = 0; ///< below levelQuarters; 2^level·s ≥ 2^(1 − (quarter + 1)/4) px (or liftFineness times that)
@@ -37,10 +37,11 @@ struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds;            ///< the pixels of the grid's window that it can change; empty if there are none
-    /// the separable nodes first, and of these the ones that lay paint
+    /// the separable nodes first: those that lay paint, those that lift it, those that fade it; then the oblique ones
     UnsetVector<ViewNode> nodes;
     NodeBoxStore boxes;          ///< the boxes of `nodes`, in pixels from the corner of the grid's window
-    int laying = 0; ///< how many separable nodes lay paint
+    int laying = 0;  ///< how many separable nodes lay paint
+    int painted = 0; ///< how many lay or lift it
     int separable = 0;
     std::vector<DeepNode> deep;
     std::shared_ptr<const SceneFill> fill; ///< null if it has none that could be seen

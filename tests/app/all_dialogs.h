@@ -9,6 +9,7 @@
 #include "app/dialogs/extensions/manage_extensions_dialog.h"
 #include "app/dialogs/fit/fit_dialog.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/dialogs/print/print_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/settings_dialog.h"
@@ -46,6 +47,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"brush", [](MainWindow &w) { return std::make_unique<BrushDialog>(w.editor(), &w); }},
         {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
         {"drawing", [](MainWindow &w) { return std::make_unique<DrawingDialog>(w.editor(), &w); }},
+        {"print", [area](MainWindow &w) { return std::make_unique<PrintDialog>(w.editor(), area(w), &w); }},
         {"fit", [](MainWindow &w) { return std::make_unique<FitDialog>(w.editor(), &w); }},
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},

@@ -1,11 +1,9 @@
 // The CUDA renderer, the paper's kernels on the same device, the CPU renderer and the reference, in one run.
-#include "model/document/timelapse.h"
-#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/bench/plan.h"
 #include "render/compare.h"
-#include "render/sequence.h"
 #include "tests/bench/cuda/paper_scene.h"
+#include "tests/bench/cuda/several_devices.h"
 #include "tests/bench/filled_shapes.h"
 
 #include <QCommandLineParser>
@@ -16,28 +14,17 @@
 #include <QJsonObject>
 #include <QTextStream>
 
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <mutex>
-#include <thread>
 
 using namespace suffuse;
 
 namespace {
 
-/// What is no time: operations a second, frames a second, differences.
-struct Fact {
-    QString name;
-    QString painting;
-    double value = 0;
-    QString unit;
-};
-
 struct Report {
     std::vector<bench::Row> rows;
-    std::vector<Fact> facts;
+    std::vector<CudaFact> facts;
 };
 
 struct Options {
@@ -47,78 +34,7 @@ struct Options {
     double liveSpread = 48.75; ///< s of the live stroke when dry, px: figure 11f's mean, as much larger as the picture
 };
 
-/// A painting and the width that it is drawn at.
-struct Case {
-    QString name;
-    bench::PaintingOptions painting;
-    int width = 1024;
-    QString sample; ///< a file of the samples' folder, instead of a generated painting
-};
-
-/// The samples that come with the program; each is drawn at the widths below.
-const QStringList samples{"ink-landscape", "still-life", "flat", "moonrise", "lanterns", "sheet"};
-constexpr int sampleWidths[] = {512, 1024, 2048};
-
-std::vector<Case> cases()
-{
-    bench::PaintingOptions wide, million;
-    wide.spreadLow = 32;
-    wide.spreadHigh = 72;
-    million.strokes = 1'000'000 / 23;
-    million.segments = 1'000'000;
-    million.width = 3840;
-    million.height = 2160;
-    std::vector<Case> all{{"figure11f", {}, 1024, {}},
-                          {"figure11f-2880", {}, 2880, {}},
-                          {"spread-32-72", wide, 1024, {}},
-                          {"million", million, 3840, {}}};
-    for (const QString &sample : samples)
-        for (const int width : sampleWidths)
-            all.push_back({QStringLiteral("%1-%2").arg(sample).arg(width), {}, width, sample});
-    return all;
-}
-
-/// The paintings that `fills` makes.
-const QStringList filledCases{"shapes-1000", "shapes-1000-crisp", "disc-8", "disc-100", "coast-100000"};
-
-/// The names of the samples' cases.
-QStringList sampleCases()
-{
-    QStringList names;
-    for (const Case &c : cases())
-        if (!c.sample.isEmpty())
-            names << c.name;
-    return names;
-}
-
-Result<Case> caseOf(const QString &name)
-{
-    for (const Case &c : cases())
-        if (c.name == name)
-            return c;
-    if (filledCases.contains(name))
-        return Case{name, {}, 1024, {}};
-    return Error{QStringLiteral("there is no painting %1").arg(name)};
-}
-
-/// Where `--samples` says that the samples lie.
-QString &samplesFolder()
-{
-    static QString folder = QStringLiteral("packaging/samples");
-    return folder;
-}
-
-Result<PaintingPtr> paintingOf(const Case &c)
-{
-    if (c.sample.isEmpty())
-        return std::make_shared<const Painting>(bench::makePainting(c.painting));
-    Result<LoadedDocument> loaded = loadDocument(QStringLiteral("%1/%2.suffuse").arg(samplesFolder(), c.sample));
-    if (!loaded)
-        return Error{loaded.error()};
-    return std::make_shared<const Painting>(std::move(loaded->painting));
-}
-
-bench::Job jobOf(const Case &c, const PaintingPtr &painting, Backend backend, int runs)
+bench::Job jobOf(const CudaCase &c, const PaintingPtr &painting, Backend backend, int runs)
 {
     RendererOptions renderer;
     renderer.backend = backend;
@@ -199,7 +115,7 @@ Result<void> addPaper(const bench::Job &job, const bench::Row &ours, const Optio
     return {};
 }
 
-Result<void> fullRenders(const Case &c, const Options &options, Report &report)
+Result<void> fullRenders(const CudaCase &c, const Options &options, Report &report)
 {
     const Result<PaintingPtr> painting = paintingOf(c);
     if (!painting)
@@ -218,7 +134,7 @@ Result<void> fullRenders(const Case &c, const Options &options, Report &report)
     return addPaper(job, *row, options, report);
 }
 
-Result<void> edits(const Case &c, const Options &options, Report &report)
+Result<void> edits(const CudaCase &c, const Options &options, Report &report)
 {
     bench::Plan plan;
     plan.make = makeRenderer;
@@ -239,7 +155,7 @@ Result<void> edits(const Case &c, const Options &options, Report &report)
 /// A stroke of which 180 and 2,000 segments spread, on top of figure 11f's strokes, 3840 × 2160 pixels.
 Result<void> liveStrokes(const Options &options, Report &report)
 {
-    Case c{"figure11f-3840", {}, 3840, {}};
+    CudaCase c{"figure11f-3840", {}, 3840, {}};
     c.painting.width = 3840;
     c.painting.height = 2160;
     c.painting.unit = 3.75;
@@ -279,7 +195,7 @@ Result<Picture> drawn(Backend backend, const RenderRequest &request)
     return picture;
 }
 
-Result<void> againstCpu(const Case &c, const Options &, Report &report)
+Result<void> againstCpu(const CudaCase &c, const Options &, Report &report)
 {
     const Result<PaintingPtr> painting = paintingOf(c);
     if (!painting)
@@ -305,7 +221,7 @@ Result<void> againstCpu(const Case &c, const Options &, Report &report)
 
 /// Paintings of fills: full renders, the first picture with all that is prepared for it, and frames in which a node of
 /// a shape in the middle is dragged.
-Result<void> fills(const Case &c, const Options &options, Report &report)
+Result<void> fills(const CudaCase &c, const Options &options, Report &report)
 {
     const std::map<QString, std::function<PaintingPtr()>> paintings{
         {"shapes-1000", [] { return baseline::shapes(1000, 12, 4); }},
@@ -334,7 +250,7 @@ Result<void> fills(const Case &c, const Options &options, Report &report)
 }
 
 /// Part of the painting's strokes: the reference takes its time.
-Result<void> againstReference(Case c, const Options &options, Report &report)
+Result<void> againstReference(CudaCase c, const Options &options, Report &report)
 {
     c.painting.segments = c.painting.segments * options.referenceStrokes / c.painting.strokes;
     c.painting.strokes = options.referenceStrokes;
@@ -362,7 +278,7 @@ Result<void> againstReference(Case c, const Options &options, Report &report)
 }
 
 /// Pictures of as many full renders as there are runs, and how many of them differ from the first in any bit.
-Result<void> repeats(const Case &c, const Options &options, Report &report)
+Result<void> repeats(const CudaCase &c, const Options &options, Report &report)
 {
     const Result<PaintingPtr> painting = paintingOf(c);
     if (!painting)
@@ -391,111 +307,18 @@ Result<void> repeats(const Case &c, const Options &options, Report &report)
     return {};
 }
 
-double secondsSince(const QElapsedTimer &timer)
+Result<void> several(const CudaCase &c, const Options &options, Report &report)
 {
-    return double(timer.nsecsElapsed()) * 1e-9;
-}
-
-/// A picture of 32768 × 24576 pixels, which no memory need hold, in 48 parts that the devices take one after another;
-/// seconds from ready devices to the last part, as 8 bits in memory.
-Result<double> inParts(const std::vector<std::unique_ptr<Renderer>> &renderers, const PaintingPtr &painting)
-{
-    constexpr int columns = 8, rows = 6, side = 4096;
-    const Rect all = painting->canvas.area();
-    std::atomic<int> next = 0;
-    std::mutex mutex;
-    QString error;
-    const auto draw = [&](Renderer &renderer) {
-        Picture8 part;
-        for (int i = next++; i < columns * rows; i = next++) {
-            const double width = all.width() / columns, height = all.height() / rows;
-            RenderRequest request;
-            request.painting = painting;
-            request.time = painting->end();
-            request.view = View::ofArea(
-                Rect::of(all.left + i % columns * width, all.top + i / columns * height, width, height), side, side);
-            if (const auto stats = renderer.render(request, part); !stats || !renderer.notice().isEmpty()) {
-                const std::lock_guard lock(mutex);
-                error = stats ? renderer.notice() : stats.error();
-            }
-        }
-    };
-    QElapsedTimer timer;
-    timer.start();
-    {
-        std::vector<std::jthread> threads;
-        for (const auto &renderer : renderers)
-            threads.emplace_back([&] { draw(*renderer); });
-    }
-    return error.isEmpty() ? Result<double>(secondsSince(timer)) : Error{error};
-}
-
-/// 300 frames of 1920 × 1440 pixels; seconds from ready devices to the last frame, each as 8 bits in memory.
-Result<double> film(const std::vector<std::unique_ptr<Renderer>> &renderers, const PaintingPtr &painting)
-{
-    RenderRequest request;
-    request.painting = painting;
-    request.view = View::ofArea(painting->canvas.area(), 1920, 1440);
-    QElapsedTimer timer;
-    timer.start();
-    const auto drawn = renderSequence(renderers, request, timelapseMoments(*painting, {300, 0.5}), 0,
-                                      [](std::size_t, const FloatPicture &frame) {
-                                          thread_local Picture8 raw;
-                                          if (raw.width != frame.width)
-                                              raw.resize(frame.width, frame.height);
-                                          raw.store({0, 0, frame.width, frame.height}, frame.at(0, 0), frame.width);
-                                          return Result<void>();
-                                      });
-    return drawn ? Result<double>(secondsSince(timer)) : Error{drawn.error()};
-}
-
-/// The same by one device and by all, in turn, after a first time that is not counted; medians.
-Result<void> onSeveral(const QString &name,
-                       const std::function<Result<double>(const std::vector<std::unique_ptr<Renderer>> &)> &take,
-                       const Options &options, const Case &c, Report &report)
-{
-    std::vector<std::vector<std::unique_ptr<Renderer>>> made;
-    for (const int devices : {1, allDevices}) {
-        RendererOptions cuda;
-        cuda.backend = Backend::Cuda;
-        cuda.devices = devices;
-        auto renderers = makeRenderers(cuda);
-        if (!renderers)
-            return Error{renderers.error()};
-        made.push_back(std::move(*renderers));
-    }
-    std::map<std::size_t, std::vector<double>> seconds;
-    for (int run = -1; run < std::min(options.runs, 9); ++run)
-        for (const auto &renderers : made) {
-            const Result<double> took = take(renderers);
-            if (!took)
-                return Error{took.error()};
-            if (run >= 0)
-                seconds[renderers.size()].push_back(*took);
-        }
-    for (auto &[devices, times] : seconds)
-        report.facts.push_back(
-            {QStringLiteral("%1-%2-devices").arg(name).arg(devices), c.name, bench::timingOf(times).medianMs, "s"});
+    const Result<std::vector<CudaFact>> facts = timesOnSeveralDevices(c, options.runs);
+    if (!facts)
+        return Error{facts.error()};
+    report.facts.insert(report.facts.end(), facts->begin(), facts->end());
     return {};
-}
-
-Result<void> several(const Case &c, const Options &options, Report &report)
-{
-    const Result<PaintingPtr> painting = paintingOf(c);
-    if (!painting)
-        return Error{painting.error()};
-    if (const Result<void> taken = onSeveral(
-            "32768x24576-in-parts", [&](const auto &renderers) { return inParts(renderers, *painting); }, options, c,
-            report);
-        !taken)
-        return taken;
-    return onSeveral(
-        "film", [&](const auto &renderers) { return film(renderers, *painting); }, options, c, report);
 }
 
 struct Group {
     const char *name;
-    std::function<Result<void>(const Case &, const Options &, Report &)> take;
+    std::function<Result<void>(const CudaCase &, const Options &, Report &)> take;
     QStringList paintings;
 };
 
@@ -505,8 +328,8 @@ std::vector<Group> groups()
     const QStringList withSamples = sampleCases() + all;
     return {{"full", fullRenders, withSamples},
             {"edits", edits, {"figure11f"}},
-            {"fills", fills, filledCases},
-            {"live", [](const Case &, const Options &o, Report &r) { return liveStrokes(o, r); }, {"figure11f"}},
+            {"fills", fills, filledCases()},
+            {"live", [](const CudaCase &, const Options &o, Report &r) { return liveStrokes(o, r); }, {"figure11f"}},
             {"cpu", againstCpu, sampleCases() + QStringList{"figure11f", "figure11f-2880", "spread-32-72"}},
             {"repeats", repeats, {"figure11f", "ink-landscape-1024", "still-life-512"}},
             {"reference", againstReference, {"figure11f", "spread-32-72"}},
@@ -516,7 +339,7 @@ std::vector<Group> groups()
 QString text(const Report &report)
 {
     QString out = bench::toTable(report.rows) + QLatin1Char('\n');
-    for (const Fact &f : report.facts)
+    for (const CudaFact &f : report.facts)
         out += QStringLiteral("%1  %2  %3 %4\n")
                    .arg(f.name.leftJustified(26), f.painting.leftJustified(26))
                    .arg(f.value, 10, 'f', f.value < 100 ? 3 : 1)
@@ -527,7 +350,7 @@ QString text(const Report &report)
 QByteArray json(const Report &report)
 {
     QJsonArray facts;
-    for (const Fact &f : report.facts)
+    for (const CudaFact &f : report.facts)
         facts.append(QJsonObject{{"name", f.name}, {"painting", f.painting}, {"value", f.value}, {"unit", f.unit}});
     const QJsonArray rows = QJsonDocument::fromJson(bench::toJson(report.rows)).array();
     return QJsonDocument(QJsonObject{{"rows", rows}, {"facts", facts}}).toJson();
@@ -553,7 +376,7 @@ int measure(const QCommandLineParser &parser)
         for (const QString &painting : group.paintings) {
             if (!named(parser.value("only"), group.name) || !named(parser.value("paintings"), painting))
                 continue;
-            const Result<Case> c = caseOf(painting);
+            const Result<CudaCase> c = caseOf(painting);
             const Result<void> taken = c ? group.take(*c, options, report) : Result<void>(Error{c.error()});
             if (!taken) {
                 error << "bench_cuda: " << group.name << ", " << painting << ": " << taken.error() << Qt::endl;

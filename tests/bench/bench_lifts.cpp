@@ -1,6 +1,6 @@
-// What lifting costs: times of strokes from which paint is taken away, over those of the same strokes without.
-// bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most segments are measured,
-// too.
+// What lifting and fading cost: times of strokes from which paint is taken away, over those of the same strokes
+// without. bench_lifts [--runs N] [--scale PX] [--only TEXT] [PAINTING…]; of each painting the strokes with the most
+// segments are measured, too.
 #include "model/formats/files.h"
 #include "model/shaping/curves/chains.h"
 #include "render/backends.h"
@@ -53,8 +53,10 @@ Stroke washOf(const Style &style, bool coloursVary)
     return s;
 }
 
-/// The stroke with `count` lifting segments, as several rubs of a soft eraser across it.
-Stroke liftedFrom(Stroke s, std::size_t count, const Rect &area, double spread, double peak)
+constexpr double fadingPeak = 0.51; ///< which takes 40 %
+
+/// The stroke with `count` segments that lift, or fade, as several rubs of a soft eraser across it.
+Stroke erasedFrom(Stroke s, std::size_t count, const Rect &area, double spread, double peak, bool fades)
 {
     constexpr std::size_t chains = 5;
     for (std::size_t c = 0; c < chains; ++c) {
@@ -68,7 +70,7 @@ Stroke liftedFrom(Stroke s, std::size_t count, const Rect &area, double spread, 
         for (std::size_t k = 0; k < n; ++k) {
             chain.push_back(
                 segmentBetween(at(k) - (s.origin - Point()), at(k + 1) - (s.origin - Point()), spread, peak));
-            chain.back().lift = true;
+            (fades ? chain.back().fade : chain.back().lift) = true;
             if (k > 0)
                 chain.back().bezier[0] = chain[k - 1].bezier[3];
         }
@@ -124,13 +126,13 @@ std::vector<double> mediansOf(const std::vector<PaintingPtr> &paintings, const S
 }
 
 /// A row: both times without that of an empty canvas, and their ratio, for pictures and for pictures with their nodes.
-double measure(QTextStream &out, const QString &name, const Canvas &canvas, const Stroke &plain, const Stroke &lifted,
+double measure(QTextStream &out, const QString &name, const Canvas &canvas, const Stroke &plain, const Stroke &erased,
                const Settings &settings)
 {
     const std::vector<PaintingPtr> paintings{paintingOf(canvas, {}), paintingOf(canvas, {plain}),
-                                             paintingOf(canvas, {lifted})};
+                                             paintingOf(canvas, {erased})};
     out << name.leftJustified(44) << QString::number(plain.segments.size()).rightJustified(6)
-        << QString::number(lifted.segments.size() - plain.segments.size()).rightJustified(6);
+        << QString::number(erased.segments.size() - plain.segments.size()).rightJustified(6);
     double worst = 0;
     for (const bool fresh : {false, true}) {
         const std::vector<double> ms = mediansOf(paintings, settings, fresh);
@@ -158,7 +160,7 @@ int main(int argc, char **argv)
     QTextStream out(stdout);
     out << "computing time of one thread, medians of " << settings.runs << " runs, ms; without an empty canvas's\n"
         << QStringLiteral("stroke").leftJustified(44)
-        << "  laid lifts   without    with ratio   with nodes: both, ratio\n";
+        << "  laid taken   without    with ratio   with nodes: both, ratio\n";
     const std::pair<const char *, Style> styles[] = {{"uniform", {StyleKind::Uniform, {0.5f, 0.05f, 0}}},
                                                      {"feathering", {StyleKind::Feathering, {1.1f, 1.5f, 0}}},
                                                      {"dark edges", {StyleKind::Edge, {0.36f, 0.40f, 0.5f}}}};
@@ -167,15 +169,18 @@ int main(int argc, char **argv)
     double worst = 0;
     const auto isWanted = [only = parser.value("only")](const QString &row) { return row.contains(only); };
     for (const auto &[name, style] : styles)
-        for (const bool coloursVary : {false, true}) {
-            const QString row = QStringLiteral("wash, %1%2").arg(QLatin1String(name), coloursVary ? ", colours" : "");
-            if (!isWanted(row))
-                continue;
-            const Stroke wash = washOf(style, coloursVary);
-            const Stroke lifted =
-                liftedFrom(wash, washLifts, Rect::of(200, 150, 620, 470), eraserSpread, double(style.xi[0]));
-            worst = std::max(worst, measure(out, row, sheet, wash, lifted, settings));
-        }
+        for (const bool coloursVary : {false, true})
+            for (const bool fades : {false, true}) {
+                const QString row = QStringLiteral("wash, %1%2, %3")
+                                        .arg(QLatin1String(name), QLatin1String(coloursVary ? ", colours" : ""),
+                                             QLatin1String(fades ? "faded" : "lifted"));
+                if (!isWanted(row))
+                    continue;
+                const Stroke wash = washOf(style, coloursVary);
+                const Stroke erased = erasedFrom(wash, washLifts, Rect::of(200, 150, 620, 470), eraserSpread,
+                                                 fades ? fadingPeak : double(style.xi[0]), fades);
+                worst = std::max(worst, measure(out, row, sheet, wash, erased, settings));
+            }
     for (const QString &path : parser.positionalArguments()) {
         const auto painting = loadPainting(path);
         if (!painting) {
@@ -186,14 +191,20 @@ int main(int argc, char **argv)
         std::ranges::stable_sort(strokes, std::greater{}, [](const StrokePtr &s) { return s->segments.size(); });
         for (std::size_t i = 0; i < std::min<std::size_t>(strokes.size(), 5); ++i) {
             const Stroke &s = *strokes[i];
-            const QString row = QStringLiteral("%1, stroke %2").arg(QFileInfo(path).fileName()).arg(s.id);
-            if (!isWanted(row))
-                continue;
             Rect box;
             for (const Segment &segment : s.segments)
                 box = box.united(s.cubicOf(segment).controlBox());
-            const Stroke lifted = liftedFrom(s, s.segments.size() / 3 + 5, box, eraserSpread, double(s.style.xi[0]));
-            worst = std::max(worst, measure(out, row, painting->canvas, s, lifted, settings));
+            for (const bool fades : {false, true}) {
+                const QString row = QStringLiteral("%1, stroke %2, %3")
+                                        .arg(QFileInfo(path).fileName())
+                                        .arg(s.id)
+                                        .arg(QLatin1String(fades ? "faded" : "lifted"));
+                if (!isWanted(row))
+                    continue;
+                const Stroke erased = erasedFrom(s, s.segments.size() / 3 + 5, box, eraserSpread,
+                                                 fades ? fadingPeak : double(s.style.xi[0]), fades);
+                worst = std::max(worst, measure(out, row, painting->canvas, s, erased, settings));
+            }
         }
     }
     out << "the greatest ratio is " << QString::number(worst, 'f', 2) << '\n';

@@ -1,5 +1,5 @@
 // How painting and time feel: the real window with a painting in it, a pen at its own pace, and the screen.
-//   bench_time [--painting FILE] [--only pen,spreading,scrubbing,film]
+//   bench_time [--painting FILE] [--only pen,spreading,scrubbing,film] [--json]
 // Prints a line a figure.
 #include "app/panels/timeline/timeline_panel.h"
 #include "app/panels/timeline/timeline_view.h"
@@ -10,11 +10,12 @@
 #include "render/sequence.h"
 #include "tests/app/pen_hand.h"
 #include "tests/bench/bench_start.h"
-#include "tests/bench/editing/editing_session.h"
+#include "tests/bench/editing/editing_report.h"
 #include "undo/edits.h"
 
 #include <QDockWidget>
-#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QTextStream>
 #include <QTimer>
 
@@ -32,13 +33,6 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-void print(const QString &name, const Times &times, const QString &more = {})
-{
-    const auto number = [](double ms) { return QString::number(ms, 'f', 2).rightJustified(9); };
-    QTextStream(stdout) << name.leftJustified(40) << number(times.at(0.5)) << number(times.at(0.99))
-                        << number(times.at(1)) << "  " << more << '\n';
 }
 
 /// Knows when a frame that was drawn for a moment stands on the screen.
@@ -156,8 +150,9 @@ Times penTimes(Application &application, EditingSession &s, int strokes, int rep
     return times;
 }
 
-void measurePen(Application &application, EditingSession &s, int strokes)
+Report measurePen(Application &application, EditingSession &s, int strokes)
 {
+    Report report{"pen to frame, ms", {}};
     constexpr int reports = 75;
     s.window().action(Command::Brush).trigger();
     for (const char *name : {"ink-wash", "watercolour-edge", "dry-chalk"}) {
@@ -168,13 +163,14 @@ void measurePen(Application &application, EditingSession &s, int strokes)
         s.editor().setBrush(*brush);
         s.settle();
         const Times times = penTimes(application, s, strokes, reports);
-        print(QStringLiteral("pen to frame, %1").arg(name), times,
-              QStringLiteral("ms, %1 reports").arg(times.ms.size()));
+        report.rows.push_back(rowOf(QLatin1String(name), times));
+        report.rows.back().values.emplace_back("reports", double(times.ms.size()));
         while (s.editor().undoStack().canUndo())
             s.editor().undoStack().undo();
         s.editor().clock().setTime(s.painting().end());
         s.settle();
     }
+    return report;
 }
 
 // --- Spreading
@@ -206,7 +202,7 @@ StrokeList spreadingStrokes(Document &document, Microseconds now)
     return strokes;
 }
 
-void measureSpreading(Application &application, EditingSession &s)
+Report measureSpreading(Application &application, EditingSession &s)
 {
     std::size_t segments = 0;
     const StrokeList strokes = spreadingStrokes(s.document(), s.editor().clock().time());
@@ -227,18 +223,22 @@ void measureSpreading(Application &application, EditingSession &s)
     double sum = 0;
     for (const double ms : apart.ms)
         sum += ms;
-    print(QStringLiteral("%1 strokes of %2 segments spread").arg(strokes.size()).arg(segments / strokes.size()), apart,
-          QStringLiteral("ms from frame to frame, %1 frames/s").arg(1e3 * double(apart.ms.size()) / sum, 0, 'f', 1));
+    Report report{"spreading, from frame to frame, ms", {}};
+    report.rows.push_back(
+        rowOf(QStringLiteral("%1 strokes of %2 segments").arg(strokes.size()).arg(segments / strokes.size()), apart));
+    report.rows.back().values.emplace_back("frames/s", 1e3 * double(apart.ms.size()) / sum);
     s.editor().undoStack().undo();
     s.editor().clock().setTime(s.painting().end());
     s.settle();
+    return report;
 }
 
 // --- Scrubbing
 // ---------------------------------------------------------------------------------------------------------
 
-void measureScrubbing(EditingSession &s, int events)
+Report measureScrubbing(EditingSession &s, int events)
 {
+    Report report{QStringLiteral("scrubbing, from event to frame, ms; %1 events").arg(events), {}};
     TimelinePanel *panel = s.window().findChild<TimelinePanel *>();
     qobject_cast<QDockWidget *>(panel->parentWidget())->show();
     QCoreApplication::processEvents();
@@ -253,22 +253,16 @@ void measureScrubbing(EditingSession &s, int events)
         const DragTimes times = s.paced(events, [&](int i) { s.mouse(*view.viewport(), QEvent::MouseMove, at(i)); });
         s.mouse(*view.viewport(), QEvent::MouseButtonRelease, at(events - 1));
         s.settle();
-        print(name, times.toFrame,
-              QStringLiteral(
-                  "ms from event to frame, %1 frames/s, %2 of %3 events came too soon, %4 ms computed an event")
-                  .arg(times.framesASecond, 0, 'f', 1)
-                  .arg(times.skipped)
-                  .arg(events)
-                  .arg(times.allMs, 0, 'f', 1));
+        report.rows.push_back(rowOf(name, times));
     };
-    measure("scrubbing, drag over all of it", [=](int i) { return double(i) / events; });
-    measure("scrubbing, drag back in the last fifth", [=](int i) { return 1 - 0.2 * i / events; });
-    measure("scrubbing, to and fro", [=](int i) { return 0.7 + 0.25 * std::sin(0.1 * i); });
-    measure("scrubbing, jumps anywhere", [=](int i) { return std::fmod(0.618034 * (i + 1), 1.0); });
-    measure("scrubbing, jumps in the last fifth",
-            [=](int i) { return 0.8 + 0.2 * std::fmod(0.618034 * (i + 1), 1.0); });
+    measure("drag over all of it", [=](int i) { return double(i) / events; });
+    measure("drag back in the last fifth", [=](int i) { return 1 - 0.2 * i / events; });
+    measure("to and fro", [=](int i) { return 0.7 + 0.25 * std::sin(0.1 * i); });
+    measure("jumps anywhere", [=](int i) { return std::fmod(0.618034 * (i + 1), 1.0); });
+    measure("jumps in the last fifth", [=](int i) { return 0.8 + 0.2 * std::fmod(0.618034 * (i + 1), 1.0); });
     s.editor().clock().setTime(s.painting().end());
     s.settle();
+    return report;
 }
 
 // --- Films
@@ -291,7 +285,7 @@ Result<double> drawFilm(const std::vector<std::unique_ptr<Renderer>> &renderers,
     return since(start);
 }
 
-void measureFilm(const Painting &painting)
+std::vector<Report> measureFilm(const Painting &painting)
 {
     constexpr int width = 1024, height = 768, frames = 300;
     RenderRequest request;
@@ -313,7 +307,8 @@ void measureFilm(const Painting &painting)
             qFatal("no picture");
         full.ms.push_back(since(start));
     }
-    print("full render, 1024 x 768", full, "ms");
+    Report render{"a picture, ms", {rowOf("full render, 1024 × 768", full)}};
+    Report films{"a film of 300 frames", {}};
     const QTemporaryDir folder;
     const FilmOptions file{
         .path = folder.filePath("%05d.png"), .frames = frames, .width = width, .height = height, .image = {}};
@@ -324,17 +319,15 @@ void measureFilm(const Painting &painting)
         const Result<double> made =
             writer ? drawFilm(*renderers, request, moments, writer->get(), stats) : Error{writer.error()};
         if (!made) { // as where the module that writes images is missing
-            QTextStream(stdout) << made.error() << '\n';
+            QTextStream(stderr) << made.error() << '\n';
             continue;
         }
-        const double ms = *made;
-        QTextStream(stdout)
-            << QString(writes ? "film of 300 frames, PNG files" : "film of 300 frames, drawn").leftJustified(40)
-            << QStringLiteral("%1 s, %2 × the full render; %3 % of the tiles evaluated\n")
-                   .arg(1e-3 * ms, 0, 'f', 2)
-                   .arg(ms / full.at(0.5), 0, 'f', 0)
-                   .arg(100.0 * double(stats.tilesEvaluated) / double(stats.tiles), 0, 'f', 1);
+        films.rows.push_back({writes ? "PNG files" : "drawn",
+                              {{"s", 1e-3 * *made},
+                               {"full renders", *made / full.at(0.5)},
+                               {"tiles %", 100.0 * double(stats.tilesEvaluated) / double(stats.tiles)}}});
     }
+    return {render, films};
 }
 
 } // namespace
@@ -349,7 +342,8 @@ int main(int argc, char *argv[])
     parser.addOptions({{"painting", "A document; without it one of the size of the paper's figure 11f.", "file"},
                        {"strokes", "A generated painting of so many strokes of ten segments.", "count"},
                        {"events", "Events of a drag, ten for each stroke of the pen (300).", "count", "300"},
-                       {"only", "Parts, separated by commas: pen, spreading, scrubbing, film.", "parts"}});
+                       {"only", "Parts, separated by commas: pen, spreading, scrubbing, film.", "parts"},
+                       {"json", "For programs."}});
     parser.process(application);
     const int events = std::max(parser.value("events").toInt(), 10);
     const Result<Painting> painting = paintingFrom(parser);
@@ -360,17 +354,26 @@ int main(int argc, char *argv[])
     const QStringList only = parser.value("only").split(',', Qt::SkipEmptyParts);
     const auto wanted = [&only](const char *part) { return only.isEmpty() || only.contains(QLatin1String(part)); };
     settings::setThreads(2);
-    QTextStream(stdout) << QString().leftJustified(40) << "   median      p99      max\n";
+    QJsonArray json;
+    const auto tell = [&](const Report &report) {
+        if (parser.isSet("json"))
+            json << jsonOf(report);
+        else
+            print(report);
+    };
     {
         EditingSession session(application, std::make_shared<const Painting>(*painting));
         if (wanted("pen"))
-            measurePen(application, session, events / 10);
+            tell(measurePen(application, session, events / 10));
         if (wanted("spreading"))
-            measureSpreading(application, session);
+            tell(measureSpreading(application, session));
         if (wanted("scrubbing"))
-            measureScrubbing(session, events);
+            tell(measureScrubbing(session, events));
     }
     if (wanted("film"))
-        measureFilm(*painting);
+        for (const Report &report : measureFilm(*painting))
+            tell(report);
+    if (parser.isSet("json"))
+        QTextStream(stdout) << QJsonDocument(json).toJson();
     return 0;
 }

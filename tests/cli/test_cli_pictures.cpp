@@ -24,6 +24,7 @@ private slots:
     void formatsAgree();
     void pfmNeedsNoModule();
     void qualityAndResolution();
+    void sizeOnPaper();
     void standardOutput();
     void sizesAndAreas();
     void moments();
@@ -143,6 +144,36 @@ void TestCliPictures::qualityAndResolution()
     QVERIFY2(png.code == 0 && png.err.contains("--quality is ignored"), qPrintable(png.text()));
     const CliOutcome webp = runCli({"render", path("a.json"), "-o", path("q.webp"), "--dpi", "72"});
     QVERIFY2(webp.code == 0 && webp.err.contains("--dpi is ignored"), qPrintable(webp.text()));
+}
+
+/// A document that says how large it is on paper keeps that in pictures and drawings.
+void TestCliPictures::sizeOnPaper()
+{
+    DocumentExtras extras;
+    extras.resolution = 200;
+    const Result<Painting> painting = loadPainting(path("a.json")); // 40 × 30
+    QVERIFY(painting && saveDocument(*painting, extras, path("paper.suffuse")));
+    const auto bytes = [&](const QStringList &options) {
+        const CliOutcome done = runCli(QStringList{"render", path("paper.suffuse"), "-o", path("p.png")} + options);
+        return done.code == 0 ? readFile(path("p.png")) : done.err;
+    };
+    QVERIFY(bytes({}).contains(QByteArray("pHYs\0\0\x1E\xC2\0\0\x1E\xC2\1", 13))); // 200 dpi, 7874 a metre
+    QVERIFY(bytes({"--scale", "2"}).contains(QByteArray("pHYs\0\0\x3D\x84\0\0\x3D\x84\1", 13))); // 400 dpi
+    QVERIFY(bytes({"--dpi", "300"}).contains(QByteArray("pHYs\0\0\x2E\x23\0\0\x2E\x23\1", 13)));
+    const CliOutcome info = runCli({"info", path("paper.suffuse")});
+    QVERIFY2(info.text().contains("  on paper  5.1 × 3.8 mm, 200 units an inch"), qPrintable(info.text()));
+    QVERIFY(info.text().contains("(size on paper)"));
+    const auto resolutionOf = [this](const QString &file) -> QJsonValue {
+        return runCli({"info", "--json", path(file)}).json()["canvas"].toObject()["resolution"];
+    };
+    QCOMPARE(resolutionOf("paper.suffuse").toDouble(), 200.0);
+    QVERIFY(resolutionOf("a.json").isNull());
+    QVERIFY(!runCli({"info", path("a.json")}).text().contains("on paper"));
+    QCOMPARE(runCli({"convert", path("paper.suffuse"), path("p.svg")}).code, 0);
+    const QByteArray svg = readFile(path("p.svg"));
+    QVERIFY2(svg.contains("width=\"5.08mm\" height=\"3.81mm\" viewBox=\"0 0 40 30\""), svg.left(400).constData());
+    QCOMPARE(runCli({"convert", path("paper.suffuse"), path("again.suffuse")}).code, 0);
+    QCOMPARE(loadDocument(path("again.suffuse"))->extras.resolution, 200.0);
 }
 
 void TestCliPictures::standardOutput()

@@ -162,6 +162,7 @@ const QList<Rule> &rules()
         {"app/panels/strokes/", below + QStringList{"app/widgets/", "app/panels/strokes/"}, widgets, {}},
         {"app/panels/timeline/", below + QStringList{"app/widgets/", "app/panels/timeline/"}, widgets, {}},
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
+        {"app/dialogs/print/printers", {"app/dialogs/"}, widgets + QStringList{"QtPrintSupport"}, {}},
         {"app/window/files/running_program", {"app/window/"}, widgets + QStringList{"QtDBus"}, {}},
         // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
         {"app/cli/",
@@ -170,8 +171,8 @@ const QList<Rule> &rules()
          {"link.h"}},
         // The Python module asks as the command line does.
         {"app/python/",
-         {"model/", "undo/", "render/", "app/cli/options.h", "app/cli/film_work.h", "app/cli/refit_work.h",
-          "app/cli/tiles_work.h", "app/python/"},
+         {"model/", "undo/", "render/", "app/cli/options.h", "app/cli/pictures/film_work.h",
+          "app/cli/fitting/refit_work.h", "app/cli/tiles/tiles_work.h", "app/python/"},
          {"QtCore"},
          {"pybind11"},
          {"undo/history/edit_command.h", "undo/history/kept_history.h", "undo/history/stroke_history.h",

@@ -14,7 +14,7 @@ except ImportError as problem:
     sys.exit(77)
 
 DEFAULTS = {"brush": "", "origin": [0, 0], "node": "smooth", "anisotropy": {"ratio": 1, "angle": 0}, "rewet": [],
-            "start": False, "lift": False, "fill": None, "gradient": None,
+            "start": False, "lift": False, "fade": False, "fill": None, "gradient": None,
             "grain": "tooth", "beta": 0, "seed": 1, "scale": 24, "strength": 0.5, "style": None,
             "text": None, "italic": False, "letterSpacing": 0, "vertical": False, "curve": [], "opacity": 1, "blend": "normal",
             "isolated": False, "clips": False, "mask": False, "wash": None, "solo": False, "tag": "none",

@@ -200,7 +200,7 @@ def strokes(payload):
     begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if is_marked else []) for _ in "xy"]
     filled = iter(list(fills(c, n)) if c.at < len(payload) else [None] * n)
     painted = iter(list(pictures(c, n, texts)) if c.at < len(payload) else [None] * n)
-    assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
+    assert c.at == len(payload) and max(marks, default=0) < 8, "bytes are left"
     marks = iter(marks)
     rows, identity, step, moment, before = iter(rows), 0, 0, 0, [0.0] * 8
     for (added, count, flags, name, brush, group, own, mix, *origin), mode in zip(of_stroke, modes):
@@ -225,7 +225,7 @@ def strokes(payload):
                 "diffusion": diffusion, "density": density, "granulation": granulation, "maxAge": age,
                 "node": ["smooth", "symmetric", "corner"][kind], "style": styles[style - 1] if style else None,
                 "anisotropy": {"ratio": of_bits(ratio + 0x3F800000), "angle": of_bits(angle)},
-                "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2),
+                "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2), "fade": bool(marked[i] & 4),
                 "rewet": [[(born[i] + unzigzag(t)) / 1e6, extra / 1e6] for t, extra in islice(rewets, wettings)]})
         fill = next(filled)
         if fill:
@@ -240,7 +240,7 @@ def read(data):
     for kind, payload in chunks(data):
         if kind == "HEAD":
             head = cbor2.loads(payload)
-            assert head["reader"] <= 3, "the file is newer"
+            assert head["reader"] <= 4, "the file is newer"
             out["version"] = head["reader"]
         elif kind == "IMAG":
             media = {b"\x89": "png", b"\xff": "jpeg", b"R": "webp", b"v": "x-exr"}.get(payload[:1], "tiff")

@@ -94,6 +94,8 @@ public:
         for (std::size_t k = 1; k < s.segments.size(); ++k) {
             s.segments[k].start = below(3) == 0;
             s.segments[k].lift = below(4) == 0;
+            if (k % 2)
+                std::swap(s.segments[k].lift, s.segments[k].fade);
             if (s.segments[k].start && below(4) > 0)
                 s.segments[k].bezier[0] = toOffset(point(50), {});
         }

@@ -215,6 +215,8 @@ private:
             s->segments.push_back(segment(starts && chance(2) ? point() : at));
             s->segments.back().start = starts;
             s->segments.back().lift = hasLift && chance(3);
+            if (k % 2) // Each second one that would lift fades.
+                std::swap(s->segments.back().lift, s->segments.back().fade);
             at = s->segments.back().bezier[3];
         }
         if (chance(3))

@@ -133,7 +133,7 @@ inline Stroke randomFill(std::mt19937_64 &random, StrokeId id, double width, dou
             f.anisotropyRatio = float(std::exp2(6 * u(random) - 3)), f.anisotropyAngle = float(3 * u(random));
     });
     if (random() % 4 == 0)
-        liftAlong(s, anywhere(), anywhere(), 4 * spread + 1, 0.3 + u(random));
+        (id % 3 == 0 ? fadeAlong : liftAlong)(s, anywhere(), anywhere(), 4 * spread + 1, 0.3 + u(random), 4);
     return s;
 }
 

@@ -1,4 +1,4 @@
-// Strokes of several chains, from which paint is lifted, for the render tests.
+// Strokes of several chains, from which paint is lifted or whose paint is made paler, for the render tests.
 #pragma once
 
 #include "model/shaping/curves/chains.h"
@@ -29,6 +29,15 @@ inline void liftAlong(Stroke &stroke, Point a, Point b, double spread, double pe
             chain.back().bezier[0] = chain[std::size_t(k) - 1].bezier[3];
     }
     appendChain(stroke, std::move(chain));
+}
+
+/// Makes paint paler along a line, as liftAlong lifts it. `peak`: e^−peak of the opacity is left on the line.
+inline void fadeAlong(Stroke &stroke, Point a, Point b, double spread, double peak, int segments = 4)
+{
+    const std::size_t before = stroke.segments.size();
+    liftAlong(stroke, a, b, spread, peak, segments);
+    for (std::size_t k = before; k < stroke.segments.size(); ++k)
+        stroke.segments[k].lift = false, stroke.segments[k].fade = true;
 }
 
 /// A wash: a stroke that goes to and fro over an area, `passes` times, so that its passes run into each other.
@@ -83,6 +92,23 @@ inline std::vector<Stroke> liftedStrokes(std::mt19937_64 &random, int count, dou
                     s.segments[k].born = Microseconds(k) * 150'000;
                 s.segments[k].colour = {float(u(random)), 1, 0, float(u(random))}; // counts for nothing
             }
+        }
+    }
+    return strokes;
+}
+
+/// The same, of which some chains fade instead, and so do a few segments among those that lay paint.
+inline std::vector<Stroke> fadedStrokes(std::mt19937_64 &random, int count, double width, double height)
+{
+    std::vector<Stroke> strokes = liftedStrokes(random, count, width, height);
+    for (Stroke &s : strokes) {
+        bool fades = false;
+        for (std::size_t k = 0; k < s.segments.size(); ++k) {
+            Segment &g = s.segments[k];
+            if (s.beginsChain(k))
+                fades = g.lift ? random() % 2 : random() % 8 == 0 && k > 0;
+            if (fades)
+                g.lift = false, g.fade = true;
         }
     }
     return strokes;

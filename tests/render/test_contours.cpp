@@ -59,7 +59,8 @@ public:
         }
         return paint;
     }
-    double coverage(Point p) const { return at(p).coverage(m_eta); }
+    /// As far as it is left where paint is made paler.
+    double coverage(Point p) const { return at(p).coverage(m_eta) * std::exp(-at(p).faded()); }
     double opacity(Point p) const { return at(p).opacity(m_eta); }
 
 private:
@@ -248,8 +249,8 @@ private slots:
     void otherStrokes_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "mixed styles",
-                                 "spread fill", "narrow fill", "fill with a line", "turned fill"})
+        for (const char *what : {"tiny", "huge", "hair", "lifted", "granulated and lifted", "faded", "faded fill",
+                                 "mixed styles", "spread fill", "narrow fill", "fill with a line", "turned fill"})
             QTest::newRow(what) << what;
     }
     void otherStrokes()
@@ -270,6 +271,14 @@ private slots:
             s.segments[1].start = true;
             s.segments[2].start = true;
         }
+        if (what == "faded") {
+            s.segments[1].fade = true;
+            s.segments[1].density = 12;
+            s.segments[1].bezier = s.segments[0].bezier;
+            s.segments[1].bezier[1].x += 20;
+            s.segments[1].start = true;
+            s.segments[2].start = true;
+        }
         if (what.startsWith("granulated"))
             s.segments[0].granulation = 0.2f;
         if (what == "mixed styles")
@@ -282,6 +291,10 @@ private slots:
         }
         if (what == "fill with a line")
             s.segments[2].density = 9;
+        if (what == "faded fill") {
+            s.segments[2].density = 9;
+            s.segments[2].fade = true;
+        }
         if (what == "turned fill") {
             Fill fill = *s.fill;
             fill.anisotropyRatio = 2, fill.anisotropyAngle = 0.7f;
@@ -338,7 +351,7 @@ private slots:
     void crispFillsAreTheirOutlines()
     {
         Stroke s = emptyFill(1, 0, test::styleOf(StyleKind::Uniform));
-        addEllipse(s, {300, 200}, 120, 70);
+        addEllipse(s, {300, 200}, 60, 35);
         const std::vector<Band> bands = StrokeContours(s, end, {}).bands(16);
         QCOMPARE(bands.size(), 1u);
         QVERIFY(std::abs(bands.front().opacity - densityFunction(s.style, s.fill->density) * s.fill->colour.opacity) <
@@ -348,7 +361,7 @@ private slots:
         for (const std::vector<Cubic> &loop : loops)
             for (const Cubic &c : loop)
                 box = box.united(c.controlBox());
-        QVERIFY(std::abs(box.width() - 240) < 1e-3 && std::abs(box.height() - 140) < 1e-3);
+        QVERIFY(std::abs(box.width() - 120) < 1e-3 && std::abs(box.height() - 70) < 1e-3);
 
         // Paint of its segments lies around it, and what both cover is one area.
         s.segments[0].density = 6;

@@ -187,6 +187,20 @@ private slots:
             }
     }
 
+    /// Beside the paint of a stroke whose ξ vary there is no ξ̄, and a lift shows nothing there.
+    void liftsBesidePaintWhoseStylesVary()
+    {
+        Stroke s = stroke(1, Shape::Straight, {60, 30}, 20, 3, styleOf(StyleKind::Uniform));
+        s.segments[1].style = Style{StyleKind::Uniform, {0.7f, 0.1f, 0}};
+        liftAlong(s, {14, 50}, {30, 50}, 3.1, 2.2, 2);
+        for (Segment &g : s.segments)
+            if (g.lift)
+                g.anisotropyRatio = 4, g.anisotropyAngle = 0.5f;
+        const View view = View::ofArea(sheet, 96, 72);
+        compare(painting({s}), view, "lift beside paint");
+        QCOMPARE(test::render(*m_cpu, painting({s}), view, -1, true).at(22, 57)[3], 0.0f);
+    }
+
     void onePicture()
     {
         std::mt19937_64 random(3);

@@ -1,6 +1,7 @@
 // One picture: the same bits for any tiling, thread count, instruction order, dirty region and history.
 #include "render/backends.h"
 #include "tests/render/paintings.h"
+#include "tests/trials.h"
 
 #include "model/painting/influence.h"
 #include "render/cpu/kernels.h"
@@ -248,7 +249,7 @@ private slots:
         std::mt19937_64 random(13);
         std::uniform_real_distribution<double> u(0, 1);
         const auto renderer = make(Backend::Cpu);
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0, all = trials(30, 300); i < all; ++i) {
             auto strokes = randomStrokes(random, 4, 64, 48);
             for (Stroke &s : strokes)
                 for (Segment &g : s.segments) {

@@ -136,7 +136,7 @@ private:
         default:
             return changeStrokes(m_document, strokes, [](Stroke &stroke) { // a fill alone
                 for (Segment &segment : stroke.segments)
-                    segment.density = stroke.fill && !segment.lift ? 0 : segment.density;
+                    segment.density = stroke.fill && !segment.takesPaint() ? 0 : segment.density;
             });
         }
     }

@@ -396,7 +396,7 @@ private slots:
             for (const AreaSet how : {AreaSet::Union, AreaSet::Difference}) {
                 Work w(below ? std::vector{erased, square(0, 0, 10)} : std::vector{square(0, 0, 10), erased});
                 QCOMPARE(w.combine(how), AreaProblem::None);
-                QCOMPARE(w.only().hasLift(), below || how == AreaSet::Union);
+                QCOMPARE(w.only().hasErasure(), below || how == AreaSet::Union);
             }
     }
 

@@ -286,7 +286,7 @@ private slots:
         select(d, {1});
         Edit all = removeErasures(d);
         d.exchange(all);
-        QVERIFY(!strokeOf(d, 1).hasLift());
+        QVERIFY(!strokeOf(d, 1).hasErasure());
         QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(8));
         QVERIFY(removeErasures(d).isEmpty());
         d.exchange(all);
@@ -295,7 +295,7 @@ private slots:
         d.exchange(apart);
         QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(6));
         QCOMPARE(strokeOf(d, 2).segments.size(), std::size_t(4)); // nothing is erased there
-        QVERIFY(!strokeOf(d, 2).hasLift());
+        QVERIFY(!strokeOf(d, 2).hasErasure());
     }
 
     void aStrokeOfChainsGoesOnFromEachEnd()

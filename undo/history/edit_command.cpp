@@ -4,6 +4,8 @@
 
 #include <QUndoStack>
 
+#include <utility>
+
 namespace suffuse {
 
 EditCommand::EditCommand(Document &document, Edit edit, const QString &text, State state)
@@ -13,18 +15,33 @@ EditCommand::EditCommand(Document &document, Edit edit, const QString &text, Sta
 
 void EditCommand::redo()
 {
-    if (m_skips > 0)
-        --m_skips;
-    else
-        m_document.exchange(*m_edit);
+    exchange();
 }
 
 void EditCommand::undo()
 {
-    if (m_skips > 0)
+    exchange();
+}
+
+void EditCommand::exchange()
+{
+    if (m_skips > 0) {
         --m_skips;
-    else
-        m_document.exchange(*m_edit);
+        return;
+    }
+    m_document.exchange(*m_edit);
+    if (!m_keeps)
+        return;
+    const Selection &now = m_document.selection();
+    m_edit->selection = m_other ? std::exchange(*m_other, now) : now;
+}
+
+void EditCommand::keepSelection()
+{
+    m_keeps = true;
+    m_other.reset();
+    if (m_edit->selection != m_document.selection())
+        m_other = m_document.selection();
 }
 
 std::optional<Edit> doEdit(Document &document, Edit edit)
@@ -40,17 +57,18 @@ std::optional<Edit> doEdit(Document &document, Edit edit)
 void goOnWithStep(QUndoStack &stack, Document &document, Edit edit)
 {
     const int last = stack.index() - 1;
-    const auto *step = dynamic_cast<const EditCommand *>(stack.command(last));
+    auto *step = dynamic_cast<EditCommand *>(const_cast<QUndoCommand *>(stack.command(last)));
     Q_ASSERT_X(step && !stack.canRedo(), "goOnWithStep", "there is no step to go on with");
     document.exchange(edit);
     const std::shared_ptr<Edit> back = step->sharedEdit();
     extendBack(*back, std::move(edit), *document.painting());
+    step->keepSelection();
     if (!changesNothing(*back, *document.painting())) {
         emit stack.indexChanged(stack.index()); // The stack's step does something else now.
         return;
     }
     // A stack removes an obsolete step without calling it.
-    const_cast<EditCommand *>(step)->setObsolete(true);
+    step->setObsolete(true);
     stack.undo();
 }
 

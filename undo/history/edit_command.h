@@ -26,15 +26,23 @@ public:
     void redo() override;
     void undo() override;
 
+    /// Remembers what is selected after the step, which is done: redo() selects that again, and undo() what was
+    /// selected before, whatever was selected in between.
+    void keepSelection();
+
     /// The edit with the state that the document does not have, as in the constructor.
     const Edit &edit() const { return *m_edit; }
     /// The same edit, for whoever extends this step while it is the last one (`goOnWithStep`).
     const std::shared_ptr<Edit> &sharedEdit() const { return m_edit; }
 
 private:
+    void exchange();
+
     Document &m_document;
-    std::shared_ptr<Edit> m_edit; ///< never null
-    int m_skips = 0;              ///< the number of calls that must do nothing
+    std::shared_ptr<Edit> m_edit;     ///< never null
+    int m_skips = 0;                  ///< the number of calls that must do nothing
+    bool m_keeps = false;             ///< whether both selections are remembered
+    std::optional<Selection> m_other; ///< the one that the document has, if it differs from that in the edit
 };
 
 /// Does an edit, and returns the way back, which also brings back the selection. No value if the edit changes nothing

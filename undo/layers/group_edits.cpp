@@ -167,7 +167,7 @@ std::array<double, 3> meanColour(const Stroke &stroke)
         ++count;
     };
     for (const Segment &s : stroke.segments)
-        if (!s.lift && s.density > 0)
+        if (!s.takesPaint() && s.density > 0)
             add(s.colour);
     if (count == 0 && stroke.fill) {
         add(stroke.fill->colour);

@@ -129,8 +129,7 @@ void GuideHandle::move(const PointerEvent &event)
     if (event.modifiers & Qt::ShiftModifier) {
         const View &view = m_view.view();
         const bool alongTop = !runsAcross(guide, view);
-        const double tick =
-            rulerScale(view, !alongTop, unitOf(m_around.aids().rulerUnits), usualTickSpacing * m_around.dpr()).tick;
+        const double tick = rulerScale(view, !alongTop, m_around.rulerUnit(), usualTickSpacing * m_around.dpr()).tick;
         place = tick * std::round(place / tick);
     } else { // as fine as a pixel, without digits beyond it
         const double fine = std::pow(10, std::floor(std::log10(1 / m_view.view().scale)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/canvas/handles/canvas_handle.h"
+#include "app/canvas/handles/rulers.h"
 #include "app/session/selecting/snapping.h"
 #include "model/geometry/guide.h"
 
@@ -20,6 +21,7 @@ class GuideHandle : public CanvasHandle {
 public:
     struct Surroundings {
         std::function<CanvasAids()> aids;
+        std::function<RulerUnit()> rulerUnit;
         std::function<bool()> isBare; ///< no guides are seen
         /// the tool in use has nothing to do with a press at a pixel
         std::function<bool(Point pixel)> isFree;

@@ -1,11 +1,13 @@
 #include "app/canvas/handles/rulers.h"
 
 #include "app/canvas/overlay/overlay.h"
+#include "model/painting/resolution.h"
 
 #include <QFontMetricsF>
 #include <QLocale>
 
 #include <cmath>
+#include <limits>
 
 namespace suffuse {
 
@@ -37,8 +39,9 @@ QString rulerLabel(double value, const RulerUnit &unit, int decimals)
 }
 
 /// Draws one along the x axis of the painter, from 0 to `length` device pixels. The edge to the canvas lies at `width`.
-void paintRuler(QPainter &painter, const RulerScale &scale, const RulerUnit &unit, double length, double width,
-                const QColor &ink, double dpr)
+/// Figures end before `end`, where the corner of both rulers lies.
+void paintRuler(QPainter &painter, const RulerScale &scale, const RulerUnit &unit, double length, double end,
+                double width, const QColor &ink, double dpr)
 {
     const double last = scale.first + length * scale.perPixel;
     const double low = std::min(scale.first, last), high = std::max(scale.first, last);
@@ -52,24 +55,33 @@ void paintRuler(QPainter &painter, const RulerScale &scale, const RulerUnit &uni
     }
     painter.setPen(QPen(ink, dpr));
     painter.drawLines(ticks);
-    const double ascent = QFontMetricsF(painter.font()).ascent();
-    for (double k = std::ceil(low / scale.step) - 1; k * scale.step <= high; ++k)
-        painter.drawText(QPointF(pixelOf(k * scale.step) + 3 * dpr, 2 * dpr + ascent),
-                         rulerLabel(k * scale.step, unit, scale.decimals));
+    const QFontMetricsF metrics(painter.font());
+    const double gap = 3 * dpr, step = scale.step / std::abs(scale.perPixel);
+    const auto labelOf = [&](double k) { return rulerLabel(k * scale.step, unit, scale.decimals); };
+    for (double k = std::ceil(low / scale.step) - 1; k * scale.step <= high; ++k) {
+        const QString label = labelOf(k);
+        const double tick = pixelOf(k * scale.step), wide = metrics.horizontalAdvance(label);
+        double at = tick + gap;
+        if (tick <= end && at + wide > end) { // It stands before its tick, where the one before leaves room.
+            const double before = metrics.horizontalAdvance(labelOf(k - std::copysign(1, scale.perPixel)));
+            at = wide + before + 3 * gap <= step ? tick - gap - wide : end;
+        }
+        if (at < end)
+            painter.drawText(QPointF(at, 2 * dpr + metrics.ascent()), label);
+    }
 }
 
 } // namespace
 
-RulerUnit unitOf(RulerUnits units)
+RulerUnit unitOf(RulerUnits units, double resolution)
 {
-    constexpr double inch = 150; // canvas units, as on new sheets of paper
     switch (units) {
     case RulerUnits::Canvas:
         break;
     case RulerUnits::Millimetres:
-        return {QStringLiteral("mm"), inch / 25.4};
+        return {QStringLiteral("mm"), resolution / millimetresOfInch};
     case RulerUnits::Inches:
-        return {QStringLiteral("in"), inch};
+        return {QStringLiteral("in"), resolution};
     }
     return {};
 }
@@ -126,7 +138,8 @@ void paintRulers(QPainter &painter, const View &view, const RulerUnit &unit, con
             scale.first += length * scale.perPixel;
             scale.perPixel = -scale.perPixel;
         }
-        paintRuler(painter, scale, unit, length, width, ink, dpr);
+        const double end = down ? length - width : std::numeric_limits<double>::infinity();
+        paintRuler(painter, scale, unit, length, end, width, ink, dpr);
         painter.restore();
     }
     painter.setPen(QPen(colours.border, dpr));

@@ -18,8 +18,8 @@ struct RulerUnit {
     double units = 1; ///< canvas units in one of it
 };
 
-/// What rulers count by a choice of the user.
-RulerUnit unitOf(RulerUnits units);
+/// What rulers count by a choice of the user, where an inch has so many canvas units.
+RulerUnit unitOf(RulerUnits units, double resolution);
 
 /// How wide a ruler is, logical pixels.
 inline constexpr double rulerWidth = 18;

@@ -40,10 +40,10 @@ void ErasureLines::gather(const View &view, const PaintingPtr &painting, Microse
     m_path = {};
     const Visibility isVisible(painting->groups);
     for (const StrokePtr &stroke : painting->strokes) {
-        if ((only && !only->contains(stroke->id)) || !stroke->hasLift() || !isVisible(*stroke))
+        if ((only && !only->contains(stroke->id)) || !stroke->hasErasure() || !isVisible(*stroke))
             continue;
         for (const Segment &segment : stroke->segments) {
-            if (!segment.lift)
+            if (!segment.takesPaint())
                 continue;
             if (segment.born > T) {
                 m_until = std::min(m_until, segment.born);

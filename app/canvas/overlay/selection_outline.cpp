@@ -241,7 +241,7 @@ const SelectionOutline::Line &SelectionOutline::lineOf(const OutlinedStroke &sho
     for (int k = 0; k < int(stroke->segments.size()); ++k) {
         const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(k)]);
         const bool isChosen = line.chosen.contains(k);
-        if (stroke->segments[std::size_t(k)].lift && !isChosen)
+        if (stroke->segments[std::size_t(k)].takesPaint() && !isChosen)
             continue; // it has lines of its own
         addCurve(isChosen ? line.segments : line.path, cubic, m_shown.view);
         if (!isChosen)

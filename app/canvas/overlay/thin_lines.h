@@ -74,11 +74,11 @@ void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double 
     Point last = pixelOf(Point{} + stroke.segments.front().bezier[0]);
     double since = 0; // pixels along the curve since the last point
     const auto goesOn = [&stroke](std::size_t k) { // whether the line goes on to this segment
-        return k < stroke.segments.size() && !stroke.beginsChain(k) && !stroke.segments[k].lift;
+        return k < stroke.segments.size() && !stroke.beginsChain(k) && !stroke.segments[k].takesPaint();
     };
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
-        if (segment.lift)
+        if (segment.takesPaint())
             continue;
         if (!goesOn(k)) {
             last = pixelOf(Point{} + segment.bezier[0]);

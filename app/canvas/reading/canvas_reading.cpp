@@ -223,8 +223,8 @@ StrokeId CanvasReading::strokeAt(QPoint global) const
     const View &view = m_canvas.view();
     constexpr double slack = 3; // logical pixels in which hairlines are found
     const double dpr = m_canvas.devicePixelRatioF();
-    const auto found = pickTopmost(*editor.layer().reached(), editor.clock().time(),
-                                   view.toCanvas(devicePixels(m_canvas, local)), slack * dpr / view.scale);
+    const auto found = pickSeen(*editor.layer().reached(), editor.clock().time(),
+                                view.toCanvas(devicePixels(m_canvas, local)), slack * dpr / view.scale);
     return found ? found->stroke : 0;
 }
 

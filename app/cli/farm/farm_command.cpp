@@ -15,7 +15,7 @@ struct FarmCommand {
     const char *summary;
 };
 
-constexpr std::array commands = {
+constexpr std::array farmCommands = {
     FarmCommand{"plan", farmPlanCommand, QT_TRANSLATE_NOOP("Cli", "say what is to be drawn, in a shared folder")},
     FarmCommand{"run", farmRunCommand, QT_TRANSLATE_NOOP("Cli", "draw a part of it, on any machine")},
     FarmCommand{"status", farmStatusCommand, QT_TRANSLATE_NOOP("Cli", "what is missing")},
@@ -27,10 +27,10 @@ constexpr std::array commands = {
     FarmCommand{"flamenco", farmFlamencoCommand, QT_TRANSLATE_NOOP("Cli", "print the work as a job type of Flamenco")},
 };
 
-QString help()
+QString farmHelp()
 {
     QString text = QCoreApplication::translate("Cli", "Usage: suffuse-cli farm COMMAND [options] …") + "\n\n";
-    for (const FarmCommand &c : commands)
+    for (const FarmCommand &c : farmCommands)
         text += QStringLiteral("  %1%2\n")
                     .arg(QLatin1String(c.name), -10)
                     .arg(QCoreApplication::translate("Cli", c.summary));
@@ -43,14 +43,14 @@ int farmCommand(const QStringList &arguments)
 {
     const QString name = arguments.value(2);
     if (name == "--help" || name == "-h")
-        return print(help());
+        return print(farmHelp());
     QStringList own = arguments;
     own.removeAt(1);
-    for (const FarmCommand &c : commands)
+    for (const FarmCommand &c : farmCommands)
         if (name == QLatin1String(c.name))
             return c.run(own);
     if (name.isEmpty()) {
-        QTextStream(stderr) << help();
+        QTextStream(stderr) << farmHelp();
         return WrongUsage;
     }
     return fail(

@@ -89,9 +89,15 @@ Result<QString> submit(const QStringList &options, const QString &script)
     return said.section(';', 0, 0);
 }
 
-/// Parses a command of one folder; the plan, or the exit code in `code`.
-std::optional<FarmPlan> planOf(CommandLine &line, const QStringList &arguments, int &code)
+struct FarmJob {
+    FarmPlan plan;
+    qint64 tasks;
+};
+
+/// Parses a command of one folder that divides the work; its job, or the exit code in `code`.
+std::optional<FarmJob> jobOf(const QString &command, CommandLine &line, const QStringList &arguments, int &code)
 {
+    addTasks(line);
     if (const std::optional<int> ended = line.parse(arguments)) {
         code = *ended;
         return {};
@@ -101,7 +107,12 @@ std::optional<FarmPlan> planOf(CommandLine &line, const QStringList &arguments, 
         code = fail(plan.error());
         return {};
     }
-    return *plan;
+    const Result<qint64> tasks = tasksOf(line, *plan);
+    if (!tasks) {
+        code = failUsage(command, tasks.error());
+        return {};
+    }
+    return FarmJob{*plan, *tasks};
 }
 
 QJsonObject openJdAction(const QStringList &arguments)
@@ -117,27 +128,24 @@ int farmSlurmCommand(const QStringList &arguments)
     CommandLine line("farm slurm",
                      QCoreApplication::translate("Cli", "Submits the tasks as a job array, and the joining after it."),
                      {"FOLDER"});
-    addTasks(line);
     line.add({"cpus"}, QCoreApplication::translate("Cli", "Cores of each task (default 2)."), "N");
     line.add({"write-only"}, QCoreApplication::translate("Cli", "Writes the scripts, and submits nothing."));
     int code = Done;
-    const std::optional<FarmPlan> plan = planOf(line, arguments, code);
-    if (!plan)
+    const std::optional<FarmJob> job = jobOf("farm slurm", line, arguments, code);
+    if (!job)
         return code;
-    const Result<qint64> tasks = tasksOf(line, *plan);
-    if (!tasks)
-        return failUsage("farm slurm", tasks.error());
     bool ok = true;
     if (line.isSet("cpus") && (line.value("cpus").toInt(&ok) < 1 || !ok))
         return failUsage(
             "farm slurm",
             QCoreApplication::translate("Cli", "--cpus %1: give a whole number, at least 1").arg(line.value("cpus")));
-    QDir().mkpath(plan->folder + QStringLiteral("/logs"));
-    const QString script = plan->folder + QStringLiteral("/slurm.sh"),
-                  joinScript = plan->folder + QStringLiteral("/slurm-join.sh");
+    QDir().mkpath(job->plan.folder + QStringLiteral("/logs"));
+    const QString script = job->plan.folder + QStringLiteral("/slurm.sh"),
+                  joinScript = job->plan.folder + QStringLiteral("/slurm-join.sh");
     for (const auto &[path, text] :
-         {std::pair(script, slurmScript(*plan, *tasks, line.isSet("cpus") ? line.value("cpus") : QStringLiteral("2"))),
-          std::pair(joinScript, slurmJoinScript(*plan))})
+         {std::pair(script,
+                    slurmScript(job->plan, job->tasks, line.isSet("cpus") ? line.value("cpus") : QStringLiteral("2"))),
+          std::pair(joinScript, slurmJoinScript(job->plan))})
         if (const Result<void> written = replaceFile(path, text.toLocal8Bit(), true); !written)
             return fail(written.error());
     if (line.isSet("write-only"))
@@ -150,7 +158,7 @@ int farmSlurmCommand(const QStringList &arguments)
         return fail(joining.error());
     return print(QCoreApplication::translate("Cli", "job %1: %2 tasks; job %3 joins what they draw")
                      .arg(*array)
-                     .arg(*tasks)
+                     .arg(job->tasks)
                      .arg(*joining) +
                  '\n');
 }
@@ -160,22 +168,18 @@ int farmOpenJdCommand(const QStringList &arguments)
     CommandLine line("farm openjd",
                      QCoreApplication::translate("Cli", "Prints a job template of the Open Job Description."),
                      {"FOLDER"});
-    addTasks(line);
     int code = Done;
-    const std::optional<FarmPlan> plan = planOf(line, arguments, code);
-    if (!plan)
+    const std::optional<FarmJob> job = jobOf("farm openjd", line, arguments, code);
+    if (!job)
         return code;
-    const Result<qint64> tasks = tasksOf(line, *plan);
-    if (!tasks)
-        return failUsage("farm openjd", tasks.error());
-    const QJsonObject parameter{{"name", "Task"}, {"type", "INT"}, {"range", QStringLiteral("1-%1").arg(*tasks)}};
+    const QJsonObject parameter{{"name", "Task"}, {"type", "INT"}, {"range", QStringLiteral("1-%1").arg(job->tasks)}};
     const QJsonObject draw{{"name", "Draw"},
                            {"parameterSpace", QJsonObject{{"taskParameterDefinitions", QJsonArray{parameter}}}},
-                           {"script", openJdAction({"farm", "run", plan->folder, "--task",
-                                                    QStringLiteral("{{Task.Param.Task}}/%1").arg(*tasks)})}};
+                           {"script", openJdAction({"farm", "run", job->plan.folder, "--task",
+                                                    QStringLiteral("{{Task.Param.Task}}/%1").arg(job->tasks)})}};
     const QJsonObject join{{"name", "Join"},
                            {"dependencies", QJsonArray{QJsonObject{{"dependsOn", "Draw"}}}},
-                           {"script", openJdAction({"farm", "join", plan->folder})}};
+                           {"script", openJdAction({"farm", "join", job->plan.folder})}};
     return printJson(
         {{"specificationVersion", "jobtemplate-2023-09"}, {"name", "Suffuse"}, {"steps", QJsonArray{draw, join}}});
 }
@@ -185,14 +189,10 @@ int farmFlamencoCommand(const QStringList &arguments)
     CommandLine line("farm flamenco",
                      QCoreApplication::translate("Cli", "Prints a job type of Flamenco 3 for its folder of scripts."),
                      {"FOLDER"});
-    addTasks(line);
     int code = Done;
-    const std::optional<FarmPlan> plan = planOf(line, arguments, code);
-    if (!plan)
+    const std::optional<FarmJob> job = jobOf("farm flamenco", line, arguments, code);
+    if (!job)
         return code;
-    const Result<qint64> tasks = tasksOf(line, *plan);
-    if (!tasks)
-        return failUsage("farm flamenco", tasks.error());
     const auto json = [](const QString &text) {
         const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
         return QString::fromUtf8(list.mid(1, list.size() - 2));
@@ -216,8 +216,8 @@ int farmFlamencoCommand(const QStringList &arguments)
             "  }\n"
             "  job.addTask(join);\n"
             "}\n")
-            .arg(json(plan->folder))
-            .arg(*tasks)
+            .arg(json(job->plan.folder))
+            .arg(job->tasks)
             .arg(json(program())));
 }
 

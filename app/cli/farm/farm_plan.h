@@ -1,7 +1,7 @@
 // What a farm is to draw: a folder that all machines share, with a plan in it.
 #pragma once
 
-#include "app/cli/tiles_recipe.h"
+#include "app/cli/tiles/tiles_recipe.h"
 
 #include <map>
 

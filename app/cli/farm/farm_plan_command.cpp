@@ -1,5 +1,5 @@
 #include "app/cli/farm/farm_commands.h"
-#include "app/cli/tiles_command.h"
+#include "app/cli/tiles/tiles_command.h"
 #include "render/backends.h"
 #include "render/film/film_writer.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr qint64 mostPieces = 100'000'000;
 
-void addOptions(CommandLine &line)
+void addPlanOptions(CommandLine &line)
 {
     line.allowSeveral();
     line.add({"o", "output"}, QCoreApplication::translate("Cli", "The folder of the farm, which all machines share."),
@@ -29,10 +29,7 @@ void addOptions(CommandLine &line)
              "OUT");
     addTilesOptions(line);
     line.add({"format"}, QCoreApplication::translate("Cli", "Tiles of a Deep Zoom: jpg or png."), "FORMAT");
-    line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
-    line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
-    line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
-             "X,Y,W,H");
+    addViewOptions(line);
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment that is drawn, in seconds (default: the end)."),
              "T");
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
@@ -139,7 +136,7 @@ int farmPlanCommand(const QStringList &arguments)
 {
     CommandLine line("farm plan",
                      QCoreApplication::translate("Cli", "Plans the drawing of paintings by many machines."), {"IN"});
-    addOptions(line);
+    addPlanOptions(line);
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const auto usage = [](const QString &message) { return failUsage("farm plan", message); };

@@ -88,8 +88,8 @@ void DrawingDialog::addFields(QGridLayout &grid)
     for (const char *name : {"A3", "A4", "A5", "Letter"})
         m_page->addItem(QLatin1String(name), QLatin1String(name));
     addField(4, tr("Page"), m_page,
-             tr("Of a PDF: the sheet fits into the page, in its middle. By itself it has 96 units an "
-                "inch."));
+             tr("Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where "
+                "that is not said, has 96 units an inch."));
     m_moment = new MomentRow(grid, 5, m_editor, m_form);
     m_difference = new QLabel(m_form);
     m_difference->setWordWrap(true);
@@ -204,8 +204,9 @@ void DrawingDialog::startExport()
         return;
     setBusy(true);
     m_progress->setRange(0, 0); // How far it is does not show.
-    m_job.write(target.absoluteFilePath(), pageSizeFrom(m_page->currentData().toString()),
-                {target.completeBaseName(), m_editor.extras().profile});
+    m_job.write(target.absoluteFilePath(), {pageSizeFrom(m_page->currentData().toString()),
+                                            m_editor.extras().resolution,
+                                            {target.completeBaseName(), m_editor.extras().profile}});
 }
 
 /// Nothing is exported before the difference is known.

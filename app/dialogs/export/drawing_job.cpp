@@ -81,11 +81,12 @@ void DrawingJob::takePrepared(Result<PreparedDrawing> drawing)
     emit prepared(drawing ? QString() : drawing.error());
 }
 
-void DrawingJob::write(const QString &path, const std::optional<PageSize> &paper, const PdfAbout &about)
+void DrawingJob::write(const QString &path, const OnPaper &sheet)
 {
     Q_ASSERT(m_ready && m_work == Work::None);
-    m_ready->paper = paper;
-    m_ready->about = about;
+    m_ready->paper = sheet.paper;
+    m_ready->resolution = sheet.resolution;
+    m_ready->about = sheet.about;
     begin(Work::Writing);
     m_thread = std::jthread([this, path] {
         Result<void> written;

@@ -20,8 +20,14 @@ public:
 
     /// Draws a painting; what is being drawn or was drawn before is given up. Not while a drawing is written.
     void prepare(const PaintingPtr &painting, const DrawingOptions &options);
-    /// Writes what was prepared, which must be there. The last two are of PDF.
-    void write(const QString &path, const std::optional<PageSize> &paper, const PdfAbout &about);
+    /// What of a drawing is no part of the painting.
+    struct OnPaper {
+        std::optional<PageSize> paper; ///< of PDF, as PreparedDrawing has it
+        double resolution = 0;         ///< the same
+        PdfAbout about;                ///< of PDF
+    };
+    /// Writes what was prepared, which must be there.
+    void write(const QString &path, const OnPaper &sheet);
     void cancel() { m_cancel = true; }
     bool isWriting() const { return m_work == Work::Writing; }
     /// What is ready to be written; null: nothing.

@@ -7,6 +7,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
 #include "app/widgets/look/section.h"
+#include "model/painting/resolution.h"
 #include "render/layered/layered_file.h"
 
 #include <QCheckBox>
@@ -86,6 +87,9 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
     m_path->setText(suggestedExportPath(editor, m_place, last ? endingOf(last->path) : QStringLiteral("png")));
     if (last)
         takeFormat(*last);
+    if (isResolution(
+            editor.extras().resolution)) // What the sheet measures counts more than what another one was printed at.
+        m_print->setPrinted(editor.extras().resolution * m_size->scale());
     if (const auto own = exports::lastOf(editor.filePath()))
         restore(*own);
     m_presets->showPresetOf(settings());

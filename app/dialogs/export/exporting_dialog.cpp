@@ -53,11 +53,17 @@ void ExportingDialog::addFile(int row, const QString &tip)
 {
     m_path = new QLineEdit(m_form);
     addField(row, tr("File"), m_path, tip, 1);
-    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
-    browseButton->setToolTip(tr("Choose a folder and a name"));
-    browseButton->setAutoDefault(false);
-    m_grid->addWidget(browseButton, row, 2);
-    connect(browseButton, &QPushButton::clicked, this, &ExportingDialog::browse);
+    m_browse = new QPushButton(tr("&Browse…"), m_form);
+    m_browse->setToolTip(tr("Choose a folder and a name"));
+    m_browse->setAutoDefault(false);
+    m_grid->addWidget(m_browse, row, 2);
+    connect(m_browse, &QPushButton::clicked, this, &ExportingDialog::browse);
+}
+
+void ExportingDialog::setFileEnabled(bool enabled)
+{
+    m_path->setEnabled(enabled);
+    m_browse->setEnabled(enabled);
 }
 
 void ExportingDialog::addQuality(int row, Qt::Alignment alignment)
@@ -77,7 +83,7 @@ void ExportingDialog::addTransparent(int row)
     m_grid->addWidget(m_transparent, row, 1, 1, 2);
 }
 
-void ExportingDialog::addWork(const QString &iconName)
+void ExportingDialog::addWork(const QString &iconName, const QString &verb)
 {
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
@@ -88,7 +94,7 @@ void ExportingDialog::addWork(const QString &iconName)
     m_column->addWidget(m_hint);
     m_column->addStretch(1);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+    m_export = buttons->addButton(verb.isEmpty() ? tr("&Export") : verb, QDialogButtonBox::AcceptRole);
     m_export->setDefault(true);
     m_export->setIcon(icon(iconName));
     m_cancel = buttons->button(QDialogButtonBox::Cancel);

@@ -44,11 +44,15 @@ protected:
     void addFile(int row, const QString &tip);
     void addQuality(int row, Qt::Alignment alignment = {});
     void addTransparent(int row);
-    /// Adds what stands below the form. To be called when the form is complete, since Tab goes in this order.
-    void addWork(const QString &iconName);
+    /// Whether a name can be given; the row stays where it cannot.
+    void setFileEnabled(bool enabled);
+    /// Adds what stands below the form. To be called when the form is complete, since Tab goes in this order. `verb` is
+    /// what the button says that does it; empty: Export.
+    void addWork(const QString &iconName, const QString &verb = {});
     /// Begins with the name that is in the path. To be called last.
     void begin();
 
+    QPushButton *cancelButton() const { return m_cancel; }
     /// Returns true if there is no such file, or the user lets it be replaced.
     bool mayReplace(const QFileInfo &file);
     /// Shows how the work went. What was written closes the dialog.
@@ -72,6 +76,7 @@ protected:
     HintLabel *m_hint = nullptr;
 
 private:
+    QPushButton *m_browse = nullptr;
     QPushButton *m_export = nullptr;
     QPushButton *m_cancel = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include "app/session/settings/settings.h"
 #include "app/widgets/numbers/decimal_box.h"
+#include "model/painting/resolution.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -79,7 +80,7 @@ void PrintRows::addResolution(QGridLayout &grid, int row)
 {
     auto *label = new QLabel(tr("Resolution"), parentWidget());
     m_dpi = new DecimalBox(parentWidget());
-    m_dpi->setRange(1, 10'000);
+    m_dpi->setRange(leastResolution, mostResolution);
     m_dpi->setDecimals(1);
     m_dpi->setValue(usualDpi);
     m_dpi->setSuffix(tr(" dpi"));
@@ -102,9 +103,15 @@ void PrintRows::setDpi(double dpi)
     m_dpi->setValue(dpi);
 }
 
+void PrintRows::setPrinted(double dpi)
+{
+    setDpi(dpi);
+    m_inches = m_pixelWidth->value() / dpi;
+}
+
 double PrintRows::inch() const
 {
-    return Unit(m_unit->currentData().toInt()) == Unit::Inches ? 1 : 25.4;
+    return Unit(m_unit->currentData().toInt()) == Unit::Inches ? 1 : millimetresOfInch;
 }
 
 void PrintRows::show()

@@ -23,6 +23,8 @@ public:
 
     double dpi() const;
     void setDpi(double dpi);
+    /// The picture is as large on paper as its pixels are at this resolution, and stays so when the resolution changes.
+    void setPrinted(double dpi);
     QDoubleSpinBox *widthBox() const { return m_width; }
     QDoubleSpinBox *heightBox() const { return m_height; }
     QDoubleSpinBox *dpiBox() const { return m_dpi; }

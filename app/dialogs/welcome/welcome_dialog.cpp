@@ -108,9 +108,8 @@ void WelcomeDialog::addSheets(QHBoxLayout &row)
     other->setAutoDefault(false);
     column->addWidget(other);
     row.addLayout(column, 1);
-    whenChosen(*m_sheets, [this](const QVariant &preset) {
-        emit sheetChosen(m_presets[std::size_t(preset.toInt())].canvas);
-    });
+    whenChosen(*m_sheets,
+               [this](const QVariant &preset) { emit sheetChosen(m_presets[std::size_t(preset.toInt())].sheet()); });
     connect(other, &QPushButton::clicked, this, [this] {
         accept();
         emit otherSheetWanted();

@@ -29,7 +29,7 @@ public:
     QCheckBox *atStart() const { return m_atStart; }
 
 signals:
-    void sheetChosen(const suffuse::Canvas &canvas);
+    void sheetChosen(const suffuse::NewSheet &sheet);
     /// Another sheet is wanted than those that are listed.
     void otherSheetWanted();
     void fileChosen(const QString &path);

@@ -85,9 +85,11 @@ void BrushPanel::addHead(QVBoxLayout &column)
     row->addWidget(m_favourites);
     row->addWidget(more);
     column.addLayout(row);
-    connect(m_search, &QLineEdit::textChanged, this, [this] {
+    connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) {
         fillList();
         refresh();
+        if (!text.trimmed().isEmpty())
+            m_list->showFirst();
     });
     connect(m_search, &QLineEdit::returnPressed, this, &BrushPanel::chooseFound);
     connect(m_favourites, &QToolButton::toggled, this, [this] {
@@ -96,10 +98,11 @@ void BrushPanel::addHead(QVBoxLayout &column)
     });
 }
 
-/// Takes what was searched for, as the list of the tool's row does: the brush in hand if it is shown, else the first.
+/// Takes what was searched for, as the list of the tool's row does: the brush that is marked, else the best one.
 void BrushPanel::chooseFound()
 {
-    const QString name = m_list->currentItem() ? inHand() : m_list->first();
+    const QString marked = BrushGrid::brushOf(m_list->currentItem());
+    const QString name = marked.isEmpty() ? m_list->first() : marked;
     if (name.isEmpty())
         return;
     BrushLibrary::instance().use(m_editor, name);
@@ -138,7 +141,7 @@ bool BrushPanel::isShown(const Brush &brush) const
 
 void BrushPanel::fillList()
 {
-    m_list->fillGroups([this](const Brush &brush) { return isShown(brush); });
+    m_list->fillGroups([this](const Brush &brush) { return isShown(brush); }, m_search->text());
 }
 
 QListWidgetItem *BrushPanel::itemOf(const QString &name) const

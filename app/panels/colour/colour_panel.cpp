@@ -160,16 +160,8 @@ void ColourPanel::addSliders(QVBoxLayout &column)
     connect(m_rows, &ColourRows::edited, this, [this, &target](int channel, double value, ValueEntry *entry) {
         if (channel == ColourRows::Opacity)
             return target.setOpacity(float(value), entry);
-        if (showsNone()) { // Of several colours one channel is set, and they differ in the others as before.
-            const auto withChannel = [=](Colour each) {
-                ColourRows::channelOf(each, channel) = float(value);
-                return each;
-            };
-            return target.changeEach(withChannel, entry);
-        }
-        Colour colour = target.colour();
-        ColourRows::channelOf(colour, channel) = float(value);
-        target.setPaint(colour, entry);
+        constexpr float Colour::*channels[] = {&Colour::red, &Colour::yellow, &Colour::blue};
+        target.setChannel(channels[channel], float(value), entry);
     });
     connect(m_rows, &ColourRows::editedRelative, this, [&target](int channel, const ValueMap &map) {
         target.changeEach([channel, &map](Colour each) {

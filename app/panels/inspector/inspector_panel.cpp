@@ -178,6 +178,7 @@ void InspectorPanel::showValues(const Inspected &inspected)
     m_selectionPage->setVisible(!inspected.isEmpty());
     m_canvasPage->setVisible(inspected.isEmpty());
     if (inspected.isEmpty()) {
+        m_canvas->setResolution(m_editor.extras().resolution);
         m_canvas->setCanvas(document.painting()->canvas);
         m_underlay->refresh();
         return;
@@ -188,7 +189,8 @@ void InspectorPanel::showValues(const Inspected &inspected)
     m_picture->refresh(inspected);
     m_segments->refresh(inspected);
     // What takes paint away has no style of its own: it weakens what is there.
-    m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->lift; }));
+    m_style->setVisible(
+        std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->takesPaint(); }));
     m_style->refresh(inspected);
     m_fill->refresh(inspected);
     m_figures->refresh(inspected);

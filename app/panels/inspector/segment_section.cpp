@@ -1,5 +1,6 @@
 #include "app/panels/inspector/segment_section.h"
 
+#include "app/panels/inspector/rows/erasure_rows.h"
 #include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/session/editor.h"
 #include "app/widgets/colour/colour_rows.h"
@@ -111,6 +112,8 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_title = sectionTitle(tr("Segments"), this);
     column->addWidget(m_title);
     auto *grid = addFieldGrid(*column);
+    m_erasure = new ErasureRows(editor, *grid, this);
+    connect(m_erasure, &ErasureRows::refused, this, &SegmentSection::refused);
     m_diffusion = addRow(specOf(Quantity::Diffusion), *grid, &Segment::diffusion, tr("Change diffusion"));
     m_density = addRow(specOf(Quantity::Density), *grid, &Segment::density, tr("Change density"));
     m_granulation = addRow(specOf(Quantity::Granulation), *grid, &Segment::granulation, tr("Change granulation"));
@@ -302,7 +305,8 @@ void SegmentSection::refresh(const Inspected &inspected)
     for (const auto &[member, row] : m_rows)
         showCommon(*row, numberOf(member), inspected);
     showBorn(inspected);
-    nameForErasure(std::ranges::all_of(segments, [](const InspectedSegment &s) { return s.segment->lift; }));
+    nameForErasure(std::ranges::all_of(segments, [](const InspectedSegment &s) { return s.segment->takesPaint(); }));
+    m_density->setVisible(!m_erasure->refresh(inspected));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
 

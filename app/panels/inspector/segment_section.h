@@ -9,6 +9,7 @@ namespace suffuse {
 class ColourRows;
 class ColourSwatch;
 class Editor;
+class ErasureRows;
 class RewetRows;
 
 /// Shows and changes D, φ, ω, t_max, birth, anisotropy and colour of the selected segments.
@@ -31,6 +32,7 @@ public:
     SliderField *row(float Segment::*member) const;
     ColourRows *colour() const { return m_colour; }
     RewetRows *rewet() const { return m_rewet; }
+    ErasureRows *erasure() const { return m_erasure; }
 
 signals:
     /// Emitted when a text that was typed is no value; says why.
@@ -62,6 +64,7 @@ private:
     SliderField *m_born = nullptr;
     SliderField *m_anisotropy = nullptr;
     SliderField *m_angle = nullptr;
+    ErasureRows *m_erasure = nullptr;
     RewetRows *m_rewet = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_colourTitle = nullptr;

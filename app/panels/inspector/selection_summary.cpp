@@ -16,23 +16,26 @@ struct SummaryText {
 
 QString selectionSummary(const Inspected &inspected, bool inPart)
 {
-    std::size_t all = 0, lifting = 0;
+    std::size_t all = 0, erasing = 0;
     for (const Stroke *stroke : inspected.strokes) {
         all += stroke->segments.size();
-        lifting += std::size_t(std::ranges::count_if(stroke->segments, &Segment::lift));
+        erasing += std::size_t(std::ranges::count_if(stroke->segments, &Segment::takesPaint));
     }
     const std::size_t count = inspected.segments.size();
-    const auto lifts = [](const InspectedSegment &s) { return s.segment->lift; };
-    const auto meant = std::size_t(std::ranges::count_if(inspected.segments, lifts));
+    const auto takes = [](const InspectedSegment &s) { return s.segment->takesPaint(); };
+    const auto fades = [](const InspectedSegment &s) { return s.segment->fade; };
+    const auto meant = std::size_t(std::ranges::count_if(inspected.segments, takes));
     if (meant == 0 && !inPart)
-        all -= lifting; // whole strokes stand for what lays paint
+        all -= erasing; // whole strokes stand for what lays paint
     const QString segments = count == all ? SummaryText::tr("%Ln segment(s)", nullptr, int(all))
                                           : SummaryText::tr("%1 of %Ln segment(s)", nullptr, int(all)).arg(count);
     QString text = SummaryText::tr("%1 · %2").arg(
         SummaryText::tr("%Ln stroke(s)", nullptr, int(inspected.strokes.size())), segments);
-    if (meant == 0 && !inPart && lifting > 0)
-        text = SummaryText::tr("%1 · %2").arg(text, SummaryText::tr("%Ln erasing segment(s)", nullptr, int(lifting)));
-    if (meant > 0)
+    if (meant == 0 && !inPart && erasing > 0)
+        text = SummaryText::tr("%1 · %2").arg(text, SummaryText::tr("%Ln erasing segment(s)", nullptr, int(erasing)));
+    if (meant > 0 && std::ranges::all_of(inspected.segments, fades))
+        text += '\n' + SummaryText::tr("They make paint paler.");
+    else if (meant > 0)
         text += '\n' + (meant == count ? SummaryText::tr("They take paint away: the more density, the more.")
                                        : SummaryText::tr("%Ln of them take(s) paint away.", nullptr, int(meant)));
     return text;

@@ -148,6 +148,7 @@ void UnderlaySection::step(Number number, double value)
 {
     if (std::exchange(m_stepped, number) != number)
         m_steps.endSteps();
+    m_steps.noteStep();
     enter(number, value, &m_steps);
 }
 

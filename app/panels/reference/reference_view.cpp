@@ -1,5 +1,7 @@
 #include "app/panels/reference/reference_view.h"
 
+#include "app/widgets/look/theme.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -108,7 +110,7 @@ void ReferenceView::paintEvent(QPaintEvent *)
             painter.drawLines(lines, 2);
         }
     }
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.setPen(QPen(focusFrame(), 2));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }

@@ -371,12 +371,12 @@ bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, in
     return false;
 }
 
-bool StrokesModel::move(const QModelIndexList &rows, const QModelIndex &parent, int row)
+bool StrokesModel::move(const QModelIndexList &rows, const QModelIndex &parent, int row, ValueEntry *entry)
 {
-    return put(draggedOf(rows).movable(m_tree), parent, row);
+    return put(draggedOf(rows).movable(m_tree), parent, row, entry);
 }
 
-bool StrokesModel::put(const DraggedRows &rows, const QModelIndex &parent, int row)
+bool StrokesModel::put(const DraggedRows &rows, const QModelIndex &parent, int row, ValueEntry *entry)
 {
     if (rows.strokes.empty())
         return false;
@@ -384,7 +384,7 @@ bool StrokesModel::put(const DraggedRows &rows, const QModelIndex &parent, int r
     std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place);
     if (!edit)
         return false;
-    m_editor.push(std::move(*edit), tr("Reorder strokes"));
+    m_editor.push(std::move(*edit), tr("Reorder strokes"), entry);
     if (place.group != 0)
         emit droppedInto(place.group);
     return true;

@@ -94,7 +94,7 @@ public:
 
     /// Puts rows above the row `row` of a group, or of none where `parent` is invalid. Locked strokes stay. Returns
     /// whether anything changes by that.
-    bool move(const QModelIndexList &rows, const QModelIndex &parent, int row);
+    bool move(const QModelIndexList &rows, const QModelIndex &parent, int row, ValueEntry *entry = nullptr);
 
 signals:
     /// Emitted around all that changes when the rows follow the painting.
@@ -107,7 +107,7 @@ signals:
 
 private:
     DraggedRows draggedOf(const QModelIndexList &rows) const;
-    bool put(const DraggedRows &rows, const QModelIndex &parent, int row);
+    bool put(const DraggedRows &rows, const QModelIndex &parent, int row, ValueEntry *entry = nullptr);
     using Node = StrokesTree::Node;
 
     // These are called by the tree (StrokesTree::Listener).

@@ -262,9 +262,10 @@ bool StrokesPanel::sweep(const QEvent &event)
     return true;
 }
 
-void StrokesPanel::step(bool up)
+void StrokesPanel::step(bool up, bool held)
 {
-    if (const QString why = moveRows(*m_view, *m_model, *m_filter, up); !why.isEmpty())
+    m_moves.noteStep(held);
+    if (const QString why = moveRows(*m_view, *m_model, *m_filter, up, m_moves); !why.isEmpty())
         emit said(why);
     m_editor.laterChanges().flush();
     m_view->scrollTo(m_view->currentIndex());
@@ -298,7 +299,7 @@ void StrokesPanel::makeMenu(QMenu &menu, const QModelIndex &index)
     menu.addSeparator();
     for (const bool up : {true, false})
         menu.addAction(withKey(up ? tr("Mo&ve Up") : tr("Move Do&wn"), Qt::ALT | (up ? Qt::Key_Up : Qt::Key_Down)),
-                       this, [this, up] { step(up); })
+                       this, [this, up] { step(up, false); })
             ->setEnabled(!isSearching());
     makeMnemonicsDistinct(menu);
 }

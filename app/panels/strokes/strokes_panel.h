@@ -85,7 +85,7 @@ private:
     /// Moves the focus from the search to the first row that was found.
     void goToFirstFound();
     void showMenu(const QPoint &at);
-    void step(bool up);
+    void step(bool up, bool held);
 
     Editor &m_editor;
     QList<QAction *> m_more;
@@ -96,6 +96,7 @@ private:
     };
     std::optional<Sweep> m_sweep;
     ValueEntry m_sweepStep;
+    ValueEntry m_moves; ///< of rows, by keys
     StrokesModel *m_model = nullptr;
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;

@@ -7,7 +7,6 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/held_button.h"
-#include "app/widgets/habits/keyboard_focus.h"
 
 #include <QApplication>
 #include <QDrag>
@@ -30,7 +29,6 @@ StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilte
             update(index);
     });
     connect(&editor, &Editor::dragEnded, viewport(), qOverload<>(&QWidget::update));
-    KeyboardFocus::passLetters(*this);
     setModel(&filter);
     setItemDelegate(delegate);
     setIconSize(ThumbnailRenderer::size);
@@ -130,7 +128,7 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     const bool isStep = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
     if (isStep && (event->modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier) {
         if (m_filter.text().isEmpty())
-            emit stepped(event->key() == Qt::Key_Up);
+            emit stepped(event->key() == Qt::Key_Up, event->isAutoRepeat());
         else
             emit dragRefused();
         return event->accept();

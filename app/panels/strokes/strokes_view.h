@@ -35,8 +35,8 @@ public:
     QModelIndexList draggedRows() const;
 
 signals:
-    /// Emitted when a key moves the selected rows up or down by one.
-    void stepped(bool up);
+    /// Emitted when a key, which may be held down, moves the selected rows up or down by one.
+    void stepped(bool up, bool held);
     /// Emitted when a person has gone to a row by a plain click or key; invalid where they clicked beside all rows.
     void chosen(const QModelIndex &index);
     /// Emitted where rows would have been dragged during a search, which hides rows between which they could be put.

@@ -20,7 +20,7 @@ QString signedSeconds(Microseconds t)
 
 bool isErasure(const Segment &segment)
 {
-    return segment.lift;
+    return segment.takesPaint();
 }
 
 } // namespace

@@ -16,7 +16,7 @@ TimelineBar barOf(const Stroke &stroke)
     bar.stroke = stroke.id;
     std::vector<const Segment *> paint;
     for (const Segment &s : stroke.segments)
-        if (!s.lift)
+        if (!s.takesPaint())
             paint.push_back(&s);
     if (paint.empty())
         paint.push_back(&stroke.segments.front());
@@ -44,9 +44,9 @@ std::vector<TimeSpan> erasuresOf(const Stroke &stroke)
 {
     std::vector<TimeSpan> spans;
     for (const Segment &s : stroke.segments)
-        if (s.lift && s.start)
+        if (s.takesPaint() && s.start)
             spans.push_back({s.born, s.born});
-        else if (s.lift && !spans.empty())
+        else if (s.takesPaint() && !spans.empty())
             spans.back() = {std::min(spans.back().begin, s.born), std::max(spans.back().end, s.born)};
     std::ranges::sort(spans, {}, &TimeSpan::begin);
     return spans;

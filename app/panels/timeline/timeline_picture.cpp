@@ -196,11 +196,11 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
     painter.fillRect(later, wet);
     painter.fillRect(QRectF(drawn, top, dry - drawn, TimelineAxes::laneHeight), wet);
     painter.fillRect(QRectF(begin, top, drawn - begin, TimelineAxes::laneHeight), colour);
-    const auto segments = double(std::ranges::count(stroke.segments, false, &Segment::lift));
+    const auto segments = double(std::ranges::count(stroke.segments, false, &Segment::takesPaint));
     if ((drawn - begin) / segments >= leastForSegments) {
         painter.setPen(QPen(qGray(colour.rgb()) > 127 ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 110), 1));
         for (const Segment &s : stroke.segments)
-            if (const double x = m_axes.xOf(s.born); x > begin + 1 && !s.lift)
+            if (const double x = m_axes.xOf(s.born); x > begin + 1 && !s.takesPaint())
                 painter.drawLine(QPointF(x, top + 3), QPointF(x, top + TimelineAxes::laneHeight - 3));
     }
     painter.setBrush(Qt::NoBrush);

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/playback.h"
 #include "app/widgets/habits/held_button.h"
+#include "app/widgets/look/theme.h"
 
 #include <QContextMenuEvent>
 #include <QGestureEvent>
@@ -381,7 +382,7 @@ void TimelineView::paintEvent(QPaintEvent *event)
         constexpr int width = 2;
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(palette().color(QPalette::Highlight), width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.setPen(QPen(focusFrame(), width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         painter.drawRect(viewport()->rect().adjusted(width / 2, width / 2, -width / 2, -width / 2));
     }
 }

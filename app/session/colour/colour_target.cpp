@@ -2,9 +2,8 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "model/area/outline.h"
 #include "model/colour/colour_shift.h"
-#include "model/colour/perceived.h"
+#include "model/colour/one_colour.h"
 #include "undo/colour_edits.h"
 
 #include <algorithm>
@@ -33,25 +32,6 @@ float seenOpacity(const ColourPart &end, float opacity)
         return opacity;
     const float other = (end.gradient ? end.stroke->fill->colour : end.stroke->fill->gradient->colour).opacity;
     return other > 0 ? other : 1;
-}
-
-/// Whether all paint looks like one colour, though a brush may have strayed from it.
-bool looksLikeOne(const ColourParts &parts, const Colour &usual)
-{
-    const Perceived seen = perceivedOf(usual);
-    Colour last = usual;
-    const auto differs = [&](const Colour &colour) {
-        return !samePaint(std::exchange(last, colour), colour) && !looksLike(perceivedOf(colour), seen);
-    };
-    for (const ColourPart &part : parts) {
-        const Stroke &stroke = *part.stroke;
-        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
-            if (part.has(k) && !onlyBounds(stroke, k) && differs(stroke.segments[k].colour))
-                return false;
-        if ((part.fill && differs(stroke.fill->colour)) || (part.gradient && differs(stroke.fill->gradient->colour)))
-            return false;
-    }
-    return true;
 }
 
 } // namespace
@@ -259,6 +239,26 @@ void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
         [=](const Colour &each) {
             const bool becomesIt = sets || samePaint(each, from);
             return becomesIt ? withOpacity(colour, each.opacity) : shifted(each, shift);
+        },
+        tr("Change colour"), entry);
+}
+
+void ColourTarget::setChannel(float Colour::*channel, float value, ValueEntry *entry)
+{
+    Colour paint = colour();
+    paint.*channel = value;
+    if (kind() != Kind::Selection || m_end)
+        return setPaint(paint, entry);
+    const Start &start = startOf(entry);
+    const bool isOne = looksLikeOne(start.parts, start.colour);
+    if (!isOne && m_mode == Mode::Shift)
+        return setPaint(paint, entry);
+    const float by = value - start.colour.*channel;
+    colourSelection(
+        [=, from = start.colour.*channel](Colour each) {
+            const bool becomesIt = !isOne || each.*channel == from;
+            each.*channel = becomesIt ? value : std::clamp(each.*channel + by, 0.0f, 1.0f);
+            return each;
         },
         tr("Change colour"), entry);
 }

@@ -72,6 +72,9 @@ public:
     /// Gives red, yellow and blue; opacity stays, but for a chosen end of a gradient that nobody would see: it becomes
     /// as opaque as the other end. A drag with one entry is one step, and begins with the colours that were there then.
     void setPaint(const Colour &colour, ValueEntry *entry = nullptr);
+    /// Gives red, yellow or blue alone; the other two of each colour stay. What a brush has strayed by stays, too; of
+    /// several colours all get the value, or shift as the shown one does.
+    void setChannel(float Colour::*channel, float value, ValueEntry *entry = nullptr);
     void setOpacity(float opacity, ValueEntry *entry = nullptr);
     /// Of what is selected, each colour becomes what the map makes of it. A drag with one entry is one step.
     void changeEach(const std::function<Colour(const Colour &)> &map, ValueEntry *entry = nullptr);

@@ -21,6 +21,8 @@ enum class Command {
     Export,
     ExportAgain,
     ExportDrawing,
+    Print,
+    PrintPreview,
     Close,
     Quit,
     Undo,

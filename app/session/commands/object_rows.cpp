@@ -197,7 +197,7 @@ bool anySelectedStroke(const Document &document, const std::function<bool(const 
 bool hasChains(const Stroke &stroke)
 {
     return std::any_of(stroke.segments.begin() + 1, stroke.segments.end(),
-                       [](const Segment &segment) { return segment.start && !segment.lift; });
+                       [](const Segment &segment) { return segment.start && !segment.takesPaint(); });
 }
 
 void addFillRows(Commands &table, Editor &editor)
@@ -266,7 +266,7 @@ void addChainRows(Commands &table, Editor &editor)
     table
         .add(RemoveErasures, "removeErasures", Commands::tr("Remove Erasures"), "", {},
              Commands::tr("Bring back what was erased softly from the selected strokes, or by the selected segments"))
-        .when([&editor] { return anySelectedStroke(editor.unsettled(), &Stroke::hasLift); },
+        .when([&editor] { return anySelectedStroke(editor.unsettled(), &Stroke::hasErasure); },
               Commands::tr("Select a stroke from which something was erased softly."))
         .runs([&editor] { commands::removeSelectedErasures(editor); });
 }

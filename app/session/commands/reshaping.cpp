@@ -47,7 +47,7 @@ std::vector<bool> meantBy(const std::vector<bool> &chosen, const Stroke &stroke,
     if (what != Reshaping::Simplify || std::ranges::count(chosen, true) != 1)
         return chosen;
     const auto one = int(std::ranges::find(chosen, true) - chosen.begin());
-    if (!stroke.segments[std::size_t(one)].lift)
+    if (!stroke.segments[std::size_t(one)].takesPaint())
         return meantOfWhole(stroke);
     const Chain chain = chainAt(stroke, one);
     std::vector<bool> meant(chosen.size());

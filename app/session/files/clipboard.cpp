@@ -2,6 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/session/files/copied_pdf.h"
 #include "app/session/files/image_layer.h"
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
@@ -33,14 +34,23 @@ namespace {
 constexpr int longestSide = 4096;
 constexpr char svgMime[] = "image/svg+xml";
 constexpr char pngMime[] = "image/png";
+constexpr char pdfMime[] = "application/pdf";
 constexpr char imageMime[] = "application/x-qt-image";
+
+/// What the paint reaches, in whole units.
+Rect reachOf(const Painting &painting, Microseconds time)
+{
+    const Rect reach = influenceOf(painting, time);
+    return reach.isEmpty() ? reach
+                           : Rect{std::floor(reach.left), std::floor(reach.top), std::ceil(reach.right),
+                                  std::ceil(reach.bottom)};
+}
 
 QImage renderTransparent(const PaintingPtr &painting, Microseconds time)
 {
-    const Rect reach = influenceOf(*painting, time);
-    if (reach.isEmpty())
+    const Rect area = reachOf(*painting, time);
+    if (area.isEmpty())
         return {};
-    const Rect area{std::floor(reach.left), std::floor(reach.top), std::ceil(reach.right), std::ceil(reach.bottom)};
     const double scale = std::min(1.0, longestSide / std::max(area.width(), area.height()));
     const int width = std::max(1, int(std::lround(area.width() * scale)));
     auto renderer = makeRenderer({.backend = Backend::Cpu});
@@ -69,7 +79,7 @@ public:
 
     QStringList formats() const override
     {
-        return QMimeData::formats() + QStringList{strokesMime, svgMime, pngMime, imageMime};
+        return QMimeData::formats() + QStringList{strokesMime, svgMime, pdfMime, pngMime, imageMime};
     }
     bool hasFormat(const QString &type) const override { return formats().contains(type); }
 
@@ -80,12 +90,14 @@ protected:
             return writeTextForm(*m_painting);
         if (type == svgMime)
             return svgOf(*m_painting).bytes;
-        if (type != pngMime && type != imageMime)
+        if (type != pngMime && type != imageMime && type != pdfMime)
             return QMimeData::retrieveData(type, wanted);
         if (m_image.isNull())
             m_image = renderTransparent(m_painting, m_time);
         if (type == imageMime)
             return m_image;
+        if (type == pdfMime)
+            return pdfOfCopied(m_painting, m_time, reachOf(*m_painting, m_time), m_image);
         QByteArray bytes;
         QBuffer buffer(&bytes);
         m_image.save(&buffer, "PNG");

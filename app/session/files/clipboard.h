@@ -20,8 +20,8 @@ inline constexpr char strokesMime[] = "application/x-suffuse-strokes+json";
 /// if nothing is selected.
 Painting asPainting(const Painting &painting, const Selection &selection);
 
-/// Offers strokes in every form that other programs understand. PNG (transparent, 1 pixel a unit, at most 4,096 a side)
-/// and SVG are made only when somebody asks for them. `time` is the moment of the picture. Further formats can be set
+/// Offers strokes in every form that other programs understand. PNG (transparent, 1 pixel a unit, at most 4,096 a side),
+/// SVG and PDF are made only when somebody asks for them. `time` is the moment of the picture. Further formats can be set
 /// on the result.
 QMimeData *mimeOf(Painting painting, Microseconds time);
 

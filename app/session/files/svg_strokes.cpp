@@ -31,7 +31,7 @@ QString number(double value)
 /// Whether a segment is a line of paint.
 bool isLine(const Stroke &stroke, std::size_t segment)
 {
-    return !stroke.segments[segment].lift && !onlyBounds(stroke, segment);
+    return !stroke.segments[segment].takesPaint() && !onlyBounds(stroke, segment);
 }
 
 /// How a segment looks as a line.

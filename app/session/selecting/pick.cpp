@@ -72,6 +72,16 @@ std::optional<SegmentRef> pickFrom(const std::vector<StrokePtr> &strokes, Micros
     return {};
 }
 
+/// Whether a point lies where a stroke fades away: it is faint there, and far less than along its curve.
+bool isHalo(const Stroke &stroke, Microseconds T, const SeenPaint &seen)
+{
+    constexpr double faint = 0.2, lessThanCurve = 0.5;
+    if (seen.opacity >= faint || seen.segment < 0)
+        return false;
+    const Point onCurve = stroke.cubicOf(stroke.segments[std::size_t(seen.segment)]).at(0.5);
+    return seen.opacity < lessThanCurve * seenPaint(stroke, T, onCurve).opacity;
+}
+
 template <typename IsInside>
 std::set<StrokeId> strokesWhollyIn(const Painting &painting, Microseconds T, IsInside isInside)
 {
@@ -140,6 +150,28 @@ bool isHairline(const Stroke &stroke, Microseconds T, double step)
 std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance)
 {
     return pickFrom(strokesNear(painting, T, point, tolerance), T, point, tolerance);
+}
+
+std::optional<SegmentRef> pickSeen(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    const std::vector<StrokePtr> near = strokesNear(painting, T, point, tolerance);
+    std::optional<SegmentRef> halo;
+    double most = 0, through = 1;
+    for (const StrokePtr &stroke : near) {
+        const SeenPaint seen = seenPaint(*stroke, T, point);
+        if (seen.opacity < visibleOpacity)
+            continue;
+        const double share = through * seen.opacity;
+        through -= share;
+        if (share <= most)
+            continue;
+        const SegmentRef hit{stroke->id, seen.segment};
+        if (!isHalo(*stroke, T, seen))
+            return hit;
+        halo = hit;
+        most = share;
+    }
+    return halo ? halo : pickFrom(near, T, point, tolerance);
 }
 
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)

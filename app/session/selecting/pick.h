@@ -27,6 +27,10 @@ private:
 /// it; `segment` is the one with the largest share of the density there.
 std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance);
 
+/// The stroke that people would say they have clicked: the topmost one, but a faint halo of it gives way to paint below
+/// that is seen more.
+std::optional<SegmentRef> pickSeen(const Painting &painting, Microseconds T, Point point, double tolerance);
+
 /// The same for one stroke alone, whatever lies above it.
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId stroke, Microseconds T, Point point,
                                  double tolerance);

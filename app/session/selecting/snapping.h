@@ -13,7 +13,7 @@ namespace suffuse {
 inline constexpr double minGridStep = 1e-6;
 inline constexpr double maxGridStep = 1e6;
 
-/// What rulers count; 150 canvas units are an inch, as on new sheets of paper.
+/// What rulers count; the painting says how many canvas units are an inch (`Editor::resolution`).
 enum class RulerUnits { Canvas, Millimetres, Inches };
 
 /// Aids of the canvas. Each window has its own; the next window begins with those that were changed last.

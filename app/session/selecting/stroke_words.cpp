@@ -42,7 +42,7 @@ QString colourWordOf(const Stroke &stroke)
         return strokeWord(QT_TRANSLATE_NOOP("StrokeWords", "picture"));
     const QString word = wordOf(shownColourOf(stroke));
     const bool several = std::ranges::any_of(stroke.segments, [&](const Segment &segment) {
-        return !segment.lift && !(withOpacity(segment.colour, 1) == withOpacity(shownColourOf(stroke), 1)) &&
+        return !segment.takesPaint() && !(withOpacity(segment.colour, 1) == withOpacity(shownColourOf(stroke), 1)) &&
                wordOf(segment.colour) != word;
     });
     return several ? strokeWord(QT_TRANSLATE_NOOP("StrokeWords", "%1 and other colours")).arg(word) : word;

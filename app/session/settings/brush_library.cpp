@@ -315,4 +315,19 @@ bool isBrushCalled(const Brush &brush, const QString &typed)
     return std::ranges::any_of(names, [&](const QString &name) { return name.contains(text, Qt::CaseInsensitive); });
 }
 
+int searchRank(const Brush &brush, const QString &typed)
+{
+    const QString text = typed.trimmed();
+    const auto rankOf = [&text](const QString &name) {
+        if (name.compare(text, Qt::CaseInsensitive) == 0)
+            return 0;
+        if (name.startsWith(text, Qt::CaseInsensitive))
+            return 1;
+        const bool beginsWord = name.contains(QLatin1Char(' ') + text, Qt::CaseInsensitive) ||
+                                name.contains(QLatin1Char('-') + text, Qt::CaseInsensitive);
+        return beginsWord ? 2 : name.contains(text, Qt::CaseInsensitive) ? 3 : 4; // 4: its group is called so
+    };
+    return std::min(rankOf(brushTitle(brush.name)), rankOf(brush.name));
+}
+
 } // namespace suffuse

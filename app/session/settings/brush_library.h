@@ -84,5 +84,7 @@ QString brushGroupTitle(const QString &group);
 /// Whether a search finds a brush: by its name or its group's, as people see them or as files and the manual write them
 /// ("flat-wash"). An empty text finds all.
 bool isBrushCalled(const Brush &brush, const QString &typed);
+/// How well a typed text suits the name of a brush that is called so: 0 is the best.
+int searchRank(const Brush &brush, const QString &typed);
 
 } // namespace suffuse

@@ -94,7 +94,7 @@ void AttributeBrushTool::gatherTargets()
         if (stroke->fill && !part && stroke->fill->age(m_editor.clock().time()) > 0)
             m_fills.push_back({stroke, DensityOfFill(*stroke, m_editor.clock().time())});
         const auto isPainted = [&](int k) {
-            return !stroke->segments[std::size_t(k)].lift && !onlyBounds(*stroke, std::size_t(k));
+            return !stroke->segments[std::size_t(k)].takesPaint() && !onlyBounds(*stroke, std::size_t(k));
         };
         for (int k = 0; k < int(stroke->segments.size()); ++k)
             if (part ? selection.segments.contains({stroke->id, k}) : isPainted(k))

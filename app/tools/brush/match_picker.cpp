@@ -31,7 +31,7 @@ void MatchPicker::move(const PointerEvent &event)
         return;
     const double tolerance = matchSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::optional<SegmentRef> hit =
-        pickTopmost(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance);
+        pickSeen(*m_editor.layer().reached(), m_editor.clock().time(), event.point, tolerance);
     const StrokePtr like = hit ? m_before->find(hit->stroke) : nullptr;
     if (!like)
         return;

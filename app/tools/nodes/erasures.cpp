@@ -56,14 +56,15 @@ std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &samp
     std::vector<ErasurePart> parts;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasLift() || !isEditable(*stroke))
+        if (!stroke->hasErasure() || !isEditable(*stroke))
             continue;
         for (const Chain &chain : chainsOf(*stroke)) {
             ErasurePart part;
             part.stroke = stroke->id;
             for (int k = chain.first; k <= chain.last; ++k) {
                 const Segment &segment = stroke->segments[std::size_t(k)];
-                if (!segment.lift || segment.diffusion != sample.diffusion || segment.maxAge != sample.maxAge)
+                if (!segment.takesPaint() || segment.fade != sample.fade || segment.diffusion != sample.diffusion ||
+                    segment.maxAge != sample.maxAge)
                     continue;
                 const Cubic curve = stroke->cubicOf(segment);
                 const Point way = curve.p[3] - curve.p[0];
@@ -143,11 +144,11 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
     std::set<SegmentRef> segments;
     const StrokePtr stroke = painting.find(segment.stroke);
     if (!stroke || segment.segment >= int(stroke->segments.size()) ||
-        !stroke->segments[std::size_t(segment.segment)].lift)
+        !stroke->segments[std::size_t(segment.segment)].takesPaint())
         return segments;
     const Chain chain = chainAt(*stroke, segment.segment);
     for (int k = chain.first; k <= chain.last; ++k)
-        if (stroke->segments[std::size_t(k)].lift)
+        if (stroke->segments[std::size_t(k)].takesPaint())
             segments.insert(segments.end(), SegmentRef{stroke->id, k});
     return segments;
 }
@@ -178,11 +179,11 @@ std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, dou
     std::optional<ErasurePlace> found;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasLift() || !isEditable(*stroke))
+        if (!stroke->hasErasure() || !isEditable(*stroke))
             continue;
         for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
             const Segment &segment = stroke->segments[k];
-            if (!segment.lift || !stroke->cubicOf(segment).controlBox().grown(reach).contains(point))
+            if (!segment.takesPaint() || !stroke->cubicOf(segment).controlBox().grown(reach).contains(point))
                 continue;
             Stroke one;
             one.origin = stroke->origin;
@@ -215,7 +216,8 @@ std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<Segme
     for (const SegmentRef &ref : segments) {
         if (!stroke || stroke->id != ref.stroke)
             stroke = painting.find(ref.stroke);
-        if (!stroke || ref.segment >= int(stroke->segments.size()) || !stroke->segments[std::size_t(ref.segment)].lift)
+        if (!stroke || ref.segment >= int(stroke->segments.size()) ||
+            !stroke->segments[std::size_t(ref.segment)].takesPaint())
             continue;
         nodes.insert({ref.stroke, ref.segment});
         nodes.insert({ref.stroke, endNode(*stroke, ref.segment)});

@@ -17,6 +17,7 @@
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -422,8 +423,9 @@ bool NodeTool::nudge(QKeyEvent *event)
     const std::set<NodeRef> &nodes = m_nodes.empty() ? ends : m_nodes;
     if (!way)
         return false;
-    if (!event->isAutoRepeat()) // A key that is held down is one step.
+    if (std::exchange(m_nudged, nodes) != nodes) // The document does not know of them, and is no judge of it.
         m_nodeNudges.endSteps();
+    m_nodeNudges.noteStep(event->isAutoRepeat());
     if (m_gradient.nudge(*way, m_nodeNudges))
         return true;
     if (nodes.empty())

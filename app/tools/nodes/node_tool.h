@@ -102,6 +102,7 @@ private:
     GradientHandles m_gradient;
     std::optional<DeletedParts> m_deleted; ///< until something else is selected
     ValueEntry m_nodeNudges;
+    std::set<NodeRef> m_nudged; ///< what the arrow keys moved last
 };
 
 } // namespace suffuse

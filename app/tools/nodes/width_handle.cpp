@@ -21,7 +21,7 @@ constexpr double markRadius = 4.5;
 /// Whether a segment has an edge that is seen: what takes paint away, or only bounds a fill, has none.
 bool hasEdge(const Segment &segment)
 {
-    return !segment.lift && segment.density > 0;
+    return !segment.takesPaint() && segment.density > 0;
 }
 
 /// The segment in the middle of what is selected of a stroke, of those that have an edge.

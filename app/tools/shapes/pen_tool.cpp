@@ -286,7 +286,7 @@ StrokePtr PenTool::strokeInHand(bool isClosed) const
         like.node = segment.node;
         like.born = m_born;
         like.rewet.clear();
-        like.start = like.lift = false;
+        like.start = like.lift = like.fade = false;
         segment = std::move(like);
     }
     for (std::size_t k = 1; k < added.segments.size(); ++k)

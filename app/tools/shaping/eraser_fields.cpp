@@ -26,7 +26,11 @@ EraserChoice EraserChoice::stored()
 {
     EraserChoice choice;
     const QString scope = settings::store().value("eraser/scope").toString();
-    choice.mode = settings::store().value("eraser/mode").toString() == "cut" ? EraserMode::Cut : EraserMode::Lift;
+    const QString mode = settings::store().value("eraser/mode").toString();
+    const QString soft = settings::store().value("eraser/soft").toString();
+    choice.mode = mode == "cut" ? EraserMode::Cut : mode == "lift" ? EraserMode::Lift : EraserMode::Fade;
+    // Before there was another soft mode than lifting, none was stored.
+    choice.soft = soft == "lift" || (soft.isEmpty() && !mode.isEmpty()) ? EraserMode::Lift : EraserMode::Fade;
     choice.scope = scope == "all" ? EraserScope::All : scope == "group" ? EraserScope::Group : EraserScope::Selected;
     choice.strength = numberIn("eraser/strength", choice.strength, leastStrength, 1);
     choice.softness =
@@ -37,7 +41,8 @@ EraserChoice EraserChoice::stored()
 void EraserChoice::store() const
 {
     QSettings &s = settings::store();
-    s.setValue("eraser/mode", mode == EraserMode::Cut ? "cut" : "lift");
+    s.setValue("eraser/mode", mode == EraserMode::Cut ? "cut" : mode == EraserMode::Lift ? "lift" : "fade");
+    s.setValue("eraser/soft", soft == EraserMode::Lift ? "lift" : "fade");
     s.setValue("eraser/scope", scope == EraserScope::All ? "all" : scope == EraserScope::Group ? "group" : "selected");
     s.setValue("eraser/strength", strength);
     s.setValue("eraser/softness", softness);
@@ -45,14 +50,18 @@ void EraserChoice::store() const
 
 EraserFields::EraserFields(QHBoxLayout &row, const std::function<void()> &addSize) : QObject(row.parentWidget())
 {
-    m_modes = addChoices(row, {tr("Lift"), tr("Cut")},
-                         tr("Lift takes paint away softly, wherever it is seen; Cut cuts curves out"),
-                         [this](int i) { change([i](EraserChoice &choice) { choice.mode = EraserMode(i); }); });
+    m_modes = addChoices(row, {tr("Fade"), tr("Lift"), tr("Cut")},
+                         tr("Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges "
+                            "draw in; Cut cuts curves out"),
+                         [this](int i) { change([i](EraserChoice &choice) { choice.setMode(EraserMode(i)); }); });
     row.addSpacing(10);
     addSize();
-    FieldSpec strength = shareSpec(tr("Strength"), tr("How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen's "
-                                   "pressure takes from it"),
-                                1);
+    FieldSpec strength =
+        shareSpec(tr("Strength"),
+                  tr("Fade: the share of the paint that is taken. Lift: how much density, so that feathered "
+                     "paint gets paler and paint with a sharp edge narrower. A pen's pressure takes "
+                     "from it"),
+                  1);
     strength.minimum = leastStrength;
     m_strength = addNumber(row, strength, [this](double value) {
         change([value](EraserChoice &choice) { choice.strength = std::clamp(value, leastStrength, 1.0); });
@@ -105,8 +114,8 @@ void EraserFields::show(const EraserChoice &choice)
     m_scopes->setCurrentIndex(int(choice.scope));
     m_strength->setValue(choice.strength);
     m_softness->setValue(choice.softness);
-    m_strength->setEnabled(choice.mode == EraserMode::Lift);
-    m_softness->setEnabled(choice.mode == EraserMode::Lift);
+    m_strength->setEnabled(choice.mode != EraserMode::Cut);
+    m_softness->setEnabled(choice.mode != EraserMode::Cut);
 }
 
 } // namespace suffuse

@@ -16,13 +16,15 @@ namespace suffuse {
 class NumberField;
 
 enum class EraserMode {
-    Lift, ///< takes paint away, softly, wherever it is seen
+    Fade, ///< makes paint paler, softly, wherever it is seen
+    Lift, ///< takes its density away: edges draw in
     Cut   ///< cuts curves out, with hard edges
 };
 
 /// What the eraser does; the size is the tool's own.
 struct EraserChoice {
-    EraserMode mode = EraserMode::Lift;
+    EraserMode mode = EraserMode::Fade;
+    EraserMode soft = EraserMode::Fade; ///< the one that is not Cut which was chosen last
     EraserScope scope = EraserScope::Selected;
     double strength = 1;
     double softness = SoftTip{}.softness;
@@ -30,6 +32,14 @@ struct EraserChoice {
     /// What was chosen last, from the settings. A value out of range counts as unset.
     static EraserChoice stored();
     void store() const;
+    /// The mode that a held key changes to: between the soft one and Cut.
+    EraserMode other() const { return mode == EraserMode::Cut ? soft : EraserMode::Cut; }
+    void setMode(EraserMode wanted)
+    {
+        mode = wanted;
+        if (wanted != EraserMode::Cut)
+            soft = wanted;
+    }
     friend bool operator==(const EraserChoice &, const EraserChoice &) = default;
 };
 

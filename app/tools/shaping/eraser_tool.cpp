@@ -6,6 +6,7 @@
 #include "app/tools/tool_fields.h"
 #include "model/paint/seen_paint.h"
 #include "model/paint/style_function.h"
+#include "model/painting/wash_groups.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
@@ -53,11 +54,6 @@ bool closesGap(const Stroke &before, const Stroke &now, const std::vector<PenSam
     return covered > 0 && left > 0.5 * covered;
 }
 
-EraserMode otherMode(EraserMode mode)
-{
-    return mode == EraserMode::Lift ? EraserMode::Cut : EraserMode::Lift;
-}
-
 } // namespace
 
 EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent)
@@ -87,6 +83,14 @@ QString EraserTool::hint() const
         return said();
     const bool selected = m_choice.scope == EraserScope::Selected && !m_editor.document().selection().isEmpty();
     const bool group = m_choice.scope == EraserScope::Group;
+    if (m_mode == EraserMode::Fade)
+        return selected
+                   ? tr("Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change "
+                        "the size, { and } the strength.")
+               : group ? tr("Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] "
+                            "change the size, { and } the strength.")
+                       : tr("Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] "
+                            "change the size, { and } the strength.");
     if (m_mode == EraserMode::Lift)
         return selected ? tr("Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] "
                              "change the size, { and } the strength.")
@@ -94,18 +98,17 @@ QString EraserTool::hint() const
                               "change the size, { and } the strength.")
                        : tr("Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the "
                             "size, { and } the strength.");
-    return selected ? tr("Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] "
-                         "change the size.")
-           : group
-               ? tr("Cut: drag to cut out what of the group's curves lies under the circle. Shift: lift. [ and ] "
-                    "change the size.")
-               : tr("Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the "
-                    "size.");
+    return selected ? tr("Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. "
+                         "[ and ] change the size.")
+           : group ? tr("Cut: drag to cut out what of the group's curves lies under the circle. Shift: erase softly. [ "
+                        "and ] change the size.")
+                   : tr("Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] "
+                        "change the size.");
 }
 
 QCursor EraserTool::cursor() const
 {
-    return m_mode == EraserMode::Lift ? softCursor(m_canvas.devicePixelRatioF()) : QCursor(Qt::CrossCursor);
+    return isSoft() ? softCursor(m_canvas.devicePixelRatioF()) : QCursor(Qt::CrossCursor);
 }
 
 QWidget *EraserTool::options()
@@ -147,7 +150,7 @@ void EraserTool::setMode(EraserMode mode)
 
 void EraserTool::followModifiers(Qt::KeyboardModifiers held)
 {
-    setMode(held & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
+    setMode(held & Qt::ShiftModifier ? m_choice.other() : m_choice.mode);
 }
 
 void EraserTool::stepOpacity(int steps)
@@ -178,11 +181,11 @@ void EraserTool::press(const PointerEvent &event)
     m_took = false;
     m_before = document.painting();
     m_cut.clear();
-    if (m_mode == EraserMode::Lift) {
-        m_soft = std::make_unique<SoftEraser>(SoftTip{radius(), m_choice.softness, m_choice.strength},
-                                              m_reach.strokesOf(*document.painting(), m_began), m_began);
+    if (isSoft()) {
+        m_soft = std::make_unique<SoftEraser>(tip(), m_reach.strokesOf(*document.painting(), m_began), m_began,
+                                              washesOf(*document.painting()));
         m_editor.clock().hold(true, event.late); // what is laid down spreads at once
-        liftTo(event);
+        takeTo(event);
     } else {
         m_samples.push_back({event.point, event.time});
         cutTo(event.point);
@@ -190,15 +193,20 @@ void EraserTool::press(const PointerEvent &event)
     showCircleAt(event.pixel);
 }
 
-void EraserTool::liftTo(const PointerEvent &event)
+SoftTip EraserTool::tip() const
+{
+    return {radius(), m_choice.softness, m_choice.strength, m_mode == EraserMode::Fade ? SoftWay::Fade : SoftWay::Lift};
+}
+
+void EraserTool::takeTo(const PointerEvent &event)
 {
     const Microseconds last = m_samples.empty() ? event.time : m_samples.back().time;
     m_samples.push_back({event.point, std::max(last, event.time), float(event.pressure)});
     m_soft->add(m_samples.back());
-    showLifted();
+    showTaken();
 }
 
-void EraserTool::showLifted()
+void EraserTool::showTaken()
 {
     const std::set<StrokeId> touched = m_soft->touched();
     m_took = !touched.empty();
@@ -243,7 +251,7 @@ void EraserTool::move(const PointerEvent &event)
     if (!isBusy())
         return;
     if (m_soft)
-        liftTo(event);
+        takeTo(event);
     else if (event.point != m_samples.back().position)
         cutTo(event.point);
 }
@@ -254,9 +262,9 @@ void EraserTool::release(const PointerEvent &event)
         return;
     if (m_soft) {
         if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0
-            liftTo(event);
+            takeTo(event);
         m_soft->finish();
-        showLifted();
+        showTaken();
     } else if (event.point != m_samples.back().position) {
         cutTo(event.point);
     }
@@ -283,7 +291,9 @@ void EraserTool::cancel()
 QString EraserTool::whyNothing() const
 {
     const Painting &painting = *m_editor.document().painting();
-    SoftEraser anything({radius(), m_choice.softness, 1}, visibleStrokes(painting, m_began), m_began);
+    SoftTip strongest = tip();
+    strongest.strength = 1;
+    SoftEraser anything(strongest, visibleStrokes(painting, m_began), m_began);
     for (std::size_t i = 0; i < std::min(m_samples.size(), mostExplained); ++i)
         anything.add({m_samples[i].position, m_samples[i].time});
     anything.finish();
@@ -293,7 +303,7 @@ QString EraserTool::whyNothing() const
     if (reasons.empty())
         return tr("Nothing is erased: no paint is seen under the circle.");
     if (reasons.contains(Spared::Nothing))
-        return tr("Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.");
+        return tr("Nothing is cut: no curve lies under the circle. Fade takes paint away wherever it is seen.");
     if (reasons.contains(Spared::OtherLayer))
         return tr("Nothing is erased: what lies under the circle is not on the layer, and only that is reached.");
     if (reasons.contains(Spared::NotSelected))
@@ -309,7 +319,7 @@ QString EraserTool::whyNoGap() const
     for (const StrokeId id : m_cut) {
         const StrokePtr now = painting.find(id), before = m_before->find(id);
         if (now && before && closesGap(*before, *now, m_samples, painting.end()))
-            return tr("It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Lift takes "
+            return tr("It was cut, but hardly a gap is seen: its edges are softer than the cut is wide. Fade takes "
                       "its paint away.");
     }
     return {};
@@ -318,7 +328,7 @@ QString EraserTool::whyNoGap() const
 void EraserTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     SizedTool::paint(painter, view, dpr);
-    if (m_mode == EraserMode::Lift)
+    if (isSoft())
         paintSoftRing(painter, 0.5, view, dpr);
 }
 

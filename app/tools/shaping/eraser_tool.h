@@ -8,9 +8,9 @@
 
 namespace suffuse {
 
-/// Takes paint away under its circle, of the selected strokes, of a group, or of all. Lifting, the usual way, is soft:
-/// it lays down segments that take paint away from each stroke that is seen there. Cutting takes out what of the curves
-/// lies under the circle. Shift takes the other way for one drag.
+/// Takes paint away under its circle, of the selected strokes, of a group, or of all. Fading, the usual way, and
+/// lifting are soft: they lay down segments that take paint away from each stroke that is seen there. Cutting takes out
+/// what of the curves lies under the circle. Shift takes the other way for one drag: cutting, or the soft one.
 class EraserTool : public SizedTool {
     Q_OBJECT
 
@@ -39,8 +39,10 @@ private:
     void setMode(EraserMode mode);
     void followModifiers(Qt::KeyboardModifiers held);
     void followSelection();
-    void liftTo(const PointerEvent &event);
-    void showLifted();
+    bool isSoft() const { return m_mode != EraserMode::Cut; }
+    SoftTip tip() const;
+    void takeTo(const PointerEvent &event);
+    void showTaken();
     void cutTo(Point point);
     /// The strokes that the circle may cut on its way.
     std::set<StrokeId> targets(Point from, Point to);
@@ -56,7 +58,7 @@ private:
     EraserMode m_mode; ///< of this drag; while there is none, of the next one
     EraserReach m_reach;
     Gesture m_gesture;
-    std::unique_ptr<SoftEraser> m_soft; ///< while paint is lifted
+    std::unique_ptr<SoftEraser> m_soft; ///< while paint is taken softly
     std::vector<PenSample> m_samples;   ///< of this drag
     Microseconds m_began = 0;
     bool m_took = false;      ///< whether this drag has taken anything

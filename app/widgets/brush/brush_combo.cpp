@@ -52,9 +52,21 @@ QSize BrushCombo::sizeHint() const
     int widest = 0;
     for (int i = 0; i < count(); ++i)
         widest = std::max(widest, fontMetrics().horizontalAdvance(itemText(i)));
+    return sizeFor(widest);
+}
+
+QSize BrushCombo::minimumSizeHint() const
+{
+    constexpr int characters = 6;
+    return sizeFor(std::min(characters * fontMetrics().averageCharWidth(), sizeHint().width()));
+}
+
+/// With room for so wide a name.
+QSize BrushCombo::sizeFor(int name) const
+{
     QStyleOptionComboBox option;
     initStyleOption(&option);
-    const QSize inner(chip.width() + gap + widest + gap, std::max(chip.height(), fontMetrics().height()) + 2);
+    const QSize inner(chip.width() + gap + name + gap, std::max(chip.height(), fontMetrics().height()) + 2);
     return style()->sizeFromContents(QStyle::CT_ComboBox, &option, inner, this);
 }
 
@@ -74,7 +86,9 @@ void BrushCombo::paintEvent(QPaintEvent *)
         text.setLeft(at.right() + gap);
     }
     painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::ButtonText));
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, currentIndex() >= 0 ? currentText() : placeholderText());
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(currentIndex() >= 0 ? currentText() : placeholderText(), Qt::ElideRight,
+                                              text.width()));
 }
 
 void BrushCombo::changeEvent(QEvent *event)
@@ -113,8 +127,11 @@ void BrushCombo::makePopup()
 void BrushCombo::filter()
 {
     const QString text = m_search->text();
-    m_grid->fillGroups([&text](const Brush &brush) { return isBrushCalled(brush, text); });
-    m_grid->mark(m_grid->itemOf(currentData().toString()) ? currentData().toString() : m_grid->first());
+    m_grid->fillGroups([&text](const Brush &brush) { return isBrushCalled(brush, text); }, text);
+    if (text.trimmed().isEmpty())
+        m_grid->mark(currentData().toString());
+    else
+        m_grid->showFirst();
 }
 
 void BrushCombo::showPopup()

@@ -29,7 +29,8 @@ public:
     QLineEdit *search() const { return m_search; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    /// With room for the picture and the beginning of a name: in a narrow row the name gives way.
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -37,6 +38,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    QSize sizeFor(int name) const;
     void makePopup();
     void choose(const QString &name);
     void placePopup();

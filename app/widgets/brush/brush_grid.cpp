@@ -12,6 +12,8 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace suffuse {
 
@@ -62,6 +64,12 @@ QString BrushGrid::first() const
     return {};
 }
 
+void BrushGrid::showFirst()
+{
+    mark(first());
+    scrollToTop(); // not to where the marked one stood before, or below its heading
+}
+
 void BrushGrid::mark(const QString &name)
 {
     const QSignalBlocker blocker(this);
@@ -105,20 +113,30 @@ void BrushGrid::addBrush(const Brush &brush)
     setPicture(item);
 }
 
-void BrushGrid::fillGroups(const std::function<bool(const Brush &brush)> &isShown)
+void BrushGrid::fillGroups(const std::function<bool(const Brush &brush)> &isShown, const QString &typed)
 {
+    struct Shown {
+        const Brush *brush;
+        int rank;
+    };
     const QSignalBlocker blocker(this);
     clear();
-    std::vector<QString> groups;
-    const auto &brushes = BrushLibrary::instance().brushes();
-    for (const Brush &brush : brushes)
-        if (isShown(brush) && std::find(groups.begin(), groups.end(), brush.group) == groups.end())
-            groups.push_back(brush.group);
-    for (const QString &group : groups) {
-        addHeading(group);
-        for (const Brush &brush : brushes)
-            if (brush.group == group && isShown(brush))
-                addBrush(brush);
+    std::vector<Shown> shown;
+    std::map<QString, std::pair<int, int>> groups; // what suits best in each, and its place in the library
+    for (const Brush &brush : BrushLibrary::instance().brushes()) {
+        if (!isShown(brush))
+            continue;
+        const int rank = typed.trimmed().isEmpty() ? 0 : searchRank(brush, typed);
+        shown.push_back({&brush, rank});
+        const auto group = groups.try_emplace(brush.group, rank, int(groups.size())).first;
+        group->second.first = std::min(group->second.first, rank);
+    }
+    std::ranges::stable_sort(shown, {},
+                             [&groups](const Shown &s) { return std::tuple(groups.at(s.brush->group), s.rank); });
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        if (k == 0 || shown[k].brush->group != shown[k - 1].brush->group)
+            addHeading(shown[k].brush->group);
+        addBrush(*shown[k].brush);
     }
     fitHeadings();
     if (m_started)

@@ -17,8 +17,10 @@ class BrushGrid : public QListWidget {
 public:
     explicit BrushGrid(QWidget *parent = nullptr);
 
-    /// The brushes that pass, in their groups below headings; the user's stand behind those that came along.
-    void fillGroups(const std::function<bool(const Brush &brush)> &isShown);
+    /// The brushes that pass, in their groups below headings; the user's stand behind those that came along. Where a
+    /// text was typed to search for them, the group with the brush whose name it suits best comes first, and that brush
+    /// in it.
+    void fillGroups(const std::function<bool(const Brush &brush)> &isShown, const QString &typed = {});
     /// These, in this order, without headings.
     void fill(const QStringList &names);
 
@@ -28,6 +30,8 @@ public:
     QListWidgetItem *itemOf(const QString &name) const;
     /// The name of the first brush that is shown; empty if there is none.
     QString first() const;
+    /// Marks that one, tells nobody, and shows it.
+    void showFirst();
     /// Marks a brush, or none, and tells nobody.
     void mark(const QString &name);
     /// Marks the brush in hand, which may have changes, and tells nobody.

@@ -118,8 +118,7 @@ void ColourChips::paintEvent(QPaintEvent *)
         else
             painter.fillPath(shape, toOpaqueScreen(colour));
         const bool marked = (hasFocus() && i == m_current) || i == m_pressed;
-        painter.strokePath(shape,
-                           QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 3 : 1));
+        painter.strokePath(shape, QPen(marked ? focusFrame() : edgeOfColours(), marked ? 3 : 1));
     }
 }
 

@@ -100,7 +100,7 @@ void ColourSwatch::paintEvent(QPaintEvent *)
         painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("—"));
     }
     const bool marked = hasFocus() || isDown();
-    painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 2 : 1));
+    painter.strokePath(shape, QPen(marked ? focusFrame() : edgeOfColours(), marked ? 2 : 1));
 }
 
 } // namespace suffuse

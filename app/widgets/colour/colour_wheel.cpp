@@ -19,8 +19,7 @@ namespace suffuse {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int wheelStepGapMs = 900; ///< key steps closer than this are one undo step
-constexpr double ringShare = 0.16;  ///< thickness of the ring as a share of the radius
+constexpr double ringShare = 0.16; ///< thickness of the ring as a share of the radius
 
 void paintMarker(QPainter &painter, QPointF at, const QColor &fill, double radius, bool focus)
 {
@@ -184,9 +183,7 @@ bool ColourWheel::eventFilter(QObject *watched, QEvent *event)
 /// The entry for a step by a key.
 ValueEntry *ColourWheel::entryOfStep()
 {
-    if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > wheelStepGapMs)
-        m_entry.endSteps();
-    m_sinceStep.restart();
+    m_entry.noteStep();
     return &m_entry;
 }
 
@@ -237,7 +234,7 @@ void ColourWheel::paintFocus(QPainter &painter)
 {
     constexpr double gap = 2.5, width = 2;
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), width));
+    painter.setPen(QPen(focusFrame(), width));
     painter.drawEllipse(centre(), outerRadius() + gap, outerRadius() + gap);
 }
 

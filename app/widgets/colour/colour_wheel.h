@@ -3,7 +3,6 @@
 #include "app/session/value_entry.h"
 #include "model/colour/hue_shares.h"
 
-#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 
@@ -64,7 +63,6 @@ private:
     Part m_part = Part::None;
     HueShares m_pressed; ///< what was shown when the drag began
     ValueEntry m_entry;
-    QElapsedTimer m_sinceStep;
     QImage m_triangle;
     double m_triangleHue = -1;
 };

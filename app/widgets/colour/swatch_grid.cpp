@@ -214,7 +214,7 @@ void SwatchGrid::paintEvent(QPaintEvent *)
             painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
                              fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
         if (hasFocus()) {
-            painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+            painter.setPen(QPen(focusFrame(), 2));
             painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
         }
     }
@@ -225,15 +225,14 @@ void SwatchGrid::paintEvent(QPaintEvent *)
         if (m_swatches[std::size_t(i)].linked)
             paintLink(painter, shape, cell(i));
         const bool marked = (hasFocus() && i == m_current) || i == m_edited;
-        painter.strokePath(shape,
-                           QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 2 : 1));
+        painter.strokePath(shape, QPen(marked ? focusFrame() : edgeOfColours(), marked ? 2 : 1));
     }
     if (m_gap >= 0) {
         const QRect at = cell(m_gap);
         const bool atEnd = m_gap > 0 && m_gap == size() && at.x() == 0;
         const double x = atEnd ? cell(m_gap - 1).right() + 2.5 : at.x() - 1;
         const double y = atEnd ? cell(m_gap - 1).y() : at.y();
-        painter.fillRect(QRectF(std::max(0.0, x - 1), y, 2, cellSide), palette().color(QPalette::Highlight));
+        painter.fillRect(QRectF(std::max(0.0, x - 1), y, 2, cellSide), focusFrame());
     }
 }
 

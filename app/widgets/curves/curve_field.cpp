@@ -92,7 +92,7 @@ void CurveField::paintField(QPainter &painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette &colours = palette();
-    painter.setPen(hasFocus() ? colours.color(QPalette::Highlight) : hairline());
+    painter.setPen(hasFocus() ? focusFrame() : hairline());
     painter.setBrush(colours.color(QPalette::Base));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     painter.setPen(QPen(hairline(), 1, Qt::DotLine));

@@ -14,13 +14,11 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMainWindow>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcutEvent>
 #include <QStatusBar>
 #include <QTabBar>
-#include <QTextEdit>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -75,23 +73,6 @@ bool canBeTypedInto(const QWidget &widget)
     return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
            qobject_cast<const QComboBox *>(&widget) ||
            (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
-}
-
-/// The property of lists that pass letters.
-constexpr char passesProperty[] = "passesLetters";
-
-/// Whether a key is a letter for which a widget has no use. A view that shows neither rows nor a text, such as the
-/// timeline, is not typed into.
-bool isLetterToPass(const QWidget &widget, int key)
-{
-    if (widget.property(passesProperty).toBool())
-        return (key >= Qt::Key_A && key <= Qt::Key_Z) || (key >= Qt::Key_0 && key <= Qt::Key_9) ||
-               key == Qt::Key_BracketLeft || key == Qt::Key_BracketRight;
-    const bool isView = qobject_cast<const QAbstractScrollArea *>(&widget) &&
-                        !qobject_cast<const QScrollArea *>(&widget) &&
-                        !qobject_cast<const QAbstractItemView *>(&widget) &&
-                        !qobject_cast<const QTextEdit *>(&widget) && !qobject_cast<const QPlainTextEdit *>(&widget);
-    return isView && key >= Qt::Key_A && key <= Qt::Key_Z;
 }
 
 /// Whether a letter would choose a row by the first letter of its name.
@@ -227,11 +208,6 @@ void KeyboardFocus::leaveAfterClicks(QWidget &widget)
     widget.setProperty(leavesProperty, true);
 }
 
-void KeyboardFocus::passLetters(QWidget &list)
-{
-    list.setProperty(passesProperty, true);
-}
-
 void KeyboardFocus::toCanvas()
 {
     m_window.activateWindow(); // the panel may float
@@ -255,7 +231,7 @@ QWidget *KeyboardFocus::panelOf(QWidget *widget) const
 
 bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
 {
-    if (!isTyped(key) || isLetterToPass(widget, key.key()) || &widget == &m_window || &widget == &m_canvas ||
+    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas ||
         m_canvas.isAncestorOf(&widget))
         return false;
     if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
@@ -279,7 +255,7 @@ bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys
 {
     QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
     const auto *action = qobject_cast<const QAction *>(&owner);
-    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]) || isLetterToPass(*focus, keys[0].key()))
+    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]))
         return false;
     for (const QWidget *w = focus; w; w = w == panel ? nullptr : w->parentWidget())
         if (std::ranges::any_of(w->actions(), [action](const QAction *own) { return own == action; }))

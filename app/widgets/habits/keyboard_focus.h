@@ -15,8 +15,7 @@ class PanelWalk;
 
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
-/// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them,
-/// and letters, digits and brackets from lists that have none (`passLetters`).
+/// widget in it has by addAction(), whether or not the panel has a use for the key.
 /// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a use for them. So does the
 /// release of the mouse over something that cannot be typed into, or that one chooses from to go on at the canvas
 /// (`leaveAfterClicks`), and so does a choice from a list that a click has opened. Lists do not go to the row whose
@@ -33,9 +32,6 @@ public:
     /// A click on the widget gives the keyboard back to the canvas, though it can be typed into: what was clicked there
     /// is what the hand goes on with.
     static void leaveAfterClicks(QWidget &widget);
-
-    /// What is chosen in the list is what tools go on with, so what is typed in it is meant for their keys.
-    static void passLetters(QWidget &list);
 
     void toCanvas();
     /// Gives the keyboard to a dock that is shown, and brings it to the front.

@@ -109,12 +109,12 @@ bool showsFocus(const QStyleOption &option)
 }
 
 /// Fusion's own frames are of the colour of selections, which is too dark to be seen on dark windows.
-void drawFocus(QPainter &painter, const QRect &area, int width)
+void drawFocus(QPainter &painter, const QRect &area, int width, const QColor &colour = focusFrame())
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(focusFrame(), width));
+    painter.setPen(QPen(colour, width));
     const double half = 0.5 * width;
     painter.drawRoundedRect(QRectF(area).adjusted(half, half, -half, -half), 2, 2);
     painter.restore();
@@ -163,11 +163,17 @@ void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *o
 {
     if (element == PE_IndicatorItemViewItemDrop)
         return drawDropPlace(*painter, *option);
-    const bool isFocus = element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView *>(widget);
-    if (isFocus && showsFocus(*option) && !qobject_cast<const QPushButton *>(widget))
-        drawFocus(*painter, option->rect, 1);
-    if (isFocus) // a push button has its frame around it, and not within
-        return;
+    if (element == PE_FrameFocusRect) {
+        const bool isRow = qobject_cast<const QAbstractItemView *>(widget);
+        const bool isSelected = isRow && option->state & State_Selected;
+        if (isSelected) // The frame has the colour of the selection, or nearly so.
+            drawFocus(*painter, option->rect, 2, option->palette.color(QPalette::HighlightedText));
+        else if (isRow)
+            drawFocus(*painter, option->rect, 2);
+        else if (showsFocus(*option) && !qobject_cast<const QPushButton *>(widget))
+            drawFocus(*painter, option->rect, 1);
+        return; // A push button has its frame around it, and not within.
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_PanelButtonCommand && showsFocus(*option))
         drawFocus(*painter, option->rect, 2);
@@ -185,7 +191,14 @@ void OutlineStyle::drawControl(ControlElement element, const QStyleOption *optio
 {
     const auto *bar = qstyleoption_cast<const QStyleOptionToolBar *>(option);
     const auto *entry = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
+    const auto *tab = qstyleoption_cast<const QStyleOptionTab *>(option);
     const QRect &area = option->rect;
+    if (element == CE_TabBarTabLabel && tab && tab->state & State_HasFocus) { // Fusion would ask itself for the frame.
+        QStyleOptionTab label(*tab);
+        label.state &= ~State_HasFocus;
+        QProxyStyle::drawControl(element, &label, painter, widget);
+        return drawFocus(*painter, area.adjusted(3, 3, -3, -3), 2);
+    }
     if (isDarkTheme() && element == CE_ToolBar && bar && widget &&
         qobject_cast<QMainWindow *>(widget->parentWidget())) {
         painter->fillRect(area, option->palette.color(QPalette::Window));

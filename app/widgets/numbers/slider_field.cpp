@@ -13,7 +13,6 @@
 namespace suffuse {
 
 namespace {
-constexpr int stepGapMs = 900; ///< key and wheel steps closer than this are one undo step
 /// The slider's ends multiply mixed values by this, or divide them by it. Where values are added to, its ends are half
 /// of its range away.
 constexpr double greatestFactor = 10;
@@ -335,11 +334,9 @@ void SliderField::giveUp()
 /// The entry for a step by key or wheel.
 ValueEntry *SliderField::step()
 {
-    if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > stepGapMs)
-        m_entry.endSteps();
+    m_entry.noteStep();
     if (!m_amount)
         m_entry.forgetStart();
-    m_sinceStep.restart();
     return &m_entry;
 }
 

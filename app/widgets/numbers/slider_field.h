@@ -4,7 +4,6 @@
 #include "app/widgets/numbers/number_field.h"
 #include "model/restyling/value_change.h"
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QWidget>
 
@@ -119,7 +118,6 @@ private:
     std::optional<double> m_pressedAmount;
     int m_pressedPosition = 0;
     ValueEntry m_entry;
-    QElapsedTimer m_sinceStep;
 };
 
 } // namespace suffuse

@@ -9,11 +9,14 @@
 #include "app/widgets/numbers/quantity.h"
 #include "app/widgets/paper/paper_preview.h"
 #include "model/painting/paper_presets.h"
+#include "model/painting/resolution.h"
 #include "model/painting/validate.h"
 #include "render/scene/paper.h"
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -87,7 +90,7 @@ CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
 
 void CanvasSection::addSize(QGridLayout &grid)
 {
-    const auto add = [&](int row, const QString &name, const QString &tip, double Canvas::*member) {
+    const auto add = [&](int row, const QString &name, const QString &tip, double Canvas::*member, ValueEntry &steps) {
         auto *label = new QLabel(name, this);
         auto *field = new NumberField(this);
         field->setRange(0.001, 1e6);
@@ -98,18 +101,24 @@ void CanvasSection::addSize(QGridLayout &grid)
         grid.addWidget(label, row, 0);
         grid.addWidget(field, row, 2);
         connect(field, &NumberField::refused, this, &CanvasSection::refused);
-        const auto take = [=, this](double value) {
+        const auto take = [=, this](double value, ValueEntry *entry) {
             const double side = m_isPaper ? std::max(1.0, std::round(value)) : value;
-            change([=](Canvas &c) { c.*member = side; }, tr("Resize canvas"));
+            change([=](Canvas &c) { c.*member = side; }, tr("Resize canvas"), entry);
         };
-        connect(field, &NumberField::entered, this, take);
+        connect(field, &NumberField::entered, this, [=](double value) { take(value, nullptr); });
         // A tenth of a size is rarely whole, and nobody steps to a part of a pixel.
-        connect(field, &NumberField::stepped, this,
-                [=](double value) { take(value < 10 ? value : std::round(value)); });
+        connect(field, &NumberField::stepped, this, [=, &steps](double value) {
+            steps.noteStep();
+            take(value < 10 ? value : std::round(value), &steps);
+        });
         return field;
     };
-    m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width);
-    m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height);
+    m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width,
+                  m_widthSteps);
+    m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height,
+                   m_heightSteps);
+    m_onPaper = quietLabel({}, this);
+    grid.addWidget(m_onPaper, 2, 0, 1, 3);
 }
 
 void CanvasSection::addPaper(QGridLayout &grid)
@@ -144,10 +153,14 @@ void CanvasSection::addPaper(QGridLayout &grid)
     grid.addWidget(m_seedLabel, 2, 0);
     grid.addWidget(m_seed, 2, 2);
     connect(m_seed, &NumberField::refused, this, &CanvasSection::refused);
-    for (const auto signal : {&NumberField::entered, &NumberField::stepped})
-        connect(m_seed, signal, this, [this](double value) {
-            change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
-        });
+    const auto takeSeed = [this](double value, ValueEntry *entry) {
+        change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"), entry);
+    };
+    connect(m_seed, &NumberField::entered, this, [=](double value) { takeSeed(value, nullptr); });
+    connect(m_seed, &NumberField::stepped, this, [=, this](double value) {
+        m_seedSteps.noteStep();
+        takeSeed(value, &m_seedSteps);
+    });
 
     m_scale = new SliderField(
         {.name = tr("Scale"),
@@ -255,6 +268,26 @@ void CanvasSection::setCanvas(const Canvas &canvas)
     refresh();
 }
 
+void CanvasSection::setResolution(double resolution)
+{
+    m_resolution = resolution;
+    refresh();
+}
+
+/// "120 × 90 mm at 150 dpi"; empty where it is not said.
+QString CanvasSection::sizeOnPaper() const
+{
+    if (!isResolution(m_resolution))
+        return {};
+    const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
+    const auto side = [&](double units) {
+        const double inches = units / m_resolution;
+        return QLocale().toString(isMetric ? inches * millimetresOfInch : inches, 'f', isMetric ? 1 : 2);
+    };
+    return (isMetric ? tr("%1 × %2 mm at %3 dpi") : tr("%1 × %2 in at %3 dpi"))
+        .arg(side(m_canvas.width), side(m_canvas.height), QLocale().toString(m_resolution));
+}
+
 void CanvasSection::setSideDisplay(const Display &display, bool isPaper)
 {
     m_isPaper = isPaper;
@@ -268,6 +301,8 @@ void CanvasSection::refresh()
     const Paper &paper = m_canvas.paper;
     m_width->setValue(m_canvas.width);
     m_height->setValue(m_canvas.height);
+    m_onPaper->setText(sizeOnPaper());
+    m_onPaper->setVisible(!m_onPaper->text().isEmpty());
     m_swatch->setColour(m_canvas.background);
     m_background->setColour(m_canvas.background);
     if (indexOf(paper) != customIndex())

@@ -6,6 +6,7 @@
 #include <functional>
 
 class QComboBox;
+class QLabel;
 class QPushButton;
 
 namespace suffuse {
@@ -24,11 +25,14 @@ public:
 
     void setCanvas(const Canvas &canvas);
     const Canvas &canvas() const { return m_canvas; }
+    /// Says how large the sheet is on paper, where an inch of it has so many units; 0: it is not said.
+    void setResolution(double resolution);
     /// Shows and takes the sides in another unit. Those of paper become whole units of the canvas.
     void setSideDisplay(const Display &display, bool isPaper);
 
     NumberField *widthField() const { return m_width; }
     NumberField *heightField() const { return m_height; }
+    QLabel *onPaper() const { return m_onPaper; }
     /// The entries: none, the presets, and an image.
     QComboBox *paperChoice() const { return m_paper; }
     SliderField *paperScale() const { return m_scale; }
@@ -52,11 +56,15 @@ private:
     void showThumbnails();
     bool chooseImage(Paper &paper);
     void refresh();
+    QString sizeOnPaper() const;
 
     Canvas m_canvas;
+    double m_resolution = 0;
     bool m_isPaper = false; ///< whether sides are lengths of paper
     NumberField *m_width = nullptr;
     NumberField *m_height = nullptr;
+    QLabel *m_onPaper = nullptr;
+    ValueEntry m_widthSteps, m_heightSteps, m_seedSteps; ///< by the arrow keys and the wheel
     ColourSwatch *m_swatch = nullptr;
     ColourRows *m_background = nullptr;
     QComboBox *m_paper = nullptr;

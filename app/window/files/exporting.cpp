@@ -4,9 +4,11 @@
 #include "app/dialogs/export/drawing_dialog.h"
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/timelapse_dialog.h"
+#include "app/dialogs/print/print_dialog.h"
 #include "app/session/commands/session_rows.h"
 #include "app/widgets/asking/messages.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -47,6 +49,14 @@ void Exporting::addRows()
              {QKeySequence(Commands::tr("Ctrl+Alt+E"))}, Commands::tr("Make a film of the painting being painted"))
         .when(anyStrokes(m_place.open.editor))
         .runs([this] { exportTimelapse(); });
+    table
+        .add(Print, "print", Commands::tr("Prin&t…"), "print", QKeySequence::keyBindings(QKeySequence::Print),
+             Commands::tr("On paper, or as a page of a PDF file"))
+        .runs([this] { print(false); });
+    table
+        .add(PrintPreview, "printPreview", Commands::tr("Print Previe&w…"), "", {},
+             Commands::tr("See the page in large before it is printed"))
+        .runs([this] { print(true); });
 }
 
 void Exporting::takeLast()
@@ -85,6 +95,21 @@ void Exporting::exportDrawing()
     DrawingDialog dialog(m_place.open.editor, &m_place.window);
     if (dialog.exec() == QDialog::Accepted)
         sayWritten(dialog.path()->text());
+}
+
+void Exporting::print(bool inLarge)
+{
+    m_place.canvas.settleTool();
+    PrintDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
+    if (inLarge)
+        dialog.enlarge();
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (dialog.printsToFile())
+        sayWritten(dialog.path()->text());
+    else
+        m_place.window.statusBar()->showMessage(tr("Given to the printer %1").arg(dialog.printer()->currentText()),
+                                                8'000);
 }
 
 void Exporting::exportPicture()

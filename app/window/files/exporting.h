@@ -1,4 +1,4 @@
-// Exporting a window's painting, by the dialogs and once more without them.
+// Exporting a window's painting, by the dialogs and once more without them, and printing it.
 #pragma once
 
 #include "app/window/workplace.h"
@@ -27,6 +27,8 @@ private:
     void exportAgain();
     void exportDrawing();
     void exportTimelapse();
+    /// `inLarge`: to look at the page above all.
+    void print(bool inLarge);
     void showOutcome(bool written, const QString &error);
     void sayWritten(const QString &path);
 

@@ -67,13 +67,13 @@ FileOpening *FileOpening::show(const std::function<void(OpenPainting &open)> &fi
 
 void FileOpening::newPainting()
 {
-    if (const std::optional<Canvas> canvas = NewDialog::ask(&window()))
-        begin(*canvas);
+    if (const std::optional<NewSheet> sheet = NewDialog::ask(&window()))
+        begin(sheet->canvas, sheet->resolution);
 }
 
-FileOpening *FileOpening::begin(const Canvas &canvas)
+FileOpening *FileOpening::begin(const Canvas &canvas, double resolution)
 {
-    return show([&](OpenPainting &open) { open.editor.newPainting(canvas); });
+    return show([&](OpenPainting &open) { open.editor.newPainting(canvas, resolution); });
 }
 
 void FileOpening::chooseFiles()

@@ -37,8 +37,9 @@ public:
     /// Shows a document of an earlier run. Its journal goes when this one's is on disk.
     FileOpening *openRecovered(LostDocument document);
     void fillRecentMenu(QMenu &menu);
-    /// A new painting, here or in a window of its own. Returns whose window shows it.
-    FileOpening *begin(const Canvas &canvas);
+    /// A new painting, here or in a window of its own. `resolution`: canvas units an inch of paper; 0: it is not said.
+    /// Returns whose window shows it.
+    FileOpening *begin(const Canvas &canvas, double resolution = 0);
     /// Nothing was painted, opened or saved in this window.
     bool isUntouched() const;
 

@@ -33,8 +33,10 @@ std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Edit
         symmetry != DrawingAids::usualSymmetry(editor.unsettled().painting()->canvas.area()))
         state.symmetry = symmetry;
     state.guides = editor.aids().guides();
+    if (const auto &kept = editor.extras().view)
+        state.print = kept->print;
     const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty() && !state.begun &&
-                         !state.symmetry && state.guides.empty();
+                         !state.symmetry && state.guides.empty() && !state.print;
     return isUsual ? std::nullopt : std::optional(state);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/panels/inspector/fill_section.h"
+#include "app/panels/inspector/rows/erasure_rows.h"
 #include "app/panels/inspector/rows/rewet_rows.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/strokes/strokes_model.h"
@@ -46,7 +47,7 @@ FieldSpec widthSpec()
 std::optional<SeenWidth> seenOf(const Inspected &inspected, std::size_t index, Microseconds time)
 {
     const auto &[stroke, segment] = inspected.segments[index];
-    return segment->lift ? std::nullopt : seenWidth(*stroke, inspected.refs[index].segment, time);
+    return segment->takesPaint() ? std::nullopt : seenWidth(*stroke, inspected.refs[index].segment, time);
 }
 
 } // namespace
@@ -123,9 +124,10 @@ void ValueCard::keyPressEvent(QKeyEvent *event)
 /// The inspector has the other rows.
 void ValueCard::showFew()
 {
+    const bool fades = !m_segments->erasure()->share()->label()->isHidden(); // Then the share stands for the density.
     for (const Number<Segment> &number : numbersOf<Segment>)
         if (SliderField *row = number.member ? m_segments->row(number.member) : nullptr)
-            row->setVisible(row == m_segments->diffusion() || row == m_segments->density());
+            row->setVisible(row == m_segments->diffusion() || (row == m_segments->density() && !fades));
     m_segments->born()->setVisible(false);
     m_segments->rewet()->hide();
 }
@@ -192,7 +194,7 @@ void ValueCard::setWidth(double width, ValueEntry *entry)
             if (ref.stroke != stroke.id)
                 continue;
             Segment &segment = stroke.segments[std::size_t(ref.segment)];
-            if (segment.lift)
+            if (segment.takesPaint())
                 continue;
             const std::optional<SeenWidth> seen = seenWidth(stroke, ref.segment, time);
             if (seen && (seen->width > 0 || now == 0)) // what has faded stays so beside what is seen

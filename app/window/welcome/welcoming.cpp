@@ -41,7 +41,7 @@ WelcomeDialog *Welcoming::show()
         m_dialog = new WelcomeDialog(&m_place.window);
         m_dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(m_dialog, &WelcomeDialog::sheetChosen, this,
-                [this](const Canvas &canvas) { m_opening.begin(canvas); });
+                [this](const NewSheet &sheet) { m_opening.begin(sheet.canvas, sheet.resolution); });
         connect(m_dialog, &WelcomeDialog::otherSheetWanted, this, [this] { m_place.commands[Command::New].trigger(); });
         connect(m_dialog, &WelcomeDialog::openWanted, this, [this] { m_place.commands[Command::Open].trigger(); });
         connect(m_dialog, &WelcomeDialog::fileChosen, this, [this](const QString &path) { m_opening.open(path); });

@@ -1,5 +1,6 @@
-// Universal Ink Model 3 as JSON: paths are splines, times and pressures stand apart as sensor data.
+// Universal Ink Model 3, as JSON or packed (.uim): paths are splines, times and pressures stand apart as sensor data.
 #include "model/formats/ink/ink_json.h"
+#include "model/formats/ink/universal_container.h"
 #include "model/painting/ryb.h"
 
 #include <QRegularExpression>
@@ -243,9 +244,10 @@ Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, 
 
 Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileName)
 {
-    const auto top = parseJsonObject(bytes, fileName);
+    const bool isPacked = isUniversalContainer(bytes);
+    const auto top = isPacked ? unpackedUniversal(bytes) : parseJsonObject(bytes, fileName);
     if (!top)
-        return Error{top.error()};
+        return isPacked ? fileError(fileName, top.error()) : Error{top.error()};
     const auto sensors = sensorsOf(top->value(QLatin1String("inputData")).toObject(), fileName);
     if (!sensors)
         return Error{sensors.error()};

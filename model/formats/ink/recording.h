@@ -81,9 +81,14 @@ Result<Recording> readMyPaintEvents(const QByteArray &bytes, const QString &file
 Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileName);
 Result<Recording> readExcalidraw(const QByteArray &bytes, const QString &fileName);
 Result<Recording> readXournal(const QByteArray &bytes, const QString &fileName);
+Result<Recording> readInkml(const QByteArray &bytes, const QString &fileName);
+Result<Recording> readRnote(const QByteArray &bytes, const QString &fileName);
 
 /// Whether a zip file is a notebook of Xournal++.
 bool isXournalPackage(const QByteArray &bytes);
+
+/// Whether the text that is packed in a file is a notebook of Rnote, by its beginning.
+bool isRnote(std::string_view text);
 
 /// The number in a text which, apart from white space around it, is one finite decimal number; otherwise no value.
 std::optional<double> numberIn(std::string_view text);

@@ -6,13 +6,13 @@ namespace suffuse {
 
 namespace {
 
-constexpr std::size_t longest = 128; ///< bytes of one run
+constexpr std::size_t longestRun = 128; ///< bytes of one run
 
 /// How many bytes from a place on are the same.
 std::size_t runAt(const std::uint8_t *row, std::size_t bytes, std::size_t at)
 {
     std::size_t n = 1;
-    while (n < longest && at + n < bytes && row[at + n] == row[at])
+    while (n < longestRun && at + n < bytes && row[at + n] == row[at])
         ++n;
     return n;
 }
@@ -30,7 +30,7 @@ void packBits(const std::uint8_t *row, std::size_t bytes, QByteArray &out)
             continue;
         }
         const std::size_t from = at;
-        while (at < bytes && at - from < longest && runAt(row, bytes, at) < worthwhile)
+        while (at < bytes && at - from < longestRun && runAt(row, bytes, at) < worthwhile)
             ++at;
         out.append(char(at - from - 1));
         out.append(reinterpret_cast<const char *>(row + from), qsizetype(at - from));

@@ -2,6 +2,7 @@
 
 #include "model/formats/messages.h"
 #include "model/formats/suffuse/suffuse_cbor.h"
+#include "model/painting/resolution.h"
 
 #include <cmath>
 
@@ -84,6 +85,82 @@ void readPlaces(const QCborValue &value, bool upright, std::vector<Guide> &guide
             guides.push_back({upright, at});
 }
 
+QCborMap writePrint(const PrintSetup &print)
+{
+    QCborArray margins;
+    for (const double margin : print.margins)
+        margins.append(margin);
+    QCborMap map{{QLatin1String("paper"), print.paper},
+                 {QLatin1String("landscape"), print.landscape},
+                 {QLatin1String("margins"), margins},
+                 {QLatin1String("size"), int(print.size)},
+                 {QLatin1String("scale"), print.scale},
+                 {QLatin1String("area"), int(print.area)},
+                 {QLatin1String("moment"), int(print.moment)},
+                 {QLatin1String("background"), print.background},
+                 {QLatin1String("dpi"), print.dpi}};
+    if (print.area == PrintSetup::Area::Numbers)
+        map.insert(QLatin1String("numbers"), QCborArray{print.numbers.left, print.numbers.top, print.numbers.right,
+                                                        print.numbers.bottom});
+    if (print.moment == PrintSetup::Moment::Time)
+        map.insert(QLatin1String("time"), qint64(print.time));
+    return map;
+}
+
+/// Numbers of a list that has so many of them; no value where one is none, or too large.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbersOf(const QCborValue &value, double least, double most)
+{
+    const QCborArray list = value.toArray();
+    std::array<double, count> numbers;
+    if (list.size() != qsizetype(count))
+        return std::nullopt;
+    for (std::size_t k = 0; k < count; ++k) {
+        numbers[k] = list.at(qsizetype(k)).toDouble(std::nan(""));
+        if (!(numbers[k] >= least && numbers[k] <= most))
+            return std::nullopt;
+    }
+    return numbers;
+}
+
+std::optional<PrintSetup> readPrint(const QCborValue &value)
+{
+    if (!value.isMap())
+        return std::nullopt;
+    bool ok = true;
+    PrintSetup print;
+    MapReader in(value, ok);
+    const auto choice = [&](const char *name, auto &chosen, auto last) {
+        const qint64 number = integerIn(in.take(name));
+        ok = ok && number >= 0 && number <= qint64(last);
+        if (ok)
+            chosen = std::remove_reference_t<decltype(chosen)>(number);
+    };
+    in.read("paper", print.paper);
+    in.read("landscape", print.landscape);
+    in.read("scale", print.scale);
+    in.read("background", print.background);
+    choice("size", print.size, PrintSetup::Size::Scaled);
+    choice("area", print.area, PrintSetup::Area::Numbers);
+    choice("moment", print.moment, PrintSetup::Moment::Time);
+    choice("dpi", print.dpi, PrintSetup::mostDpi);
+    const auto margins = numbersOf<4>(in.take("margins"), 0, PrintSetup::mostMargin);
+    ok = ok && margins && print.paper.size() <= longestName && print.scale >= PrintSetup::leastScale &&
+         print.scale <= PrintSetup::mostScale && (print.dpi == 0 || print.dpi >= PrintSetup::leastDpi);
+    if (!ok)
+        return std::nullopt;
+    print.margins = *margins;
+    if (print.area == PrintSetup::Area::Numbers) {
+        const auto sides = numbersOf<4>(in.take("numbers"), -largestCoordinate, largestCoordinate);
+        if (!sides || !((*sides)[2] > (*sides)[0] && (*sides)[3] > (*sides)[1]))
+            return std::nullopt;
+        print.numbers = {(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]};
+    }
+    if (print.moment == PrintSetup::Moment::Time)
+        print.time = std::clamp<Microseconds>(integerIn(in.take("time")), -largestTime, largestTime);
+    return print;
+}
+
 QByteArray writeView(const WorkspaceState &view)
 {
     QCborMap map;
@@ -109,6 +186,8 @@ QByteArray writeView(const WorkspaceState &view)
     if (!view.guides.empty())
         map.insert(QLatin1String("guides"), QCborMap{{QLatin1String("level"), writePlaces(view.guides, false)},
                                                      {QLatin1String("upright"), writePlaces(view.guides, true)}});
+    if (view.print)
+        map.insert(QLatin1String("print"), writePrint(*view.print));
     return QCborValue(map).toCbor();
 }
 
@@ -139,10 +218,22 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     const QCborMap guides = in.take("guides").toMap();
     readPlaces(guides[QLatin1String("level")], false, view.guides);
     readPlaces(guides[QLatin1String("upright")], true, view.guides);
+    view.print = readPrint(in.take("print"));
     ok = ok && (view.isFitted || centre.size() == 2) && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
          std::abs(view.rotation) <= largestCoordinate;
     return ok ? std::optional(view) : std::nullopt;
+}
+
+/// 0 for what is no resolution.
+double readResolution(QByteArrayView payload)
+{
+    QCborParserError problem;
+    const QCborValue value = QCborValue::fromCbor(payload.data(), payload.size(), &problem);
+    if (problem.error != QCborError::NoError)
+        return 0;
+    const double unitsOfInch = value.toDouble();
+    return isResolution(unitsOfInch) ? unitsOfInch : 0;
 }
 
 } // namespace
@@ -160,6 +251,8 @@ QString partBeside(const QByteArray &type)
         return FileMessages::tr("how it was last looked at");
     if (type == profileType)
         return FileMessages::tr("the colour profile");
+    if (type == resolutionType)
+        return FileMessages::tr("the size on paper");
     return type == historyType ? FileMessages::tr("the undo history") : QString();
 }
 
@@ -178,6 +271,9 @@ void readExtra(const Chunk &chunk, DocumentExtras &extras)
     } else if (chunk.type == profileType) {
         if (extras.profile.isEmpty() && chunk.payload.size() <= largestKeptProfile)
             extras.profile = chunk.payload.toByteArray();
+    } else if (chunk.type == resolutionType) {
+        if (extras.resolution == 0)
+            extras.resolution = readResolution(chunk.payload);
     } else {
         extras.unknown.push_back({chunk.type, chunk.payload.toByteArray()});
     }
@@ -195,6 +291,8 @@ void appendLastExtras(QByteArray &out, const DocumentExtras &extras)
 {
     if (!extras.profile.isEmpty() && extras.profile.size() <= largestKeptProfile)
         appendChunk(out, profileType, extras.profile);
+    if (isResolution(extras.resolution))
+        appendChunk(out, resolutionType, QCborValue(extras.resolution).toCbor());
     if (!extras.history.isEmpty())
         appendChunk(out, historyType, extras.history);
     for (const AncillaryChunk &chunk : extras.unknown)

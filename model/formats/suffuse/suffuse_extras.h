@@ -10,6 +10,7 @@ inline constexpr char previewType[] = "prev";
 inline constexpr char viewType[] = "view";
 inline constexpr char historyType[] = "hist";
 inline constexpr char profileType[] = "prof";
+inline constexpr char resolutionType[] = "inch";
 /// The largest preview that is kept, bytes.
 inline constexpr qsizetype largestPreview = 1 << 20;
 

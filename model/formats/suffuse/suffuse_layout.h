@@ -19,7 +19,7 @@ inline constexpr qsizetype suffuseSignatureSize = 12;
 
 /// The version that is understood. A document is written in the least version that can hold it, which is at least the
 /// other one here.
-inline constexpr int suffuseVersion = 3;
+inline constexpr int suffuseVersion = 4;
 inline constexpr int suffuseLeastReader = 1;
 
 /// A small file may declare so many segments (and rewettings). Beyond that a file has at least one byte for each.

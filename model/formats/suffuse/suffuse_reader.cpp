@@ -300,7 +300,7 @@ Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QStrin
     return FileReader(bytes, fileName, damaged).read(pieces);
 }
 
-Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName)
+Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName, double *resolution)
 {
     const auto chunks = splitChunks(bytes, fileName);
     if (!chunks)
@@ -311,6 +311,8 @@ Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileNam
     Result<LoadedDocument> document = FileReader(bytes, fileName, false).read(pieces);
     if (!document)
         return Error{document.error()};
+    if (resolution)
+        *resolution = document->extras.resolution;
     return std::move(document->painting);
 }
 

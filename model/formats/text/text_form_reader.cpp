@@ -11,7 +11,7 @@ namespace {
 using Names = std::string_view;
 
 /// The greatest version that is read.
-constexpr int textFormVersion = 3;
+constexpr int textFormVersion = 4;
 
 class TextFormReader {
 public:

@@ -62,7 +62,7 @@ std::vector<Stroke> strokesOfChains(const Stroke &stroke, std::vector<int> *sour
     const Microseconds dry = stroke.driesAt();
     std::vector<Chain> laid, lifts;
     for (const Chain &chain : chainsOf(stroke))
-        (stroke.segments[std::size_t(chain.first)].lift ? lifts : laid).push_back(chain);
+        (stroke.segments[std::size_t(chain.first)].takesPaint() ? lifts : laid).push_back(chain);
     for (const std::vector<Chain> &together : stroke.fill ? chainsByArea(stroke, laid) : eachAlone(laid)) {
         Stroke &one = strokes.emplace_back(chainOnly(stroke, together.front()));
         std::vector<int> from;

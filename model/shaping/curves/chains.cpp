@@ -92,7 +92,7 @@ int erasureCount(const Stroke &stroke)
     int count = 0;
     for (const Chain &chain : chainsOf(stroke))
         count += std::all_of(stroke.segments.begin() + chain.first, stroke.segments.begin() + chain.last + 1,
-                             [](const Segment &segment) { return segment.lift; });
+                             [](const Segment &segment) { return segment.takesPaint(); });
     return count;
 }
 
@@ -100,9 +100,9 @@ std::vector<int> endNodesOf(const Stroke &stroke)
 {
     std::vector<int> nodes;
     for (const Chain &chain : chainsOf(stroke)) {
-        if (!stroke.segments[std::size_t(chain.first)].lift)
+        if (!stroke.segments[std::size_t(chain.first)].takesPaint())
             nodes.push_back(chain.first);
-        if (!stroke.segments[std::size_t(chain.last)].lift)
+        if (!stroke.segments[std::size_t(chain.last)].takesPaint())
             nodes.push_back(endNode(stroke, chain.last));
     }
     return nodes;

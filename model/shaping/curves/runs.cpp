@@ -24,9 +24,9 @@ std::vector<Chain> runsOf(const Stroke &stroke, const std::vector<bool> &chosen)
 std::vector<bool> meantOfWhole(const Stroke &stroke)
 {
     std::vector<bool> meant;
-    if (stroke.hasLift() && stroke.laysPaint())
+    if (stroke.hasErasure() && stroke.laysPaint())
         for (const Segment &segment : stroke.segments)
-            meant.push_back(!segment.lift);
+            meant.push_back(!segment.takesPaint());
     return meant;
 }
 

@@ -171,7 +171,8 @@ private:
         if (!m_chosen.empty() && !(m_chosen[k - 1] && m_chosen[k]))
             return false;
         const Segment &a = m_stroke.segments[k - 1], &b = m_stroke.segments[k];
-        return a.lift == b.lift && a.rewet == b.rewet && m_stroke.styleOf(a).kind == m_stroke.styleOf(b).kind &&
+        return a.lift == b.lift && a.fade == b.fade && a.rewet == b.rewet &&
+               m_stroke.styleOf(a).kind == m_stroke.styleOf(b).kind &&
                dot(endDirection(m_curves[k - 1]), startDirection(m_curves[k])) >= smoothCosine;
     }
 

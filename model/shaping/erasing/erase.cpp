@@ -145,7 +145,7 @@ std::optional<ErasedPieces> erasedPieces(const Stroke &stroke, const std::vector
     std::vector<bool> startsInside(stroke.segments.size());
     bool touched = false;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        if (stroke.segments[k].born > T || stroke.segments[k].lift)
+        if (stroke.segments[k].born > T || stroke.segments[k].takesPaint())
             continue;
         const Cubic curve = offsetsOf(stroke.segments[k]);
         const Eraser eraser(capsules, radius, curve);

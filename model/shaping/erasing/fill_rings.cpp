@@ -38,7 +38,7 @@ std::vector<Ring> ringsOf(const Stroke &stroke)
         Ring ring{chain, {}, false};
         for (int k = chain.first; k <= chain.last; ++k) {
             const Segment &segment = stroke.segments[std::size_t(k)];
-            if (segment.lift)
+            if (segment.takesPaint())
                 continue;
             const Cubic curve = offsetsOf(segment);
             if (!ring.curves.empty() && ring.curves.back().curve.p[3] != curve.p[0])
@@ -69,10 +69,10 @@ RingCutter::RingCutter(const Stroke &stroke, std::vector<Ring> rings, std::vecto
     : m_stroke(stroke), m_rings(std::move(rings)), m_gates(std::move(gates)), m_result(stroke)
 {
     m_result.segments.clear();
-    const auto lays = std::ranges::find_if(stroke.segments, [](const Segment &s) { return !s.lift; });
+    const auto lays = std::ranges::find_if(stroke.segments, [](const Segment &s) { return !s.takesPaint(); });
     m_model = lays == stroke.segments.end() ? stroke.segments.front() : *lays;
     m_model.density = 0;
-    m_model.start = m_model.lift = false;
+    m_model.start = m_model.lift = m_model.fade = false;
     m_model.node = NodeKind::Corner;
     cut();
 }
@@ -149,7 +149,7 @@ void RingCutter::follow(const std::function<bool(int sign)> &keeps, const std::f
             continue;
         }
         for (int k = m_rings[std::size_t(r)].chain.first; k <= m_rings[std::size_t(r)].chain.last; ++k)
-            if (m_stroke.segments[std::size_t(k)].lift)
+            if (m_stroke.segments[std::size_t(k)].takesPaint())
                 m_lifts.push_back(k);
         for (const Element &begin : m_elements[std::size_t(r)]) {
             if (begin.gate < 0 || !keeps(m_gates[std::size_t(begin.gate)].sign))
@@ -189,7 +189,7 @@ void RingCutter::open()
         if (m_rings[r].isOpen && begins.front() != 0)
             begins.insert(begins.begin(), 0);
         for (int k = m_rings[r].chain.first; k <= m_rings[r].chain.last; ++k)
-            if (m_stroke.segments[std::size_t(k)].lift)
+            if (m_stroke.segments[std::size_t(k)].takesPaint())
                 m_lifts.push_back(k);
         for (std::size_t b = 0; b < begins.size(); ++b) {
             Elements part;
@@ -224,7 +224,7 @@ void RingCutter::leaveOut(const std::set<int> &segments)
             continue;
         }
         for (int k = ring.chain.first; k <= ring.chain.last; ++k)
-            if (m_stroke.segments[std::size_t(k)].lift)
+            if (m_stroke.segments[std::size_t(k)].takesPaint())
                 m_lifts.push_back(k);
         // It begins behind what goes, so that this is closed without a segment.
         const auto stays = [&](std::size_t i) { return !isGone(all[i % all.size()]); };

@@ -50,7 +50,7 @@ void PaintSamples::placeOnHairlines()
     if (std::exchange(m_isPlaced, true))
         return;
     for (const Segment &segment : m_present->segments) {
-        if (segment.lift || segment.spread(m_time) > surelyMet * m_spacing)
+        if (segment.takesPaint() || segment.spread(m_time) > surelyMet * m_spacing)
             continue;
         const Cubic curve = offsetsOf(segment);
         const int count = int(std::clamp(std::ceil(arcLength(curve) / m_spacing), 1.0, double(mostPlaces)));
@@ -69,7 +69,7 @@ PaintSamples::PaintAt PaintSamples::look(Point fromOrigin) const
             const auto k = std::size_t(seen.segment);
             const Segment &segment = m_present->segments[k];
             const float opacity = onlyBounds(*m_present, k) ? mostOpacity(*m_present->fill) : segment.colour.opacity;
-            sample = {&m_present->styleOf(segment), seen.density, double(opacity), 0};
+            sample = {&m_present->styleOf(segment), seen.density, double(opacity) * seen.left, 0};
         }
     }
     for (const DensityOfSegment &lift : m_taken)

@@ -28,7 +28,7 @@ private:
     struct PaintAt {
         const Style *style = nullptr; ///< of the segment with the largest share
         double density = 0;
-        double opacity = 0; ///< of that segment's colour
+        double opacity = 0; ///< of that segment's colour, of which less is left where it was made paler
         double taken = 0;   ///< density
     };
     /// A point on a hairline's curve, as seen from the stroke's origin.

@@ -4,14 +4,22 @@
 #include "model/painting/influence.h"
 #include "model/shaping/curves/split.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace suffuse {
 
 namespace {
 
-/// A lifting segment spreads so short a time that it is done before the paint around it is dry.
-constexpr float liftingAge = 0.1f;
-/// Paint is looked for up to so many radii from the path, at points so many radii apart.
-constexpr double soughtRadii = 0.95, spacingRadii = 1.0 / 3;
+/// A segment that takes paint spreads so short a time that it is done before the paint around it is dry.
+constexpr float takingAge = 0.1f;
+/// Paint that is lifted is looked for up to so many radii from the path. What fades has no edge, and is laid where it
+/// takes more than this share.
+constexpr double soughtRadii = 0.95, leastShare = 1.0 / 64;
+/// The points at which it is looked for lie so many radii apart.
+constexpr double spacingRadii = 1.0 / 3;
+constexpr double ln2 = std::numbers::ln2, lnUnseen = 11 * ln2; ///< e^−lnUnseen = 1/2048
 /// What has been taken counts for what comes so many spreads later along the path: before, it is the same stroke of
 /// the hand.
 constexpr double sameStroke = 3;
@@ -21,7 +29,7 @@ constexpr double mostPathParts = 64; // of a segment
 Brush pathBrush(const SoftTip &tip)
 {
     Brush brush;
-    brush.maxAge = liftingAge;
+    brush.maxAge = takingAge;
     brush.setSpread(tip.spread());
     brush.peak = 1;
     brush.granulation = 1;
@@ -32,24 +40,53 @@ Brush pathBrush(const SoftTip &tip)
 
 } // namespace
 
+double SoftTip::spread() const
+{
+    if (way == SoftWay::Lift)
+        return softness * radius;
+    // Half is left at the radius where peak · e^−(radius/s)² = ln 2. The greatest peak depends on s itself, and reaches
+    // that at the spread 2/(1 + ln(lnUnseen/ln 2)) radii.
+    const double peak = -std::log1p(-strength);
+    double widest = greatestSoftness;
+    if (peak > ln2)
+        widest = std::max(1 / std::sqrt(std::log(peak / ln2)), 2 / (1 + std::log(lnUnseen / ln2)));
+    return std::min(softness, widest) * radius;
+}
+
+double fadingPeak(double share, const SoftTip &tip)
+{
+    const double within = std::max(0.0, tip.radius / tip.spread() - 1); // in spreads
+    return std::min(-std::log1p(-share), lnUnseen * std::exp(within * within));
+}
+
 double liftingPeak(double excess, double share, const SoftTip &tip)
 {
     const double ends = std::max(0.0, 2 * share - 1) / tip.softness; // in spreads
     return excess * std::min(1.0, 2 * share) * std::exp(ends * ends);
 }
 
-SoftEraser::SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T)
-    : m_tip(tip), m_time(T), m_builder(pathBrush(tip), 0), m_strokes(strokes)
-{}
+SoftEraser::SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T, const Washes &washes)
+    : m_tip(tip), m_sought(soughtRadii * tip.radius), m_time(T), m_builder(pathBrush(tip), 0), m_strokes(strokes)
+{
+    if (tip.way == SoftWay::Lift)
+        return;
+    m_sought = tip.spread() * std::sqrt(std::max(0.0, std::log(fadingPeak(tip.strength, tip) / leastShare)));
+    for (const auto &[group, wash] : washes)
+        m_washes.emplace(group, wash->id);
+}
 
 void SoftEraser::add(const PenSample &sample)
 {
     if (m_targets.empty()) {
-        for (const StrokePtr &stroke : m_strokes)
+        for (const StrokePtr &stroke : m_strokes) {
+            const auto wash = m_washes.find(stroke->group);
+            const bool isOne = !stroke->fill && wash != m_washes.end();
             m_targets.push_back({PaintSamples(stroke, m_time, sample.position, spacingRadii * m_tip.radius),
                                  influenceOf(*stroke, m_time).united(influenceOf(*stroke, stroke->driesAt())),
+                                 isOne ? wash->second : 0,
                                  {},
                                  0});
+        }
         m_strokes.clear();
     }
     m_builder.add(sample);
@@ -93,7 +130,7 @@ void SoftEraser::addParts(const Stroke &path, const Segment &segment)
         part.density = double(segment.density);
         part.share = m_tip.strength * double(segment.granulation);
         part.born = segment.born;
-        part.reach = part.curve.controlBox().grown(m_tip.radius);
+        part.reach = part.curve.controlBox().grown(std::max(m_sought, m_tip.radius));
         part.from = begin + from * arc;
         part.to = begin + to * arc;
         m_parts.push_back(part);
@@ -108,35 +145,57 @@ void SoftEraser::seek(SoughtStroke &target, std::size_t from)
         const PathPart &part = m_parts[i];
         if (!(part.share > 0) || !target.reach.intersects(part.reach))
             continue;
-        while (i < m_frozenParts && target.taken < target.hits.size() &&
+        while (m_tip.way == SoftWay::Lift && i < m_frozenParts && target.taken < target.hits.size() &&
                m_parts[target.hits[target.taken].part].to < part.from - sameStroke * m_tip.spread())
-            target.samples.take(lifting(target.hits[target.taken++], target.samples.stroke()->origin));
-        if (const double excess = target.samples.excessWithin(part.curve.at(0.5), soughtRadii * m_tip.radius);
-            excess > 0)
+            target.samples.take(taking(target.hits[target.taken++], target.samples.stroke()->origin));
+        if (const double excess = target.samples.excessWithin(part.curve.at(0.5), m_sought); excess > 0)
             target.hits.push_back({i, excess});
     }
 }
 
-Segment SoftEraser::lifting(const FoundPaint &hit, Point origin) const
+Segment SoftEraser::taking(const FoundPaint &hit, Point origin) const
 {
     const PathPart &part = m_parts[hit.part];
     Segment segment;
     for (std::size_t i = 0; i < 4; ++i)
         segment.bezier[i] = toOffset(part.curve.p[i], origin);
     const double spread = m_tip.spread();
-    segment.diffusion = float(spread * spread / (4 * double(liftingAge)));
-    segment.maxAge = liftingAge;
-    segment.density = float(std::min(1e12, part.density * liftingPeak(hit.excess, part.share, m_tip)));
+    segment.diffusion = float(spread * spread / (4 * double(takingAge)));
+    segment.maxAge = takingAge;
+    const bool fades = m_tip.way == SoftWay::Fade;
+    const double peak = fades ? fadingPeak(part.share, m_tip) : liftingPeak(hit.excess, part.share, m_tip);
+    segment.density = float(std::min(1e12, part.density * peak));
     segment.born = part.born;
-    segment.lift = true;
+    (fades ? segment.fade : segment.lift) = true;
     return segment;
+}
+
+std::vector<SoftEraser::FoundPaint> SoftEraser::hitsOf(const SoughtStroke &target) const
+{
+    if (target.wash == 0)
+        return target.hits;
+    const SoughtStroke *first = nullptr;
+    std::vector<FoundPaint> all;
+    for (const SoughtStroke &member : m_targets) {
+        if (member.wash != target.wash || member.hits.empty())
+            continue;
+        if (!first || member.hits.front().part < first->hits.front().part)
+            first = &member;
+        all.insert(all.end(), member.hits.begin(), member.hits.end());
+    }
+    if (first != &target)
+        return {};
+    std::ranges::stable_sort(all, {}, &FoundPaint::part);
+    const auto [from, to] = std::ranges::unique(all, {}, &FoundPaint::part);
+    all.erase(from, to);
+    return all;
 }
 
 std::set<StrokeId> SoftEraser::touched() const
 {
     std::set<StrokeId> ids;
     for (const SoughtStroke &target : m_targets)
-        if (!target.hits.empty())
+        if (!hitsOf(target).empty())
             ids.insert(target.samples.stroke()->id);
     return ids;
 }
@@ -150,8 +209,8 @@ Stroke SoftEraser::erased(const Stroke &stroke) const
         return result;
     bool goesOn = false;
     std::size_t next = 0;
-    for (const FoundPaint &hit : target->hits) {
-        Segment segment = lifting(hit, stroke.origin);
+    for (const FoundPaint &hit : hitsOf(*target)) {
+        Segment segment = taking(hit, stroke.origin);
         goesOn = goesOn && hit.part == next;
         next = hit.part + 1;
         if (isPoint(segment)) // as small as float32 can tell, so that what follows begins at the same place

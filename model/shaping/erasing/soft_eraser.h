@@ -2,34 +2,54 @@
 #pragma once
 
 #include "model/brush/stroke_builder.h"
+#include "model/painting/painting.h"
 #include "model/shaping/erasing/paint_samples.h"
 
 #include <set>
+#include <unordered_map>
 
 namespace suffuse {
+
+/// How a soft eraser takes paint.
+enum class SoftWay {
+    Fade, ///< a share of what is seen, which gets paler
+    Lift  ///< density: feathered paint gets paler, paint with a sharp edge draws in
+};
 
 /// The tip of a soft eraser. What it lays down spreads by the tip's own softness, whatever the paint has.
 struct SoftTip {
     static constexpr double leastSoftness = 0.4, greatestSoftness = 2;
 
-    double radius = 10;    ///< where the paint ends beside a path of full strength, canvas units
+    double radius = 10;    ///< where lifted paint ends beside a path of full strength, canvas units
     double softness = 0.6; ///< the spread s of what takes away, radii
-    double strength = 1;   ///< (0, 1]; from a half on paint is gone in the middle of the path
+    /// (0, 1]. Of fading it is the share that is taken in the middle of the path; when lifting, paint is gone there
+    /// from a half on.
+    double strength = 1;
+    SoftWay way = SoftWay::Lift;
 
-    double spread() const { return softness * radius; }
+    /// s. A tip that fades is no softer than that half of the paint is left at the radius, where strength saturates.
+    double spread() const;
 };
+
+/// The peak of a fading density that takes a share q of the paint: −ln(1 − q). At most so much that nothing can be seen
+/// (1/2048) within the radius less the spread.
+double fadingPeak(double share, const SoftTip &tip);
 
 /// The peak of a lifting density, for paint whose density is by `excess` over that at which it ends. `share`: of the
 /// whole strength, q. Up to a half it is 2q: a half just reaches the middle, and what is feathered gets paler. Beyond,
 /// it is e^{(2q − 1)²x}, x = (radius/s)²: the paint ends at (2q − 1) radii, whatever the softness.
 double liftingPeak(double excess, double share, const SoftTip &tip);
 
-/// One drag of the eraser over strokes. What it has laid down at one place counts when the path comes by again: where
-/// nothing is left, nothing more is taken. The result depends on the samples, not on when one asks for it.
+/// One drag of the eraser over strokes. What has been lifted at one place counts when the path comes by again: where
+/// nothing is left, nothing more is lifted. What fades takes its share again: of what is left. The result depends on
+/// the samples, not on when one asks for it.
 class SoftEraser {
 public:
-    /// `strokes`: those that it may touch, as they are without it, at document time T.
-    SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T);
+    /// For each group in a wash, that wash.
+    using Washes = std::unordered_map<GroupId, const Group *>;
+    /// `strokes`: those that it may touch, as they are without it, at document time T. The strokes of a wash are one:
+    /// what fades them is laid once, on the one that is touched first.
+    SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T, const Washes &washes = {});
 
     /// The pressure is a share of the strength.
     void add(const PenSample &sample);
@@ -58,6 +78,7 @@ private:
     struct SoughtStroke {
         PaintSamples samples;
         Rect reach;
+        GroupId wash = 0;             ///< in which it is one with other strokes; 0: none
         std::vector<FoundPaint> hits; ///< in the order of the path
         std::size_t taken = 0;        ///< how many of them the samples know
     };
@@ -65,9 +86,13 @@ private:
     void follow();
     void addParts(const Stroke &path, const Segment &segment);
     void seek(SoughtStroke &target, std::size_t from);
-    Segment lifting(const FoundPaint &hit, Point origin) const;
+    Segment taking(const FoundPaint &hit, Point origin) const;
+    /// What a stroke's erasure is made of.
+    std::vector<FoundPaint> hitsOf(const SoughtStroke &target) const;
 
     SoftTip m_tip;
+    double m_sought; ///< so far from the path paint is looked for, canvas units
+    std::unordered_map<GroupId, GroupId> m_washes;
     Microseconds m_time;
     StrokeBuilder m_builder;
     std::vector<StrokePtr> m_strokes; ///< until the path begins

@@ -15,7 +15,7 @@ Stroke withoutFill(const Stroke &stroke)
         return result;
     const Fill &fill = *stroke.fill;
     for (Segment &segment : result.segments) {
-        if (segment.lift)
+        if (segment.takesPaint())
             continue;
         const double age = double(segment.maxAge), spread = spreadAt(double(segment.diffusion), age);
         const double width = std::max(narrowest, spread);

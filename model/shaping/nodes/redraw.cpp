@@ -29,7 +29,7 @@ Nearest nearestIn(const Stroke &stroke, const Chain &within, Point point)
     for (int k = within.first; k <= within.last; ++k) {
         const Segment &segment = stroke.segments[std::size_t(k)];
         const Rect box = stroke.cubicOf(segment).controlBox().grown(best.distance);
-        if (segment.lift || !box.contains(point))
+        if (segment.takesPaint() || !box.contains(point))
             continue;
         Stroke one;
         one.origin = stroke.origin;

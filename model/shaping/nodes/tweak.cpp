@@ -264,7 +264,7 @@ std::vector<int> segmentsUnder(const Stroke &stroke, const Tweak &tweak)
     std::vector<int> under;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k)
         if (squaredDistanceTo(offsetsOf(stroke.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius &&
-            !(leavesLifts && stroke.segments[k].lift))
+            !(leavesLifts && stroke.segments[k].takesPaint()))
             under.push_back(int(k));
     return under;
 }

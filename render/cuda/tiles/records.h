@@ -85,7 +85,6 @@ struct alignas(16) FillValues {
     // entries begin, counted from the first head, in y how many these are, and in weight what is entered before them.
     // An entry of row 1 is an event, with its jump as the weight, others are nodes.
     std::int32_t deepColumn = 0, deepRow = 0, deepColumns = 0, deepRows = 0;
-    double padding = 0;
 };
 static_assert(sizeof(FillValues) == 256);
 
@@ -147,13 +146,14 @@ struct alignas(16) StrokeRecord {
     float level[3] = {0, 0, 0}; ///< as in SceneStroke
     float lowest = -1;
     float keep = 1;
-    std::uint16_t hasLevels = 0, granulated = 0;
+    std::uint8_t hasLevels = 0, granulated = 0;
+    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺ or
+    /// φ_f. If it has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has.
+    /// It has no picture.
+    std::uint8_t plain = 0;
+    std::uint8_t padding = 0;
     std::uint32_t channels = 0;
     std::uint32_t picture = 0; ///< 1 more than the index of its picture; 0: it has none
-    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺. If it
-    /// has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has. It has no
-    /// picture.
-    std::uint32_t plain = 0;
     std::uint32_t firstChunk = 0, chunks = 0;
     std::uint32_t firstValue = 0; ///< where its channel values begin, `channels` in a row
     std::uint32_t firstDeep = 0, deep = 0;

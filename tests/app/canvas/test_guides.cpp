@@ -1,5 +1,6 @@
 // Rulers and guides: scales, dragging guides out and back, exact places, snapping, files.
 #include "app/canvas/handles/rulers.h"
+#include "app/canvas/overlay/overlay.h"
 #include "app/session/drawing_aids.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/shaping/transform.h"
@@ -63,7 +64,7 @@ private slots:
         QCOMPARE(usual.first, 0.0);
         QCOMPARE(usual.decimals, 0);
         QVERIFY(usual.countsX && usual.tick == 10);
-        QCOMPARE(rulerScale(viewOf(1), false, unitOf(RulerUnits::Millimetres), 56).step, 10 * 150 / 25.4);
+        QCOMPARE(rulerScale(viewOf(1), false, unitOf(RulerUnits::Millimetres, 150), 56).step, 10 * 150 / 25.4);
         for (double scale = 1e-3; scale < 1e9; scale *= 3.7) {
             const RulerScale ruler = rulerScale(viewOf(scale), true, unit, 56);
             QVERIFY(ruler.step * scale >= 56 * (1 - 1e-9) && ruler.step * scale <= 2.5 * 56 * (1 + 1e-9));
@@ -71,6 +72,52 @@ private slots:
             const double shown = ruler.step * std::pow(10, ruler.decimals);
             QVERIFY2(std::abs(shown - std::round(shown)) < 1e-6 * shown, "the labels have too few digits");
         }
+    }
+
+    /// An inch has as many units as the painting says, and the usual number where it says none.
+    void millimetresAreThoseOfThePainting()
+    {
+        Ruled s;
+        s.window.action(Command::RulersInMillimetres).setChecked(true);
+        QCOMPARE(s.canvas().rulerUnit().units, 150 / 25.4);
+        s.editor().newPainting(Editor::usualCanvas(), 300);
+        QCOMPARE(s.canvas().rulerUnit().units, 300 / 25.4);
+        QCOMPARE(s.canvas().rulerUnit().name, QString("mm"));
+        drag(s, {300, 6}, s.at({400, 290}), Qt::ShiftModifier); // to a whole tick
+        QCOMPARE(s.guides().size(), std::size_t(1));
+        const double millimetres = s.guides()[0].place / 300 * 25.4;
+        QVERIFY2(std::abs(millimetres - std::round(millimetres)) < 1e-9, qPrintable(QString::number(millimetres)));
+        s.window.action(Command::RulersInInches).setChecked(true);
+        QCOMPARE(s.canvas().rulerUnit().units, 300.0);
+        s.window.action(Command::RulersInUnits).setChecked(true);
+        QCOMPARE(s.canvas().rulerUnit().units, 1.0);
+    }
+
+    /// The figure of a tick right below the corner of both rulers is whole: what the ruler shows of "0" does not depend
+    /// on how near the corner is.
+    void theFirstFigureIsWhole()
+    {
+        OverlayColours colours;
+        const auto inkBelow = [&](double top) { // of the left ruler, around the tick at 0
+            View view = viewOf(1);
+            view.centre.y = 300 - top;
+            QImage image(int(view.width), int(view.height), QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            paintRulers(painter, view, {}, colours, 1);
+            painter.end();
+            const QRgb ground = image.pixel(1, 400);
+            int ink = 0;
+            for (int y = int(rulerWidth) + 1; y < top + 40; ++y)
+                for (int x = 1; x < 10; ++x) // beside the short ticks
+                    ink += image.pixel(x, y) != ground;
+            return ink;
+        };
+        const int whole = inkBelow(60);
+        QVERIFY(whole > 8);
+        for (const double top : {rulerWidth + 2, rulerWidth + 5, rulerWidth + 8})
+            QVERIFY2(std::abs(inkBelow(top) - whole) <= 2,
+                     qPrintable(QString("%1: %2 of %3").arg(top).arg(inkBelow(top)).arg(whole)));
     }
 
     /// Where the canvas is turned, each ruler counts the axis that lies along it.

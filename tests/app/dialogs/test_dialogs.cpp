@@ -155,8 +155,16 @@ private slots:
         emit dialog.units()->activated(2);
         QCOMPARE(dialog.section()->heightField()->text(), QString("3.94 in"));
         QCOMPARE(dialog.canvas().height, 1181.0);
+        QCOMPARE(dialog.sheet().resolution, 300.0);
         choose("Full HD");
         QCOMPARE(dialog.section()->widthField()->text(), QString("1920 px"));
+        QCOMPARE(dialog.sheet().resolution, 0.0); // It has no size on paper.
+        choose("A5");
+        dialog.units()->setCurrentIndex(0);
+        emit dialog.units()->activated(0); // only looked at in pixels
+        QCOMPARE(dialog.sheet().resolution, 300.0);
+        for (const SheetPreset &sheet : sheets)
+            QCOMPARE(sheet.sheet().resolution, sheet.paper.isEmpty() ? 0.0 : usualResolution);
     }
 
     void settingsAreKeptOrPutBack()

@@ -392,6 +392,54 @@ private slots:
         QCOMPARE(next.print()->unitBox()->currentIndex(), 1);
     }
 
+    /// A sheet that was made for paper is exported at its size on paper, whatever another painting was printed at last,
+    /// and also when it was saved in between.
+    void theSizeOnPaperIsKept()
+    {
+        ExportSettings other;
+        other.path = "/elsewhere/other.png";
+        other.numbers = Rect::of(0, 0, 10, 10);
+        other.dpi = 300;
+        exports::remember({}, other);
+        Editor made;
+        Canvas canvas = Editor::usualCanvas();
+        canvas.width = 709, canvas.height = 531; // 120 × 90 mm at 150 units an inch
+        made.newPainting(canvas, 150);
+        QCOMPARE(made.resolution(), 150.0);
+        const QString file = m_folder->filePath("paper.suffuse");
+        made.startSaving(file);
+        QTRY_VERIFY_WITH_TIMEOUT(made.filePath() == file && !made.isSaving(), 20000);
+        Editor editor;
+        QCOMPARE(editor.resolution(), usualResolution);
+        QVERIFY(editor.open(file));
+        QCOMPARE(editor.resolution(), 150.0);
+
+        ExportDialog dialog(editor, shown);
+        dialog.show();
+        PrintRows &print = *dialog.print();
+        print.unitBox()->setCurrentIndex(0);
+        QCOMPARE(print.dpi(), 150.0);
+        QCOMPARE(print.widthBox()->value(), 120.1);
+        QCOMPARE(print.heightBox()->value(), 89.9);
+        dialog.path()->setText(m_folder->filePath("paper.png"));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        const QImage written(m_folder->filePath("paper.png"));
+        QCOMPARE(written.size(), QSize(709, 531));
+        QVERIFY(std::abs(1000.0 * written.width() / written.dotsPerMeterX() - 120) < 0.1);
+
+        ExportDialog finer(editor, shown); // More pixels for the same paper.
+        finer.print()->unitBox()->setCurrentIndex(0);
+        QCOMPARE(finer.print()->dpi(), 150.0); // its own last export
+        editor.newPainting(canvas, 150);
+        ExportDialog fresh(editor, shown);
+        fresh.print()->dpiBox()->setValue(300);
+        QCOMPARE(fresh.widthBox()->value(), 1418);
+        QCOMPARE(fresh.print()->widthBox()->value(), 120.1);
+        editor.newPainting(canvas);
+        QCOMPARE(ExportDialog(editor, shown).print()->dpi(), 150.0); // the last export of any painting
+    }
+
     void whatWasExportedLastIsKept()
     {
         Bench bench;

@@ -4,6 +4,7 @@
 #include "app/session/files/svg_strokes.h"
 #include "app/widgets/colour/colour_swatch.h"
 #include "model/area/outline.h"
+#include "model/formats/files.h"
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"
@@ -20,7 +21,10 @@
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QImage>
+#include <QPainter>
+#include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
 
@@ -407,6 +411,72 @@ private slots:
         QCOMPARE(qAlpha(image.pixel(0, 0)), 0);
         const QRgb middle = image.pixel(image.width() / 2, image.height() / 2);
         QVERIFY(qAlpha(middle) > 250 && qRed(middle) > 250 && qGreen(middle) < 5 && qBlue(middle) < 5);
+    }
+
+    /// What other programs ask for first is up to them; nothing is made before.
+    void everyFormIsOffered()
+    {
+        Bench bench(3);
+        bench.select({1, 2, 3});
+        QCOMPARE(clipboard::copy(bench.editor), QString());
+        const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+        for (const char *form : {clipboard::strokesMime, "image/svg+xml", "application/pdf", "image/png"})
+            QVERIFY2(data->hasFormat(form), form);
+        QVERIFY(data->hasImage());
+        // Ours comes first, so that whoever takes the first one that it knows loses nothing.
+        QCOMPARE(data->formats().front(), QString(clipboard::strokesMime));
+        QVERIFY(data->data("image/svg+xml").contains("<svg"));
+    }
+
+    void pdfForOthers_data()
+    {
+        QTest::addColumn<int>("strokes");
+        QTest::addColumn<bool>("isDrawn");
+        QTest::addRow("few strokes are drawn") << 3 << true;
+        QTest::addRow("many are a picture") << 300 << false;
+    }
+    void pdfForOthers()
+    {
+        QFETCH(int, strokes);
+        QFETCH(bool, isDrawn);
+        Bench bench(strokes);
+        const PaintingPtr painting = bench.editor.document().painting();
+        Selection all;
+        for (const StrokePtr &stroke : painting->strokes)
+            all.strokes.insert(stroke->id);
+        const Painting copied = clipboard::asPainting(*painting, all);
+        const std::unique_ptr<QMimeData> data(clipboard::mimeOf(copied, 5'000'000));
+        const QByteArray pdf = data->data("application/pdf");
+        QVERIFY(pdf.startsWith("%PDF-"));
+        const auto back = readDocument(pdf, "a.pdf");
+        QVERIFY2(back, back ? "" : qPrintable(back.error()));
+        QVERIFY(back->painting == copied);
+        QCOMPARE(back->leftOut, QString());
+        if (QStandardPaths::findExecutable("pdftoppm").isEmpty() ||
+            QStandardPaths::findExecutable("pdfimages").isEmpty())
+            QSKIP("pdftoppm and pdfimages are not installed.");
+        const QString path = m_folder.filePath("copied.pdf"), page = m_folder.filePath("copied");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size());
+        file.close();
+        QProcess images;
+        images.start("pdfimages", {"-list", path});
+        QVERIFY(images.waitForFinished());
+        QCOMPARE(images.readAllStandardOutput().contains(" image "), !isDrawn);
+        // Other programs see what was copied, on a page that is as large: 96 units are an inch.
+        QCOMPARE(QProcess::execute("pdftoppm", {"-r", "96", "-png", "-singlefile", path, page}), 0);
+        const QImage seen(page + ".png"), picture = qvariant_cast<QImage>(data->imageData());
+        QVERIFY(std::abs(seen.width() - picture.width()) <= 1 && std::abs(seen.height() - picture.height()) <= 1);
+        QImage onWhite(picture.size(), QImage::Format_RGB32);
+        onWhite.fill(Qt::white);
+        QPainter(&onWhite).drawImage(0, 0, picture);
+        double sum = 0;
+        const int width = std::min(seen.width(), picture.width()), height = std::min(seen.height(), picture.height());
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                sum += std::abs(qGray(seen.pixel(x, y)) - qGray(onWhite.pixel(x, y)));
+        const double mean = sum / (double(width) * height);
+        QVERIFY2(mean <= 1, qPrintable(QString::number(mean)));
     }
 
     void pastingFromOthers()

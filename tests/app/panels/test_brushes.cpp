@@ -256,6 +256,38 @@ private slots:
         BrushLibrary::instance().setFavourite("gouache", false);
     }
 
+    /// The brush that a search means most is marked and stands at the top of what is seen, below its group's heading,
+    /// and is not taken before Return.
+    void theBestHitIsSeen()
+    {
+        Bench bench;
+        BrushPanel panel(bench.editor);
+        showAt(panel, {200, 420});
+        BrushLibrary::instance().use(bench.editor, "glow");
+        const auto isOnTop = [&panel](const QString &name) {
+            const QListWidgetItem *item = panel.list()->currentItem();
+            if (!item || BrushGrid::brushOf(item) != name)
+                return false;
+            const QRect seen = panel.list()->viewport()->rect(), at = panel.list()->visualItemRect(item);
+            return seen.contains(at) && at.top() < at.height();
+        };
+        panel.search()->setText("glaze");
+        QVERIFY(isOnTop("glaze"));
+        panel.search()->setText("wash"); // in the names of many, and of a group
+        const QString best = BrushGrid::brushOf(panel.list()->currentItem());
+        QVERIFY2(isOnTop(best) && brushTitle(best).contains("wash", Qt::CaseInsensitive), qPrintable(best));
+        panel.search()->setText("s"); // many
+        QVERIFY(brushTitle(BrushGrid::brushOf(panel.list()->currentItem())).startsWith("s", Qt::CaseInsensitive));
+        QVERIFY(isOnTop(BrushGrid::brushOf(panel.list()->currentItem())));
+        panel.search()->setText("pencil");
+        QVERIFY(isOnTop("pencil"));
+        QCOMPARE(bench.editor.brush().name, QString("glow"));
+        QTest::keyClick(panel.search(), Qt::Key_Return);
+        QCOMPARE(bench.editor.brush().name, QString("pencil"));
+        panel.search()->clear();
+        QCOMPARE(BrushGrid::brushOf(panel.list()->currentItem()), QString("pencil"));
+    }
+
     /// Return in the search of the dock takes what was found, as it does in the list of the tool's row.
     void returnTakesWhatWasSearchedFor()
     {

@@ -7,6 +7,7 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/strokes/strokes_view.h"
 #include "app/widgets/habits/held_button.h"
+#include "model/formats/files.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "undo/layers/group_edits.h"
@@ -162,6 +163,20 @@ private slots:
         bench.editor.undoStack().setIndex(0);
         QCOMPARE(bench.stroke(1).group, GroupId(0));
         QCOMPARE(model.rowCount(), 3);
+    }
+
+    /// Another program gets what it would get by the clipboard, and may only copy it.
+    void rowsOfferAllFormsToOthers()
+    {
+        Bench bench(2);
+        StrokesModel model(bench.editor);
+        QVERIFY(model.supportedDragActions() & Qt::CopyAction);
+        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(2)}));
+        for (const char *form : {"application/x-suffuse-strokes+json", "image/svg+xml", "application/pdf", "image/png"})
+            QVERIFY2(data->hasFormat(form), form);
+        QVERIFY(data->data("image/svg+xml").contains("<svg"));
+        const Result<Painting> own = readTextForm(data->data("application/x-suffuse-strokes+json"), "a");
+        QVERIFY(own && own->strokes.size() == 1 && own->strokes[0]->id == 2);
     }
 
     void groupsMoveAsGroups()
@@ -375,6 +390,7 @@ private slots:
             QCOMPARE(view.currentIndex(), panel.viewIndexOf(5));
             QVERIFY(!view.visualRect(view.currentIndex()).isEmpty());
         }
+        QCOMPARE(bench.steps(), 1); // moves that follow each other
         for (const char *wanted : {"4T(325)S(1)", "4T(352)S(1)", "4T(532)S(1)", "45T(32)S(1)", "54T(32)S(1)"}) {
             press(Qt::Key_Up);
             QCOMPARE(rows(), QString(wanted));

@@ -379,10 +379,37 @@ private slots:
         QWheelEvent down({5, 5}, field->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                          Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(field, &down);
-        QCOMPARE(width(), 1024.0); // as many steps down as up
+        QCOMPARE(width(), 1024.0);  // as many steps down as up
+        QCOMPARE(bench.steps(), 0); // and back where it was is no step
+        QTest::keyClick(field, Qt::Key_Up);
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undo();
+        QCOMPARE(width(), 1024.0);
         type(*field, "4");
         QTest::keyClick(field, Qt::Key_Up);
         QCOMPARE(width(), 4.4);
+    }
+
+    /// A sheet that was made for paper says how large it is there.
+    void theCanvasSaysItsSizeOnPaper()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        QLabel *onPaper = panel.canvasSection()->onPaper();
+        QVERIFY(!onPaper->isVisible());
+        Canvas canvas = Editor::usualCanvas();
+        canvas.width = 709, canvas.height = 531;
+        bench.editor.newPainting(canvas, 150);
+        bench.editor.laterChanges().flush();
+        QVERIFY(onPaper->isVisible());
+        QCOMPARE(onPaper->text(), QString("120.1 × 89.9 mm at 150 dpi"));
+        type(*panel.canvasSection()->widthField(), "*2");
+        QCOMPARE(onPaper->text(), QString("240.1 × 89.9 mm at 150 dpi"));
+        bench.editor.newPainting(canvas);
+        bench.editor.laterChanges().flush();
+        QVERIFY(!onPaper->isVisible());
     }
 
     void wheelPicksColours()

@@ -1,5 +1,4 @@
-// Colours of what was painted, as a user changes them: by the colour dock, the eyedropper, drops and Recolour Artwork.
-#include "app/dialogs/recolour_dialog.h"
+// Colours of what was painted, as a user changes them: by the colour dock, the eyedropper and drops.
 #include "app/panels/colour/colour_header.h"
 #include "app/panels/colour/colour_panel.h"
 #include "app/panels/colour/swatches_section.h"
@@ -15,68 +14,19 @@
 #include "app/widgets/numbers/number_field.h"
 #include "model/colour/colour_shift.h"
 #include "tests/app/panel_bench.h"
-#include "tests/app/shapes.h"
-#include "undo/swatch_edits.h"
+#include "tests/app/two_waves.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
-#include <QTreeWidget>
 
 using namespace suffuse;
-
-namespace {
-
-constexpr Colour waveColour{0.9f, 0.1f, 0.7f, 1}, green{0, 1, 1, 1}, red{1, 0, 0, 1};
-
-double farthest(const Colour &a, const Colour &b)
-{
-    return std::max({std::abs(a.red - b.red), std::abs(a.yellow - b.yellow), std::abs(a.blue - b.blue)});
-}
-
-/// Two waves, one below the other; nothing is selected, and the Select tool is in use.
-struct TwoWaves : WaveSession {
-    StrokeId second = 0;
-    ColourPanel &panel = *window.findChild<ColourPanel *>();
-    PaintingPtr before;
-
-    TwoWaves()
-    {
-        window.resize(1366, 768);
-        second = addWave(200, 420, false);
-        use(Command::Select);
-        select({});
-        before = editor().document().painting();
-    }
-    void select(std::set<StrokeId> strokes, std::set<SegmentRef> segments = {})
-    {
-        editor().document().setSelection({std::move(strokes), std::move(segments)});
-        editor().laterChanges().flush();
-    }
-    Colour colour(StrokeId which, std::size_t segment = 0) { return stroke(which).segments[segment].colour; }
-    bool isAsBefore() { return painting() == *before; }
-    QPoint ring(double hue) { return panel.wheel()->ringPoint(hue).toPoint(); }
-    void addSwatches(const std::vector<Swatch> &swatches)
-    {
-        editor().push(setSwatches(editor().document(), swatches), "swatches");
-        before = editor().document().painting();
-    }
-};
-
-QPoint along(const BarSlider &slider, double share)
-{
-    return {int(8 + share * (slider.width() - 16)), slider.height() / 2};
-}
-
-} // namespace
 
 class TestRecolouring : public QObject {
     Q_OBJECT
@@ -319,6 +269,40 @@ private slots:
         QCOMPARE(s.colour(s.id), s.colour(s.second));
     }
 
+    /// A number of red, yellow or blue is about nothing else: what a brush has strayed by stays, in the other two
+    /// exactly.
+    void aTypedNumberChangesNoOther()
+    {
+        TwoWaves s;
+        const std::size_t count = s.painting().find(s.id)->segments.size();
+        QVERIFY(count > 2);
+        const auto strayed = [](std::size_t k) { return 0.04f * float(int(k % 3) - 1); };
+        s.editor().push(changeStrokes(s.editor().document(), {s.id},
+                                      [&](Stroke &stroke) {
+                                          for (std::size_t k = 0; k < count; ++k)
+                                              stroke.segments[k].colour = {0.3f + strayed(k), 0.2f + strayed(k + 1),
+                                                                           0.9f + strayed(k + 2), 1};
+                                      }),
+                        "strays");
+        s.select({s.id});
+        const std::vector<Segment> before = s.painting().find(s.id)->segments;
+        QVERIFY(!s.editor().colourTarget().isOneOfSeveral());
+        const float usual = s.editor().colourTarget().colour().red;
+        ColourRows &rows = *s.panel.findChild<ColourRows *>();
+        type(*rows.row(ColourRows::Red)->number(), "60");
+        const std::vector<Segment> &after = s.painting().find(s.id)->segments;
+        for (std::size_t k = 0; k < count; ++k) {
+            QCOMPARE(after[k].colour.yellow, before[k].colour.yellow);
+            QCOMPARE(after[k].colour.blue, before[k].colour.blue);
+            QVERIFY(std::abs(after[k].colour.red - (before[k].colour.red + 0.6f - usual)) < 1e-6f);
+        }
+        s.editor().laterChanges().flush();
+        QCOMPARE(rows.row(ColourRows::Red)->number()->value(), std::optional<double>(0.6f));
+        type(*rows.row(ColourRows::Blue)->number(), "0"); // As far as there is room.
+        for (const Segment &segment : s.painting().find(s.id)->segments)
+            QVERIFY(segment.colour.blue >= 0 && segment.colour.blue < 0.09f);
+    }
+
     void theEyedropperColoursWhatIsSelected()
     {
         TwoWaves s;
@@ -447,150 +431,6 @@ private slots:
         QCOMPARE(s.editor().brush().colour, withOpacity(red, brush.opacity));
         QVERIFY(s.painting() == *linked);
         QCOMPARE(s.panel.header()->text(), QString("Colour of the brush"));
-    }
-
-    void artworkIsRecoloured()
-    {
-        TwoWaves s;
-        s.addSwatches({{"leaf", green}, {"roof", red}});
-        s.select({s.second});
-        type(*s.panel.hex(), "#c0ffee");
-        s.select({});
-        const PaintingPtr now = s.editor().document().painting();
-        const int steps = s.steps();
-        {
-            RecolourDialog dialog(s.editor(), &s.window);
-            dialog.show();
-            QVERIFY(QTest::qWaitForWindowExposed(&dialog));
-            QTreeWidget &list = *dialog.list();
-            QCOMPARE(list.topLevelItemCount(), 2);
-            const int row = dialog.recolouring().uses()[0].colour == waveColour ? 0 : 1;
-            list.setCurrentItem(list.topLevelItem(row));
-            QTest::mousePress(dialog.wheel(), Qt::LeftButton, {}, dialog.wheel()->ringPoint(0.5).toPoint());
-            QVERIFY(farthest(s.colour(s.id), waveColour) > 0.1); // it shows at once
-            QTest::mouseRelease(dialog.wheel(), Qt::LeftButton, {}, dialog.wheel()->ringPoint(0.5).toPoint());
-            type(*dialog.hex(), "#ff0000");
-            QCOMPARE(s.colour(s.id), red);
-            QVERIFY(dialog.isVisible()); // Return did not close it
-            QCOMPARE(list.topLevelItem(row)->text(1), QString("#ff0000"));
-            SwatchGrid &grid = *dialog.swatches();
-            QTest::mouseClick(&grid, Qt::LeftButton, {}, grid.cell(0).center());
-            QCOMPARE(s.colour(s.id), green);
-            list.selectAll();
-            QTest::mouseClick(dialog.resetButton(), Qt::LeftButton);
-            QVERIFY(s.painting() == *now);
-            type(*dialog.saturation()->number(), "0");
-            QVERIFY(isGrey(s.colour(s.id)) && isGrey(s.colour(s.second)));
-            type(*dialog.saturation()->number(), "100");
-            QVERIFY(s.painting() == *now);
-            dialog.mapsBox()->click();
-            QCOMPARE(s.colour(s.second), green);
-            QCOMPARE(s.colour(s.id), red);
-            QCOMPARE(s.steps(), steps);
-            QTest::keyClick(&dialog, Qt::Key_Escape);
-            QVERIFY(!dialog.isVisible());
-        }
-        QVERIFY(s.painting() == *now);
-        QCOMPARE(s.steps(), steps);
-        {
-            RecolourDialog dialog(s.editor(), &s.window);
-            dialog.mapsBox()->click();
-            dialog.accept();
-        }
-        QCOMPARE(s.steps(), steps + 1);
-        QCOMPARE(s.editor().undoText(), QString("Recolour artwork"));
-        QCOMPARE(s.colour(s.id), red);
-        s.use(Command::Undo);
-        QVERIFY(s.painting() == *now);
-        s.select({s.id});
-        RecolourDialog dialog(s.editor(), &s.window);
-        QCOMPARE(dialog.list()->topLevelItemCount(), 1); // of what is selected
-    }
-
-    /// A drag that was given up leaves nothing that would have to be saved.
-    void artworkAsItWasIsNotModified()
-    {
-        TwoWaves s;
-        QSignalSpy saved(&s.editor(), &Editor::saved);
-        s.editor().startSaving(m_folder.filePath("asItWas.suffuse"), true);
-        QVERIFY(saved.wait() && !s.editor().isModified());
-        RecolourDialog dialog(s.editor(), &s.window);
-        dialog.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
-        BarSlider &slider = *dialog.saturation()->slider();
-        for (const bool givesUp : {true, false}) {
-            QTest::mousePress(&slider, Qt::LeftButton, {}, along(slider, 0.5));
-            QTest::mouseMove(&slider, along(slider, 0.1));
-            QVERIFY(s.editor().isModified() && s.window.isWindowModified());
-            if (givesUp)
-                QTest::keyClick(&slider, Qt::Key_Escape);
-            QTest::mouseRelease(&slider, Qt::LeftButton, {}, along(slider, 0.1));
-            QCOMPARE(s.editor().isModified(), !givesUp);
-            QCOMPARE(s.window.isWindowModified(), !givesUp);
-            QCOMPARE(s.isAsBefore(), givesUp);
-        }
-        type(*dialog.saturation()->number(), "100"); // as it was by hand
-        QVERIFY(s.isAsBefore() && !s.editor().isModified());
-        dialog.reject();
-        QVERIFY(s.isAsBefore() && !s.editor().isModified());
-    }
-
-    void artworkIsRecolouredStepByStep()
-    {
-        TwoWaves s;
-        s.addSwatches({{"leaf", green}, {"roof", red}});
-        const PaintingPtr now = s.editor().document().painting();
-        const int steps = s.steps();
-        const Colour was = s.colour(s.id);
-        RecolourDialog dialog(s.editor(), &s.window);
-        dialog.setStepKeys({QKeySequence("Ctrl+Z")}, {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
-        dialog.setModal(true); // as the command opens it
-        dialog.show();
-        QVERIFY(QTest::qWaitForWindowActive(&dialog));
-        dialog.list()->selectAll();
-        SwatchGrid &grid = *dialog.swatches();
-        grid.setFocus();
-        QTest::keyClick(&grid, Qt::Key_Space);
-        QCOMPARE(s.colour(s.id), green);
-        QTest::keyClick(&grid, Qt::Key_Right);
-        QTest::keyClick(&grid, Qt::Key_Space);
-        QCOMPARE(s.colour(s.id), red);
-        type(*dialog.saturation()->number(), "0");
-        dialog.mapsBox()->click();
-        grid.setFocus();
-        for (int undone = 0; undone < 2; ++undone)
-            QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(s.colour(s.id), red);
-        QVERIFY(!dialog.mapsBox()->isChecked());
-        QCOMPARE(dialog.saturation()->number()->text(), QString("100 %"));
-        QCOMPARE(dialog.hex()->text(), QString("#ff0000"));
-        QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(s.colour(s.id), green);
-        QTest::keyClick(&grid, Qt::Key_Y, Qt::ControlModifier);
-        QCOMPARE(s.colour(s.id), red);
-        for (int undone = 0; undone < 5; ++undone) // more than there are
-            QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(s.colour(s.id), was);
-        QVERIFY(s.painting() == *now);
-        QTest::keyClick(&grid, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QCOMPARE(s.colour(s.id), green);
-        QCOMPARE(s.steps(), steps);
-        QVERIFY(dialog.isVisible());
-        QTest::keyClick(&grid, Qt::Key_Return); // is OK, and takes no swatch
-        QVERIFY(!dialog.isVisible());
-        QCOMPARE(s.colour(s.id), green);
-        QCOMPARE(s.steps(), steps + 1);
-    }
-
-    /// The list of Recolour Artwork shows all of its columns at the size with which the dialog opens.
-    void recolourArtworkShowsAllColumns()
-    {
-        TwoWaves s;
-        RecolourDialog dialog(s.editor(), &s.window);
-        dialog.show();
-        QApplication::processEvents();
-        QVERIFY(dialog.list()->header()->length() <= dialog.list()->viewport()->width());
-        dialog.reject();
     }
 
 private:

@@ -11,16 +11,23 @@
 
 namespace suffuse {
 
-/// Two waves whose paint is 20 wide and more; the lifting eraser in hand, 24 across.
+/// Two waves whose paint is 20 wide and more; an eraser in hand, 24 across, that lifts unless told otherwise.
 struct EraserSession : WaveSession {
     StrokeId other = addWave(200, 420, false);
 
-    EraserSession()
+    explicit EraserSession(EraserMode mode = EraserMode::Lift)
     {
         editor().document().setSelection({});
         use(Command::Eraser);
-        eraser().setChoice({});
+        choose(mode);
         eraser().setRadius(12);
+    }
+    void choose(EraserMode mode, double strength = 1)
+    {
+        EraserChoice choice;
+        choice.setMode(mode);
+        choice.strength = strength;
+        eraser().setChoice(choice);
     }
     EraserTool &eraser() { return *window.findChild<EraserTool *>(); }
     /// As a hand does: the clock goes on, and it takes a moment from one path to the next.
@@ -36,7 +43,7 @@ struct EraserSession : WaveSession {
             QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, at(to));
     }
     QString hint() { return canvas().tool()->hint(); }
-    int erasing(StrokeId which) { return int(std::ranges::count_if(stroke(which).segments, &Segment::lift)); }
+    int erasing(StrokeId which) { return int(std::ranges::count_if(stroke(which).segments, &Segment::takesPaint)); }
     QString summary()
     {
         for (const QLabel *label : window.findChild<InspectorPanel *>()->findChildren<QLabel *>())

@@ -1,4 +1,5 @@
 // The eraser: it lifts paint or cuts it, as far as it is meant to, and says what it did.
+#include "app/session/settings/settings.h"
 #include "app/tools/shaping/eraser_tool.h"
 #include "model/painting/influence.h"
 #include "model/shaping/shapes.h"
@@ -8,6 +9,7 @@
 #include "undo/layers/group_edits.h"
 
 #include <QComboBox>
+#include <QSettings>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -131,13 +133,42 @@ private slots:
     /// What Shift does is said as soon as it is held, and no longer.
     void theHintFollowsShift()
     {
-        EraserSession s;
-        s.canvas().setFocus();
-        QVERIFY(s.hint().startsWith("Lift"));
-        QTest::keyPress(&s.canvas(), Qt::Key_Shift);
-        QVERIFY2(s.hint().startsWith("Cut"), qPrintable(s.hint()));
-        QTest::keyRelease(&s.canvas(), Qt::Key_Shift);
-        QVERIFY2(s.hint().startsWith("Lift"), qPrintable(s.hint()));
+        for (const EraserMode mode : {EraserMode::Fade, EraserMode::Lift}) {
+            const QString name = mode == EraserMode::Fade ? "Fade" : "Lift";
+            EraserSession s(mode);
+            s.canvas().setFocus();
+            QVERIFY(s.hint().startsWith(name));
+            QTest::keyPress(&s.canvas(), Qt::Key_Shift);
+            QVERIFY2(s.hint().startsWith("Cut"), qPrintable(s.hint()));
+            QTest::keyRelease(&s.canvas(), Qt::Key_Shift);
+            QVERIFY2(s.hint().startsWith(name), qPrintable(s.hint()));
+            // While it cuts, Shift is the soft way that was chosen last.
+            EraserChoice cutting = s.eraser().choice();
+            cutting.setMode(EraserMode::Cut);
+            s.eraser().setChoice(cutting);
+            QVERIFY(s.hint().startsWith("Cut"));
+            QTest::keyPress(&s.canvas(), Qt::Key_Shift);
+            QVERIFY2(s.hint().startsWith(name), qPrintable(s.hint()));
+            QTest::keyRelease(&s.canvas(), Qt::Key_Shift);
+            QCOMPARE(EraserChoice::stored(), cutting);
+        }
+    }
+
+    /// What was chosen before there was fading keeps its meaning; who has chosen nothing fades.
+    void storedChoicesKeepTheirMeaning()
+    {
+        QSettings &settings = settings::store();
+        const auto stored = [&](const char *mode) {
+            settings.remove("eraser/soft");
+            settings.remove("eraser/mode");
+            if (*mode)
+                settings.setValue("eraser/mode", mode);
+            const EraserChoice choice = EraserChoice::stored();
+            return std::pair(choice.mode, choice.soft);
+        };
+        QCOMPARE(stored("lift"), std::pair(EraserMode::Lift, EraserMode::Lift));
+        QCOMPARE(stored("cut"), std::pair(EraserMode::Cut, EraserMode::Lift));
+        QCOMPARE(stored(""), std::pair(EraserMode::Fade, EraserMode::Fade));
     }
 
     void escapeAndUndoGiveItUp()
@@ -171,6 +202,7 @@ private slots:
         s.erase({350, 250}, {350, 370});
         QVERIFY2(s.hint().contains("not selected"), qPrintable(s.hint()));
         EraserChoice choice;
+        choice.setMode(EraserMode::Lift);
         choice.scope = EraserScope::All;
         s.eraser().setChoice(choice);
         s.erase({350, 250}, {350, 500});
@@ -222,16 +254,16 @@ private slots:
         s.hover({350, 320});
         QVERIFY(s.hint().startsWith("Lift"));
         auto *modes = s.eraser().options()->findChild<QComboBox *>();
-        modes->setCurrentIndex(1);
-        emit modes->activated(1);
+        modes->setCurrentIndex(2);
+        emit modes->activated(2);
         QCOMPARE(s.eraser().choice().mode, EraserMode::Cut);
         QVERIFY(s.hint().startsWith("Cut"));
         s.erase({350, 250}, {350, 390});
         QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
-        QVERIFY(!s.stroke().hasLift());
+        QVERIFY(!s.stroke().hasErasure());
         QCOMPARE(EraserChoice::stored().mode, EraserMode::Cut); // it is remembered
         s.erase({550, 250}, {550, 390}, Qt::ShiftModifier);
-        QVERIFY(s.stroke().hasLift());
+        QVERIFY(s.stroke().hasErasure());
         s.eraser().setChoice({});
         s.use(Command::LessOpacity);
         s.use(Command::LessOpacity);

@@ -353,6 +353,21 @@ private slots:
         QCOMPARE(s.stroke().fill->gradient->to, before.fill->gradient->to);
     }
 
+    /// Taps of the arrow keys that follow each other are one step of the nodes that are selected.
+    void nudgesOfNodesAreOneStep()
+    {
+        NodeSession s;
+        const int before = s.editor().undoStack().count();
+        s.tool().selectNodes(s.nodes({1}));
+        for (int i = 0; i < 4; ++i)
+            s.key(Qt::Key_Right);
+        QCOMPARE(s.editor().undoStack().count(), before + 1);
+        s.tool().selectNodes(s.nodes({2}));
+        s.key(Qt::Key_Right);
+        s.key(Qt::Key_Down);
+        QCOMPARE(s.editor().undoStack().count(), before + 2);
+    }
+
     void severalNodesMoveTogether()
     {
         NodeSession s;

@@ -2,6 +2,7 @@
 #include "app/tools/shapes/next_node.h"
 #include "app/tools/shapes/pen_tool.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/area/outline.h"
 #include "model/shaping/nodes/reshape.h"
 #include "tests/app/session.h"
 

@@ -95,14 +95,14 @@ private slots:
         static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
         const Stroke later = s.stroke(2);
         s.drag({{400, 150}, {400, 350}});
-        QVERIFY(s.stroke(1).hasLift());
+        QVERIFY(s.stroke(1).hasErasure());
         QVERIFY(s.stroke(2) == later);
         for (const Segment &segment : s.stroke(1).segments)
             if (segment.lift)
                 QVERIFY(segment.born >= 2 * second && segment.born < 3 * second);
         QVERIFY(s.editor().clock().isInPast());
         s.use(Command::Undo);
-        QVERIFY(!s.stroke(1).hasLift());
+        QVERIFY(!s.stroke(1).hasErasure());
     }
 
     /// What is selected and not painted yet has neither outline nor handles, and cannot be dragged on the canvas.

@@ -112,6 +112,110 @@ private slots:
         QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
     }
 
+    /// Keys that repeat and quick taps are one step, whether or not the system says that a key is held down; after a
+    /// pause, or of other strokes, they are another one.
+    void nudgesThatFollowEachOtherAreOneStep()
+    {
+        Selecting s({line(1, {200, 300}, {400, 300}), line(2, {200, 500}, {400, 500})});
+        s.canvas().setFocus();
+        s.select({1});
+        const auto press = [&s](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+            QTest::keyClick(&s.canvas(), key, modifiers);
+        };
+        for (int i = 0; i < 5; ++i)
+            press(Qt::Key_Right);
+        press(Qt::Key_Down, alt);
+        press(Qt::Key_Down, shift);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.stroke(1).origin.x, 205.0);
+        s.select({2});
+        press(Qt::Key_Right);
+        QCOMPARE(s.steps(), 2);
+        s.select({1});
+        press(Qt::Key_Left);
+        QCOMPARE(s.steps(), 3);
+        QTest::qWait(1'000); // The hand pauses.
+        press(Qt::Key_Left);
+        QCOMPARE(s.steps(), 4);
+        QTest::qWait(1'000);
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Left, {}, {}, true); // but it goes on where a key is held down
+        QCoreApplication::sendEvent(&s.canvas(), &held);
+        QCOMPARE(s.steps(), 4);
+        QCOMPARE(s.stroke(1).origin.x, 202.0);
+        s.use(Command::Undo);
+        QCOMPARE(s.stroke(1).origin.x, 204.0);
+        for (int i = 0; i < 3; ++i)
+            s.use(Command::Undo);
+        QCOMPARE(s.stroke(1).origin, (Point{200, 300}));
+        QCOMPARE(s.stroke(2).origin, (Point{200, 500}));
+    }
+
+    /// Redo selects what was moved, as the move itself did, whatever was selected when it was taken back.
+    void redoSelectsWhatWasMoved()
+    {
+        Selecting s({line(1, {200, 300}, {400, 300}), line(2, {200, 500}, {400, 500})});
+        s.drag({{300, 300}, {350, 340}});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QCOMPARE(s.steps(), 1);
+        for (const std::set<StrokeId> &meanwhile : {std::set<StrokeId>{}, {2}, {1}}) {
+            s.select(meanwhile);
+            s.use(Command::Undo);
+            QCOMPARE(s.stroke(1).origin.x, 200.0);
+            s.select({});
+            s.use(Command::Redo);
+            QCOMPARE(s.stroke(1).origin.x, 250.0);
+            QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        }
+        s.select({1});
+        s.use(Command::Duplicate);
+        const std::set<StrokeId> copy = s.selected();
+        QVERIFY(!copy.contains(1) && copy.size() == 1);
+        s.select({});
+        s.use(Command::Undo);
+        s.use(Command::Redo);
+        QCOMPARE(s.selected(), copy);
+    }
+
+    /// A click means what is seen most: not the halo of a stroke that lies on top and is hardly seen there.
+    void aFaintHaloGivesWay()
+    {
+        // So far away that it is hardly seen on the line.
+        const auto haloAt = [](double y) {
+            Stroke halo = *line(2, {200, y}, {600, y});
+            halo.style = {StyleKind::Feathering, {1, 1, 0}};
+            for (Segment &segment : halo.segments) {
+                segment.diffusion = 900;
+                segment.density = 60;
+            }
+            return std::make_shared<const Stroke>(halo);
+        };
+        const auto isFaint = [](const Stroke &halo) {
+            const double above = seenPaint(halo, halo.driesAt(), {400, 300}).opacity;
+            return above >= visibleOpacity && above < 0.2;
+        };
+        double y = 320;
+        while (y < 600 && !isFaint(*haloAt(y)))
+            y += 2;
+        Selecting s({line(1, {200, 300}, {600, 300}), haloAt(y)});
+        const Microseconds T = s.painting().end();
+        const Point faint{400, 300};
+        QVERIFY(isFaint(s.stroke(2)) && seenPaint(s.stroke(1), T, faint).opacity > 0.9);
+        QCOMPARE(pickTopmost(s.painting(), T, faint, 1)->stroke, StrokeId(2));
+        s.click(faint);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.click(faint, alt); // the halo can be had, too
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.click({400, y}); // where it is seen itself
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        // Faint paint is no halo where it is as strong as it gets.
+        Stroke glaze = *line(2, {200, 300}, {600, 300});
+        for (Segment &segment : glaze.segments)
+            segment.colour.opacity = 0.12f;
+        Selecting faintest({line(1, {200, 300}, {600, 300}), std::make_shared<const Stroke>(glaze)});
+        faintest.click({400, 300});
+        QCOMPARE(faintest.selected(), std::set<StrokeId>{2});
+    }
+
     void altClickGoesBelow()
     {
         Selecting s(

@@ -230,7 +230,7 @@ private slots:
         send(QEvent::TabletMove, {350, 320}, 0.5);
         send(QEvent::TabletMove, {350, 380}, 0.5);
         send(QEvent::TabletRelease, {350, 380}, 0);
-        QVERIFY(s.stroke().hasLift());
+        QVERIFY(s.stroke().hasErasure());
         QCOMPARE(s.steps(), 2);
         Pen pen;
         pen.send(s.canvas(), QEvent::TabletPress, s.at({300, 500}), 0.5);

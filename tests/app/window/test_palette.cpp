@@ -129,7 +129,7 @@ private slots:
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay "
                 "importPicture pictureToStrokes export "
-                "exportAgain exportDrawing close quit undo redo cut copy paste pasteInPlace copyAppearance "
+                "exportAgain exportDrawing print printPreview close quit undo redo cut copy paste pasteInPlace copyAppearance "
                 "pasteAppearance "
                 "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound searchStrokes "
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push shapes "

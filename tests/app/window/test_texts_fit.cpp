@@ -272,6 +272,29 @@ private slots:
         QVERIFY2(s.canvas().width() >= 400, qPrintable(QString::number(s.canvas().width())));
     }
 
+    /// At 144 dpi a screen of 1366 pixels is 910 wide, and the brush's row needs no scrolling there.
+    void theBrushsRowFitsSmallScreens_data() { languages(); }
+    void theBrushsRowFitsSmallScreens()
+    {
+        if (QByteArray(QTest::currentDataTag()).endsWith("longer"))
+            QSKIP("a language that nobody speaks");
+        speak();
+        WaveSession s;
+        s.window.setGeometry(0, 24, 910, 488);
+        s.use(Command::Brush);
+        s.editor().setBrush(*findBrush("round-wash")); // with a field for its smoothing
+        settle();
+        int rows = 0;
+        for (const auto *row : s.window.findChildren<RowScroll *>())
+            if (row->widget() == s.canvas().tool()->options()) {
+                QVERIFY(row->isVisible());
+                QCOMPARE(row->horizontalScrollBar()->maximum(), 0);
+                ++rows;
+            }
+        QCOMPARE(rows, 1);
+        QCOMPARE(s.window.width(), 910);
+    }
+
     /// Whoever has the system's letters half as large again finds all texts whole, in the window and in its dialogs.
     void largeLettersAreWhole()
     {

@@ -23,10 +23,12 @@
 #include <QPushButton>
 #include <QStyle>
 #include <QStyleOption>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QToolTip>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -344,6 +346,62 @@ private slots:
                              contrast(frame, after.pixelColor(x, y + int(3 * ratio))) >= 3;
                 }
                 QVERIFY2(isSeen, widget->metaObject()->className());
+            }
+        }
+    }
+
+    /// The same in lists, trees and tabs, whether or not the row is selected: the frame stands out from the row.
+    void theFocusIsSeenInListsAndTabs()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            QDialog dialog;
+            auto *column = new QVBoxLayout(&dialog);
+            QLineEdit elsewhere;
+            QListWidget selected, bare;
+            QTreeWidget tree;
+            QTabBar tabs;
+            tabs.setFocusPolicy(Qt::StrongFocus);
+            for (const char *name : {"                    One", "                    Two"}) {
+                selected.addItem(name);
+                bare.addItem(name);
+                new QTreeWidgetItem(&tree, {name});
+                tabs.addTab(name);
+            }
+            bare.setSelectionMode(QAbstractItemView::NoSelection);
+            tree.setRootIsDecorated(false);
+            for (QWidget *widget : std::initializer_list<QWidget *>{&elsewhere, &selected, &bare, &tree, &tabs})
+                column->addWidget(widget);
+            selected.setCurrentRow(0);
+            bare.setCurrentRow(0);
+            tree.setCurrentItem(tree.topLevelItem(0));
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowActive(&dialog));
+            dialog.setAttribute(Qt::WA_KeyboardFocusChange);
+            const auto rowOf = [&](QWidget *widget) {
+                if (widget == &tabs)
+                    return tabs.tabRect(0).translated(tabs.pos());
+                auto *view = qobject_cast<QAbstractItemView *>(widget);
+                return view->visualRect(view->currentIndex()).translated(view->viewport()->mapTo(&dialog, QPoint()));
+            };
+            for (QWidget *widget : std::initializer_list<QWidget *>{&selected, &bare, &tree, &tabs}) {
+                elsewhere.setFocus(Qt::TabFocusReason);
+                QCoreApplication::processEvents();
+                const QImage before = dialog.grab().toImage();
+                widget->setFocus(Qt::TabFocusReason);
+                QCoreApplication::processEvents();
+                QVERIFY(widget->hasFocus());
+                const QImage after = dialog.grab().toImage();
+                const QRect row = rowOf(widget);
+                const double ratio = after.devicePixelRatio();
+                const int x = int((row.left() + 24) * ratio), bottom = int(row.center().y() * ratio);
+                const QColor within = after.pixelColor(x, bottom);
+                double best = 0;
+                for (int y = int(row.top() * ratio); y < bottom; ++y)
+                    if (const QColor frame = after.pixelColor(x, y); frame != before.pixelColor(x, y))
+                        best =
+                            std::max(best, std::min(contrast(frame, before.pixelColor(x, y)), contrast(frame, within)));
+                QVERIFY2(best >= 3, qPrintable(QString("%1 %2").arg(widget->metaObject()->className()).arg(best)));
             }
         }
     }

@@ -86,10 +86,12 @@ private slots:
         emit sheets.itemClicked(a4);
         QCOMPARE(s.painting().canvas.width, 1754.0);
         QCOMPARE(s.painting().canvas.height, 1240.0);
+        QCOMPARE(s.editor().extras().resolution, 150.0);
         QTRY_VERIFY(!pageOf(s));
         s.use(Command::Welcome);
         emit pageOf(s)->sheets()->itemActivated(rowOf(*pageOf(s)->sheets(), "Night"));
         QVERIFY(s.painting().canvas.background.blue > 0.9f);
+        QCOMPARE(s.editor().extras().resolution, 0.0);
         for (const SheetPreset &preset : sheetPresets())
             QVERIFY2(!preset.name.isEmpty() && preset.canvas.width > 0 && preset.canvas.height > 0,
                      qPrintable(preset.name));

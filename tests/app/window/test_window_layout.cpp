@@ -5,35 +5,25 @@
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
 #include "app/widgets/habits/place_beside.h"
-#include "app/widgets/look/elided_sentences.h"
 #include "app/window/layout/window_layout.h"
-#include "app/window/layout/workspaces.h"
 #include "model/formats/files.h"
 #include "tests/app/shapes.h"
 
 #include <QApplication>
 #include <QDataStream>
 #include <QDockWidget>
-#include <QFontMetrics>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QMainWindow>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QStatusBar>
 #include <QStyle>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
-#include <QTreeView>
 
 #include <zlib.h>
-
-#include <map>
-#include <tuple>
 
 using namespace suffuse;
 
@@ -137,36 +127,6 @@ private slots:
         }
     }
 
-    /// On a laptop's screen one reads all of what the status bar says of painting in the past.
-    void whatIsSaidOfThePastFits()
-    {
-        for (const QString &code : translationCodes()) {
-            settings::setLanguage(code);
-            installTranslators();
-            const auto back = qScopeGuard([] {
-                settings::setLanguage("en");
-                installTranslators();
-            });
-            Session s;
-            s.window.resize(1366, 768);
-            QVERIFY(QTest::qWaitForWindowExposed(&s.window));
-            s.use(Command::Brush);
-            s.paintLine({100, 100}, {300, 100});
-            s.dry();
-            const QString hint = s.canvas().tool()->hint();
-            s.editor().clock().lookAt(s.painting().end() / 2);
-            QVERIFY(s.editor().clock().isInPast());
-            const QLabel *line = nullptr;
-            for (const QLabel *label : s.window.statusBar()->findChildren<QLabel *>())
-                if (label->toolTip().endsWith('\n' + hint))
-                    line = label;
-            QVERIFY2(line, qPrintable(code));
-            QVERIFY(!line->text().isEmpty() && line->toolTip().startsWith(line->text()));
-            QVERIFY2(line->fontMetrics().horizontalAdvance(line->text()) <= line->contentsRect().width(),
-                     qPrintable(code));
-        }
-    }
-
     /// A laptop's screen of 1366 pixels has 683 at twice the usual density; a frame and a panel of the desktop need
     /// some.
     void everyLanguageLeavesRoomOnAScreenOf683()
@@ -250,98 +210,6 @@ private slots:
         QVERIFY(restored.isMaximized());
         QVERIFY(dock->isHidden());
         window_layout::reset();
-    }
-
-    /// Whether what is written up to `right` ends in "…": ink at the foot of the line only.
-    static bool endsInDots(QWidget &widget, int right)
-    {
-        const QImage image = widget.grab().toImage();
-        const QColor ground = widget.palette().color(QPalette::Window);
-        const auto topOfInk = [&](int x) {
-            for (int y = 2; y < image.height(); ++y)
-                if (std::abs(qGray(image.pixel(x, y)) - qGray(ground.rgb())) > 60)
-                    return y;
-            return -1;
-        };
-        int last = std::min(right, image.width() - 1);
-        while (last > 0 && topOfInk(last) < 0)
-            --last;
-        return last > 0 && topOfInk(last) > image.height() / 2;
-    }
-
-    /// A hint that is too long ends behind a sentence, not within one.
-    void hintsAreCutBehindASentence()
-    {
-        const QFontMetrics metrics(QApplication::font());
-        const auto cut = [&](const QString &text, const QString &roomOf) {
-            return elidedSentences(text, metrics, metrics.horizontalAdvance(roomOf));
-        };
-        const QString text = "Drag: paint. Shift+drag: 1.5 times. Ctrl+click: colour of the picture.";
-        QCOMPARE(cut(text, text), text);
-        QCOMPARE(cut(text, "Drag: paint. Shift+drag: 1.5 times. Ctrl+cl"),
-                 QString("Drag: paint. Shift+drag: 1.5 times. …"));
-        QCOMPARE(cut(text, "Drag: paint. Shift+drag"), QString("Drag: paint. …"));
-        const QString wide = QStringLiteral("拖动绘画。右键打开调色板。按住 Ctrl 取颜色。");
-        QCOMPARE(cut(wide, QStringLiteral("拖动绘画。右键打开调色板。按住")),
-                 QStringLiteral("拖动绘画。右键打开调色板。…"));
-        // A long sentence is not left out for a short one.
-        const QString uneven = "Drag. Shift+drag from paint to paint: all that lies in between is taken";
-        const QString line = cut(uneven, "Drag. Shift+drag from paint to paint: all that");
-        QVERIFY2(line.startsWith("Drag. Shift+drag from paint") && line.endsWith(u'…'), qPrintable(line));
-    }
-
-    /// What the status bar has no room for is in the tool tip.
-    void statusTextsEndInDotsWhereTheyAreCut()
-    {
-        Session s;
-        s.window.resize(s.window.minimumSizeHint().width(), 700);
-        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
-        QStatusBar &bar = *s.window.statusBar();
-        const QString hint = s.canvas().tool()->hint();
-        QLabel *line = nullptr;
-        for (QLabel *label : bar.findChildren<QLabel *>())
-            if (label->text() == hint)
-                line = label;
-        QVERIFY(line && line->isVisible());
-        QVERIFY(line->fontMetrics().horizontalAdvance(hint) > line->width());
-        QVERIFY(endsInDots(*line, line->width()));
-        QCOMPARE(line->toolTip(), hint);
-        const int right = line->geometry().right();
-        const QString message(300, 'H');
-        bar.showMessage(message);
-        QVERIFY(!line->isVisible());
-        QVERIFY(endsInDots(bar, right));
-        QCOMPARE(bar.toolTip(), message);
-        bar.showMessage("HHH");
-        QVERIFY(!endsInDots(bar, right)); // all of it is there
-        bar.clearMessage();
-        QCOMPARE(bar.toolTip(), QString());
-        QVERIFY(line->isVisible());
-    }
-
-    /// A message takes the room that there is, also within a sentence.
-    void messagesFillTheirLine()
-    {
-        Session s;
-        s.window.resize(1300, 700);
-        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
-        QStatusBar &bar = *s.window.statusBar();
-        int right = bar.width(); // where the numbers begin
-        for (const auto *number : bar.findChildren<QLabel *>())
-            if (number->objectName() != QLatin1String("hint") && number->isVisible())
-                right = std::min(right, number->x());
-        QString first = "H";
-        while (bar.fontMetrics().horizontalAdvance(first) < 0.6 * right)
-            first += 'H';
-        bar.showMessage(first + ". " + QString(300, 'H') + '.');
-        QVERIFY(endsInDots(bar, right));
-        const QImage image = bar.grab().toImage();
-        const int ground = qGray(image.pixel(right - 2, 4));
-        bool isFull = false; // to the last tenth
-        for (int x = int(0.9 * right); x < right; ++x)
-            for (int y = 4; y < image.height() - 4; ++y)
-                isFull = isFull || std::abs(qGray(image.pixel(x, y)) - ground) > 60;
-        QVERIFY(isFull);
     }
 
     /// A window that is opened from a maximised one is maximised, too, and has somewhere to go back to.
@@ -495,165 +363,6 @@ private slots:
         s.canvas().setFocus();
         QTest::keyClick(&s.canvas(), Qt::Key_F, Qt::ControlModifier);
         QTRY_VERIFY(panel->search()->hasFocus() && panel->isVisible());
-    }
-
-    /// Whatever was done to docks and tool bars, one command puts them back.
-    void resetLayoutPutsAllBack()
-    {
-        Session s;
-        s.window.resize(1000, 480); // lower than all docks one below the other
-        QTest::qWait(50);
-        const QSize size = s.window.size();
-        const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
-        const auto bar = [&](const char *name) { return s.window.findChild<QToolBar *>(name); };
-        const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
-        using Place = std::tuple<Qt::DockWidgetArea, bool, bool, bool, QSet<QDockWidget *>>;
-        const auto places = [&] {
-            QList<Place> list;
-            for (QDockWidget *d : docks) {
-                const QList<QDockWidget *> tabs = s.window.tabifiedDockWidgets(d);
-                list << Place{s.window.dockWidgetArea(d), d->isFloating(), d->isHidden(), d->visibleRegion().isEmpty(),
-                              QSet(tabs.begin(), tabs.end())};
-            }
-            return list;
-        };
-        const QList<Place> before = places();
-        const int width = dock("colourDock")->width(), height = dock("timelineDock")->height();
-        for (const bool hidden : {false, true}) {
-            dock("colourDock")->setFloating(true);
-            s.window.addDockWidget(Qt::LeftDockWidgetArea, dock("inspectorDock"));
-            s.window.resizeDocks({dock("brushesDock")}, {500}, Qt::Horizontal);
-            dock("timelineDock")->hide();
-            dock("probeDock")->show();
-            s.window.addToolBar(Qt::RightToolBarArea, bar("tools"));
-            bar("toolOptions")->hide();
-            if (hidden)
-                s.use(Command::HideDocks);
-            QTest::qWait(20);
-            QVERIFY(places() != before);
-            s.use(Command::ResetLayout);
-            QTest::qWait(50);
-            QVERIFY(places() == before);
-            QCOMPARE(s.window.size(), size);
-            QVERIFY(!s.window.action(Command::HideDocks).isChecked());
-            QVERIFY(std::abs(dock("colourDock")->width() - width) <= 2);
-            QVERIFY(std::abs(dock("timelineDock")->height() - height) <= 2);
-            QCOMPARE(s.window.toolBarArea(bar("tools")), Qt::LeftToolBarArea);
-            QCOMPARE(s.window.toolBarArea(bar("toolOptions")), Qt::TopToolBarArea);
-            QVERIFY(bar("tools")->isVisible() && bar("toolOptions")->isVisible());
-        }
-        QCOMPARE(s.editor().undoStack().count(), 0);
-    }
-
-    /// Each shows what its work needs, and leaves the most of the window to the canvas.
-    void workspacesComeAlong()
-    {
-        Session s;
-        s.window.resize(1366, 738);
-        QTest::qWait(20);
-        const auto shown = [&] {
-            QSet<QString> names;
-            for (const QDockWidget *dock : s.window.findChildren<QDockWidget *>())
-                if (!dock->isHidden())
-                    names << dock->objectName();
-            return names;
-        };
-        const auto seen = [&](const char *name) {
-            return !s.window.findChild<QDockWidget *>(name)->visibleRegion().isEmpty();
-        };
-        s.window.findChild<QDockWidget *>("probeDock")->show();
-        s.use(Command::WorkspacePaint);
-        QTest::qWait(20);
-        QCOMPARE(shown(), (QSet<QString>{"colourDock", "brushesDock", "strokesDock"}));
-        QVERIFY(seen("colourDock") && seen("brushesDock"));
-        QVERIFY(s.canvas().height() > 0.8 * s.window.height());
-        s.use(Command::HideDocks);
-        s.use(Command::WorkspaceRefine);
-        QTest::qWait(20);
-        QVERIFY(!s.window.action(Command::HideDocks).isChecked());
-        QCOMPARE(shown(), (QSet<QString>{"colourDock", "inspectorDock", "strokesDock", "historyDock"}));
-        QVERIFY(seen("inspectorDock"));
-        s.use(Command::WorkspaceTime);
-        QTest::qWait(20);
-        QCOMPARE(shown(), (QSet<QString>{"inspectorDock", "strokesDock", "timelineDock"}));
-        const int high = s.window.findChild<QDockWidget *>("timelineDock")->height();
-        s.use(Command::ResetLayout);
-        QTest::qWait(20);
-        QVERIFY(high > 1.3 * s.window.findChild<QDockWidget *>("timelineDock")->height());
-        QCOMPARE(s.window.size(), QSize(1366, 738));
-    }
-
-    /// A workspace comes back in another window, and damaged bytes are not given to Qt.
-    void workspacesAreSaved()
-    {
-        settings::store().remove("workspaces");
-        const auto workspaces = [](Session &s) { return s.window.findChild<Workspaces *>(); };
-        {
-            Session s;
-            s.window.findChild<QDockWidget *>("timelineDock")->hide();
-            s.window.addDockWidget(Qt::LeftDockWidgetArea, s.window.findChild<QDockWidget *>("strokesDock"));
-            QTest::qWait(20);
-            workspaces(s)->save("Mine & yours");
-            workspaces(s)->save("Äpfel");
-            workspaces(s)->save("Mine & yours");
-        }
-        QCOMPARE(Workspaces::names(), (QStringList{"Äpfel", "Mine & yours"}));
-        Session s;
-        auto *timeline = s.window.findChild<QDockWidget *>("timelineDock");
-        auto *strokes = s.window.findChild<QDockWidget *>("strokesDock");
-        QVERIFY(!timeline->isHidden() && s.window.dockWidgetArea(strokes) == Qt::RightDockWidgetArea);
-        QVERIFY(workspaces(s)->choose("Mine & yours"));
-        QVERIFY(timeline->isHidden() && s.window.dockWidgetArea(strokes) == Qt::LeftDockWidgetArea);
-        QVERIFY(!workspaces(s)->choose("nobody's"));
-        QMenu menu;
-        menu.addAction("fixed");
-        for (int i = 0; i < 2; ++i) { // It is filled anew each time.
-            workspaces(s)->fillMenu(menu);
-            QCOMPARE(menu.actions().size(), 5);
-            QCOMPARE(menu.actions()[3]->text(), QString("Mine && yours"));
-        }
-        s.use(Command::ResetLayout);
-        menu.actions()[3]->trigger();
-        QVERIFY(timeline->isHidden());
-        Workspaces::remove("Äpfel");
-        QCOMPARE(Workspaces::names(), QStringList{"Mine & yours"});
-        QStringList stored = settings::store().value("workspaces/saved").toStringList();
-        stored[0].chop(8);
-        settings::store().setValue("workspaces/saved", stored);
-        s.use(Command::ResetLayout);
-        QVERIFY(!workspaces(s)->choose("Mine & yours"));
-        QVERIFY(!timeline->isHidden());
-        settings::store().remove("workspaces");
-    }
-
-    /// A layout that was stored is put back as it was, whatever the first start looks like now.
-    void storedLayoutsAreKept()
-    {
-        const auto place = [](MainWindow &window, const char *name) {
-            const auto *dock = window.findChild<QDockWidget *>(name);
-            return std::tuple(window.dockWidgetArea(const_cast<QDockWidget *>(dock)), dock->isFloating(),
-                              window.tabifiedDockWidgets(const_cast<QDockWidget *>(dock)).size());
-        };
-        const char *const names[] = {"colourDock", "brushesDock", "inspectorDock", "strokesDock", "historyDock"};
-        std::map<QString, std::tuple<Qt::DockWidgetArea, bool, qsizetype>> before;
-        {
-            Session s;
-            const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
-            s.window.tabifyDockWidget(dock("colourDock"), dock("brushesDock")); // as it was before
-            s.window.addDockWidget(Qt::LeftDockWidgetArea, dock("strokesDock"));
-            dock("timelineDock")->hide();
-            QTest::qWait(20);
-            for (const char *name : names)
-                before[name] = place(s.window, name);
-            window_layout::save(s.window);
-        }
-        Session s; // puts it back
-        QTest::qWait(20);
-        for (const char *name : names)
-            QVERIFY2(place(s.window, name) == before[name], name);
-        QVERIFY(s.window.findChild<QDockWidget *>("timelineDock")->isHidden());
-        QCOMPARE(std::get<0>(before["strokesDock"]), Qt::LeftDockWidgetArea);
-        window_layout::reset();
     }
 
     /// The canvas would move below the pen, and the stroke would jump. Afterwards nobody expects it any more.

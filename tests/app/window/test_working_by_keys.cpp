@@ -356,6 +356,8 @@ private slots:
                 continue;
             Session s;
             s.editor().setBrush(brush);
+            if (brush.name == "round-wash")
+                s.editor().setColour({0.32f, 0.22f, 1, 0.95f}); // A saturated blue shows most of what it strays.
             Pen pen;
             pen.send(s.canvas(), QEvent::TabletPress, s.at({100, 100}), 0.2);
             for (int i = 1; i <= 30; ++i) {

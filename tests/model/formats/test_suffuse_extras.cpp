@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace suffuse;
@@ -21,6 +22,7 @@ DocumentExtras someExtras()
     extras.view = WorkspaceState{{-12.5, 1e9}, 3.25, -0.7, true, 1'234'567, false, 7, {3, 7}};
     extras.history = "steps";
     extras.profile = "a profile";
+    extras.resolution = 72.5;
     extras.unknown = {{"meta", QByteArray("\0a\xff", 3)}, {"xyzw", {}}, {"meta", "again"}};
     return extras;
 }
@@ -67,8 +69,40 @@ private slots:
         view.begun = BegunLayer{"Shades", true, 2, 5};
         view.symmetry = Symmetry{true, SymmetryKind::Kaleidoscope, {10.5, -3}, 0.25, 7};
         view.guides = {{false, 12.5}, {false, -4}, {true, 1e6}};
+        view.print = PrintSetup{"Letter", true, {1, 2.5, 3, 4}, PrintSetup::Size::Scaled, 12.5, PrintSetup::Area::Numbers,
+                                Rect::of(-1, 2, 30, 40), PrintSetup::Moment::Time, 1'500'000, false, 720};
         const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
         QVERIFY(d && d->extras == extras);
+    }
+
+    /// What makes no sense of a page leaves all else as it is.
+    void pagesThatCannotBeAreLeftOut()
+    {
+        const auto printOf = [](const PrintSetup &print) {
+            DocumentExtras extras;
+            extras.view = WorkspaceState{};
+            extras.view->guides = {{true, 7}};
+            extras.view->print = print;
+            const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
+            return d && d->extras.view && d->extras.view->guides == extras.view->guides ? d->extras.view->print
+                                                                                         : std::optional(PrintSetup{"?"});
+        };
+        const PrintSetup good;
+        QCOMPARE(printOf(good), std::optional(good));
+        const auto changed = [&](auto change) {
+            PrintSetup print = good;
+            change(print);
+            return printOf(print);
+        };
+        const std::optional<PrintSetup> none;
+        QCOMPARE(changed([](PrintSetup &p) { p.margins[2] = -1; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.margins[2] = std::nan(""); }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.scale = 0; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.dpi = 1; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.dpi = 1'000'000; }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.size = PrintSetup::Size(7); }), none);
+        QCOMPARE(changed([](PrintSetup &p) { p.area = PrintSetup::Area::Numbers; }), none); // an area that is none
+        QCOMPARE(changed([](PrintSetup &p) { p.paper = QString(1000, 'A'); }), none);
     }
 
     void pictureChunksDoNotDependOnThem()
@@ -127,6 +161,13 @@ private slots:
         QTest::newRow("short centre") << QByteArray("view") << view("centre", QCborArray{1.0});
         QTest::newRow("NaN rotation") << QByteArray("view") << view("rotation", nan);
         QTest::newRow("type") << QByteArray("view") << view("mirrored", 3);
+        for (const auto &[name, value] : {std::pair("no inch", QCborValue(0.0)),
+                                          {"a huge inch", QCborValue(1e9)},
+                                          {"NaN inch", QCborValue(nan)},
+                                          {"an inch in words", QCborValue("150")},
+                                          {"an inch below 0", QCborValue(-150)}})
+            QTest::newRow(name) << QByteArray("inch") << value.toCbor();
+        QTest::newRow("inch of no CBOR") << QByteArray("inch") << QByteArray("\xff\xff");
     }
     void senselessExtrasAreLeftOut()
     {
@@ -180,6 +221,20 @@ private slots:
                 QVERIFY(readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse")));
             }
         }
+    }
+
+    /// Files of today have no size on paper, and whoever reads the painting alone can ask for it.
+    void theSizeOnPaperIsRead()
+    {
+        QTemporaryDir folder;
+        const QString with = folder.filePath("with.suffuse"), without = folder.filePath("without.suffuse");
+        QVERIFY(saveDocument(somePainting(), someExtras(), with) && savePainting(somePainting(), without));
+        double resolution = -1;
+        QVERIFY(loadPainting(with, nullptr, nullptr, &resolution));
+        QCOMPARE(resolution, 72.5);
+        QVERIFY(loadPainting(without, nullptr, nullptr, &resolution));
+        QCOMPARE(resolution, 0.0);
+        QVERIFY(!test::fileOf(test::chunksOf(writeSuffuseFile(somePainting()))).contains("inch"));
     }
 
     void textFormHoldsNone()

@@ -191,8 +191,8 @@ private slots:
             "strokes: {…} is not a list");
         row("no strokes", "{\"format\": \"suffuse-text\", \"version\": 1}", "a.json: strokes: is missing");
         row("no format", "{\"version\": 1, \"strokes\": []}", "a.json: format: is missing");
-        row("version", "{\"format\": \"suffuse-text\", \"version\": 4, \"strokes\": []}",
-            "version: 4 is newer than this program");
+        row("version", "{\"format\": \"suffuse-text\", \"version\": 5, \"strokes\": []}",
+            "version: 5 is newer than this program");
         row("a group that blends in version 2",
             "{\"format\": \"suffuse-text\", \"version\": 2, \"strokes\": [], \"groups\": [{\"id\": 1, \"opacity\": "
             "0.5}]}",
@@ -207,6 +207,15 @@ private slots:
             "groups[0].opacity: 1.5 is not in [0, 1]");
         row("a chain in version 1", segment(", \"start\": true"), "version: 1 does not know all");
         row("lifting in version 1", segment(", \"lift\": true"), "version: 1 does not know all");
+        row("fading in version 1", segment(", \"fade\": true"), "version: 1 does not know all");
+        row("fading in version 3",
+            documentOf(strokeOf(segmentOf(", \"fade\": true"))).replace("\"version\": 1", "\"version\": 3"),
+            "version: 3 does not know all");
+        row("fade", segment(", \"fade\": 1"), "segments[0].fade: 1 is not true or false");
+        row("lift and fade",
+            documentOf(strokeOf(segmentOf(", \"lift\": true, \"fade\": true")))
+                .replace("\"version\": 1", "\"version\": 4"),
+            "segments[0].fade: a segment that lifts cannot fade as well");
         row("lift", segment(", \"lift\": 1"), "segments[0].lift: 1 is not true or false");
         row("canvas", documentOf({}, ", \"canvas\": {\"width\": 0}"), "canvas.width: 0 is not in (0, 1e6]");
         row("paper grain", documentOf({}, ", \"canvas\": {\"paper\": {\"kind\": \"procedural\", \"grain\": \"wool\"}}"),

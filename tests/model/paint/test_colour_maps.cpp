@@ -1,4 +1,5 @@
 // Colours under shifts, what looks nearest, the list of a painting's colours, and what is painted in one of them.
+#include "model/brush/brush_dynamics.h"
 #include "model/colour/colour_shift.h"
 #include "model/colour/colour_uses.h"
 #include "model/colour/hue_shares.h"
@@ -330,6 +331,56 @@ private slots:
             QCOMPARE(segments, std::size_t(400)); // each is in one of them
             QVERIFY(std::abs(paint - 1) < 1e-9);
         }
+    }
+
+    /// What a brush strays by within a stroke is one colour, however far that looks: around the wheel, and with every
+    /// brush that comes with the program.
+    void aBrushThatStraysPaintsOneColour()
+    {
+        std::vector<Colour> wheel = {
+            white, black, {0.5f, 0.5f, 0.5f, 1}, {0.1f, 0.3f, 0.2f, 1}, {0.6f, 0.75f, 0.5f, 1}, {0.32f, 0.22f, 1, 1}};
+        for (int hue = 0; hue < 24; ++hue) { // saturated
+            const auto channel = [hue](int k) {
+                return float(std::clamp(2 - std::abs(std::remainder(hue - 8.0 * k, 24)) / 4, 0.0, 1.0));
+            };
+            wheel.push_back({channel(0), channel(1), channel(2), 1});
+        }
+        int straying = 0;
+        for (const Brush &preset : builtinBrushes()) {
+            const bool mixes = std::ranges::any_of(
+                preset.dynamics, [](const BrushDynamic &d) { return d.quantity == BrushQuantity::ColourMix; });
+            straying += preset.jitter != ColourJitter();
+            for (const Colour &colour : wheel)
+                for (std::uint64_t seed = 1; seed <= 40 && !mixes; ++seed) {
+                    Brush brush = preset;
+                    brush.colour = colour;
+                    std::vector<Colour> laid;
+                    for (int k = 0; k < 60; ++k) // long enough for it to go from one end to the other
+                        laid.push_back(paintAt(brush, {.pressure = 0.5, .distance = 0.7 * k}, seed).colour);
+                    Painting painting;
+                    painting.strokes = {strokeOf(1, laid)};
+                    const ColourSummary found = summaryOf(partsToColour(painting, {}), false);
+                    QVERIFY2(!found.several, qPrintable(QString("%1 in %2 %3 %4")
+                                                            .arg(brush.name)
+                                                            .arg(colour.red)
+                                                            .arg(colour.yellow)
+                                                            .arg(colour.blue)));
+                    QVERIFY(!found.other);
+                }
+        }
+        QVERIFY(straying > 2);
+        // Colours a sixth of the wheel apart are two, in one stroke and in two.
+        for (std::size_t k = 6; k + 4 < wheel.size(); ++k) {
+            Painting one, two;
+            one.strokes = {strokeOf(1, {wheel[k], wheel[k], wheel[k + 4]})};
+            two.strokes = {strokeOf(1, {wheel[k], wheel[k]}), strokeOf(2, {wheel[k + 4]})};
+            QVERIFY(summaryOf(partsToColour(one, {}), false).several);
+            QVERIFY(summaryOf(partsToColour(two, {}), false).several);
+        }
+        // Two strokes that look different are two colours, though one brush might stray as far within one.
+        Painting pale;
+        pale.strokes = {strokeOf(1, {white, white}), strokeOf(2, {{0.2f, 0.2f, 0.2f, 1}})};
+        QVERIFY(summaryOf(partsToColour(pale, {}), false).several);
     }
 
     void theUsualColourIsTheMostFrequentOne()

@@ -88,7 +88,7 @@ private slots:
         std::size_t count = 0;
         forEachFieldOf<Segment>([&](const auto &f) { names.insert(f.name), ++count; });
         QCOMPARE(names.size(), count);
-        QCOMPARE(count, std::size_t(14));
+        QCOMPARE(count, std::size_t(15));
         QCOMPARE(numbersOf<Segment>.size(), std::size_t(10)); // D, φ, ω, t_max, four of the colour, ratio, angle
         QCOMPARE(predictedNumbersOf<Segment>.size(), std::size_t(8));
         QVERIFY(laterNumbersOf<Segment>.empty());

@@ -88,7 +88,7 @@ private slots:
                     const SoftTip tip{radius, softness, 1};
                     const Stroke after = erasedBy(tip, wash(spread), line({150, -60}, {150, 260}));
                     QCOMPARE(problemOf(after), QString());
-                    QVERIFY(after.hasLift());
+                    QVERIFY(after.hasErasure());
                     for (const double y : {60.0, 100.0, 140.0}) {
                         const double gone = clearedAt(after, y);
                         QVERIFY2(std::abs(gone - radius) < 0.2 * radius,
@@ -158,7 +158,7 @@ private slots:
             s.density *= 6;
         QVERIFY(seenAt(thick, {150, 50}) > 0.5);
         const Stroke between = erasedBy({6, 0.6, 1}, thick, line({100, 50}, {200, 50}));
-        QVERIFY(between.hasLift());
+        QVERIFY(between.hasErasure());
         QVERIFY(seenAt(between, {150, 50}) < 0.1);
 
         const Stroke before = wash(14);
@@ -181,18 +181,18 @@ private slots:
         Stroke hair = wash(0.4, 2);
         for (const double x : {37.0, 151.3, 260.0}) {
             const Stroke after = erasedBy({20, 0.6, 1}, hair, line({x, 60}, {x, 140}));
-            QVERIFY(after.hasLift());
+            QVERIFY(after.hasErasure());
             QVERIFY(seenAt(after, {x, 100}) < 0.1);
             QVERIFY(seenAt(after, {x < 150 ? x + 45 : x - 45, 100}) > 0.5);
             QCOMPARE(seenAt(after, {x, 0}), seenAt(hair, {x, 0}));
         }
-        QVERIFY(erasedBy({20, 0.6, 1}, hair, {{{150, 100}, dry}}).hasLift()); // a tap
+        QVERIFY(erasedBy({20, 0.6, 1}, hair, {{{150, 100}, dry}}).hasErasure()); // a tap
     }
 
     void aTapTakesADisc()
     {
         const Stroke after = erasedBy({20, 0.6, 1}, wash(14), {{{150, 100}, dry}, {{150, 100}, dry + 200'000}});
-        QVERIFY(after.hasLift());
+        QVERIFY(after.hasErasure());
         for (const Point way : {Point{1, 0}, Point{0, 1}, Point{-0.7, 0.7}}) {
             QVERIFY(seenAt(after, Point{150, 100} + 14.0 * way) < 0.5);
             QVERIFY(seenAt(after, Point{150, 100} + 27.0 * way) > 0.5);
@@ -254,7 +254,7 @@ private slots:
             s.maxAge = 100;
         const Microseconds wet = stroke.segments.back().born + 300'000; // of ten times the spread that it will have
         const Stroke after = erasedBy({15, 0.6, 1}, stroke, line({150, -20}, {150, 220}, 1, wet), wet);
-        QVERIFY(after.hasLift());
+        QVERIFY(after.hasErasure());
         QCOMPARE(problemOf(after), QString());
     }
 
@@ -292,9 +292,77 @@ private slots:
         stroke.fill = fill;
         QVERIFY(seenAt(stroke, {150, 0}) > 0.9);
         const Stroke after = erasedBy({10, 0.5, 1}, stroke, line({150, -20}, {150, 20}));
-        QVERIFY(after.hasLift());
+        QVERIFY(after.hasErasure());
         QVERIFY(seenAt(after, {150, 0}) < 0.1);
         QVERIFY(seenAt(after, {190, 0}) > 0.9);
+    }
+
+    /// What fades takes its share in the middle of the path, whatever paint there is, and a second pass takes it again.
+    void aShareFades()
+    {
+        for (const StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
+            Stroke before = wash(20);
+            before.style = kind == StyleKind::Uniform      ? Style{kind, {1, 0.1f, 0}}
+                           : kind == StyleKind::Feathering ? Style{kind, {3, 1.2f, 0}}
+                                                           : Style{kind, {1, 1, 0.4f}};
+            const double was = seenAt(before, {150, 100});
+            QVERIFY(was > 0.1);
+            for (const double strength : {0.2, 0.5, 0.8, 1.0})
+                for (const double softness : {0.4, 0.6, 1.0, 2.0}) {
+                    const SoftTip tip{20, softness, strength, SoftWay::Fade};
+                    const Stroke once = erasedBy(tip, before, line({150, -60}, {150, 260}));
+                    QCOMPARE(problemOf(once), QString());
+                    QVERIFY(once.hasFade() && std::ranges::none_of(once.segments, &Segment::lift));
+                    const double left = seenAt(once, {150, 100}) / was;
+                    QVERIFY2(std::abs(left - (1 - strength)) < 0.01, qPrintable(QString::number(left)));
+                    // Half of the strength at most is taken at the radius, and more where it is nearer.
+                    QVERIFY(seenAt(once, {170, 100}) / was > 0.49);
+                    QVERIFY(seenAt(once, {160, 100}) < seenAt(once, {170, 100}));
+                    const Stroke twice = erasedBy(tip, once, line({150, -60}, {150, 260}));
+                    QVERIFY(std::abs(seenAt(twice, {150, 100}) / was - left * left) < 0.01);
+                    if (strength == 1)
+                        QVERIFY(seenAt(once, {150 + 20 - tip.spread(), 100}) <= 1.0 / 1024);
+                }
+            // Where nothing is left to be seen, nothing is laid.
+            const SoftTip whole{20, 0.6, 1, SoftWay::Fade}, small{4, 0.6, 1, SoftWay::Fade};
+            const Stroke gone = erasedBy(whole, before, line({150, -60}, {150, 260}));
+            QVERIFY(erasedBy(small, gone, line({150, 80}, {150, 120}), gone.driesAt()) == gone);
+            QVERIFY(erasedBy(small, before, line({150, 80}, {150, 120}), gone.driesAt()) != before);
+        }
+    }
+
+    /// The strokes of a wash are one, so one of them carries what fades all, on the whole of the path.
+    void aWashFadesOnce()
+    {
+        Stroke left = wash(20), right = wash(20);
+        right.id = 8;
+        right.origin = {200, 0};
+        left.group = right.group = 2;
+        Group inner, outer;
+        inner.id = 2, inner.parent = 1;
+        outer.id = 1, outer.wash = Wash{left.style, {}};
+        const std::vector<PenSample> path = line({20, 100}, {480, 100});
+        const SoftTip tip{20, 0.6, 0.5, SoftWay::Fade};
+        const auto erasures = [&](const SoftEraser::Washes &washes) {
+            const std::vector<StrokePtr> strokes{std::make_shared<const Stroke>(left),
+                                                 std::make_shared<const Stroke>(right)};
+            SoftEraser eraser(tip, strokes, dry, washes);
+            for (const PenSample &sample : path)
+                eraser.add(sample);
+            eraser.finish();
+            return std::pair(eraser.erased(left), eraser.erased(right));
+        };
+        const auto [alone, beside] = erasures({});
+        QVERIFY(alone.hasFade() && beside.hasFade());
+        const auto [first, second] = erasures({{1, &outer}, {2, &outer}});
+        QVERIFY(first.hasFade() && second == right);
+        for (const double x : {60.0, 150.0, 250.0, 350.0, 440.0}) {
+            double faded = 0;
+            for (const Segment &segment : first.segments)
+                if (segment.fade)
+                    faded += segmentDensityAt(first, segment, first.driesAt(), {x, 100});
+            QVERIFY2(std::abs(faded - std::log(2)) < 0.02, qPrintable(QString::number(faded)));
+        }
     }
 };
 

@@ -31,6 +31,7 @@ private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
+    void fades() { checkFades(open); }
     void fills() { checkFills(open, 48); }
     void cornersOfCells() { checkCornersOfCells(open, 2000); }
     void fillEdits() { checkFillEdits(open, 80); }

@@ -39,6 +39,7 @@ private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }
+    void fades() { checkFades(open); }
     void fills() { checkFills(open, trials(5, 12)); }
     void cornersOfCells() { checkCornersOfCells(open, 120); }
     void fillEdits() { checkFillEdits(open, 14); }

@@ -205,21 +205,25 @@ private slots:
         QTest::addColumn<QString>("paper");
         QTest::addColumn<QSizeF>("size");  // points
         QTest::addColumn<double>("scale"); // points a unit
-        QTest::newRow("own") << QString() << QSizeF(225, 150) << 0.75;
-        QTest::newRow("A4") << "a4" << QSizeF(297, 210) * 72 / 25.4 << 297 * 72 / 25.4 / 300;
-        QTest::newRow("Letter") << "Letter" << QSizeF(792, 612) << 792.0 / 300;
-        QTest::newRow("mm") << "100x200mm" << QSizeF(100, 200) * 72 / 25.4 << 100 * 72 / 25.4 / 300;
-        QTest::newRow("in") << "8.5x2in" << QSizeF(612, 144) << 144.0 / 200;
+        QTest::addColumn<double>("resolution");
+        QTest::newRow("own") << QString() << QSizeF(225, 150) << 0.75 << 0.0;
+        QTest::newRow("on paper") << QString() << QSizeF(50.8, 50.8 / 1.5) * 72 / 25.4 << 72.0 / 150 << 150.0;
+        QTest::newRow("A4") << "a4" << QSizeF(297, 210) * 72 / 25.4 << 297 * 72 / 25.4 / 300 << 150.0;
+        QTest::newRow("Letter") << "Letter" << QSizeF(792, 612) << 792.0 / 300 << 0.0;
+        QTest::newRow("mm") << "100x200mm" << QSizeF(100, 200) * 72 / 25.4 << 100 * 72 / 25.4 / 300 << 0.0;
+        QTest::newRow("in") << "8.5x2in" << QSizeF(612, 144) << 144.0 / 200 << 0.0;
     }
     void pagesHaveTheirSize()
     {
         QFETCH(QString, paper);
         QFETCH(QSizeF, size);
         QFETCH(double, scale);
+        QFETCH(double, resolution);
         const PaintingPtr p = oneStroke();
         Result<PreparedDrawing> drawing = prepared(p, DrawingKind::Outlines);
         QVERIFY(bool(drawing));
         drawing->paper = pageSizeFrom(paper);
+        drawing->resolution = resolution;
         const std::unique_ptr<QPDF> file = readBack(*bytesOf(*drawing, *p, "a.pdf"));
         QVERIFY(file);
         const std::vector<double> box = numbersOf(pageOf(*file).getKey("/MediaBox"));
@@ -332,7 +336,7 @@ private slots:
         QFETCH(int, kind);
         std::mt19937_64 random(11);
         for (int i = 0; i < trials(1, 30); ++i) {
-            const PaintingPtr p = mixedFills(random, 3, 90, 70, PaperKind::Procedural);
+            const PaintingPtr p = mixedFills(random, 3, 60, 46, PaperKind::Procedural);
             const QByteArray pdf = pdfOf(p, DrawingKind(kind), 8);
             QCOMPARE(detectFormat(pdf), FileFormat::Pdf);
             const Result<LoadedDocument> back = readDocument(pdf, "a.pdf");

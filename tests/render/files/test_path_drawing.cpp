@@ -289,7 +289,7 @@ private slots:
         QFETCH(int, kind);
         std::mt19937_64 random(11);
         for (int i = 0; i < trials(1, 30); ++i) {
-            const PaintingPtr p = mixedFills(random, 3, 90, 70, PaperKind::Procedural);
+            const PaintingPtr p = mixedFills(random, 3, 60, 46, PaperKind::Procedural);
             const Result<PreparedDrawing> prepared = prepareDrawing(p, optionsOf(DrawingKind(kind), *p, 8), *cpu());
             QVERIFY(bool(prepared));
             for (const char *name : {"a.svg", "a.svgz"}) {

@@ -216,6 +216,7 @@ private slots:
                     words << field.tip;
                 if (!field.unit.isEmpty())
                     words << field.unit;
+                QVERIFY2(field.unit.in("en") != "units", qPrintable(e.id)); // Fields of the window say u.
                 for (const ExtensionField::Choice &choice : field.choices)
                     words << choice.label;
             }

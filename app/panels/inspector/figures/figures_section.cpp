@@ -28,13 +28,19 @@ QString rangeText(double low, double high, const QString &unit)
     return (from == to ? from : from + QStringLiteral(" – ") + to) + unit;
 }
 
+QString shareRange(const Extent &share)
+{
+    const QString from = shareDisplay().text(share.least), to = shareDisplay().text(share.most);
+    return from == to ? from : from + QStringLiteral(" – ") + to;
+}
+
 /// Where the plot cuts: a stroke that is selected whole in the middle of its paint, a run of segments at the first that
 /// lays paint, an erasure at its first segment.
 SegmentRef placeOfCut(const Inspected &inspected, bool whole)
 {
     const auto &segments = inspected.segments;
     const auto ofFirst = [&](const InspectedSegment &s) { return s.stroke == segments.front().stroke; };
-    const auto paints = [](const InspectedSegment &s) { return !s.segment->lift; };
+    const auto paints = [](const InspectedSegment &s) { return !s.segment->takesPaint(); };
     if (whole)
         return inspected.refs[std::size_t(std::ranges::count_if(segments, ofFirst)) / 2];
     const auto at = std::ranges::find_if(segments, paints);
@@ -87,7 +93,9 @@ void FiguresSection::addFigures(QVBoxLayout &column)
         tr("From the middle to the visible edge of a long straight stroke, dry."),
         tr("When the paint has spread so thin that nothing of it is visible any more."),
         tr("How softly the erasure ends: how far it has spread beside its curve, √(4·D·t_max)."),
-        tr("Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.")};
+        tr("What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if "
+           "it "
+           "lifts, and paint that is thinner is gone there.")};
     for (int i = 0; i < figureCount; ++i) {
         auto *name = quietLabel(names[std::size_t(i)], this);
         name->setWordWrap(false);
@@ -152,7 +160,12 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
         return;
     if (erasure) {
         m_figures[5]->setText(range(figures.reach, canvasUnit()));
-        m_figures[6]->setText(range(figures.taken, QString()));
+        QStringList taken;
+        if (figures.share.count > 0)
+            taken << shareRange(figures.share);
+        if (figures.taken.count > 0)
+            taken << range(figures.taken, QString());
+        m_figures[6]->setText(taken.join(QStringLiteral(" · ")));
         return;
     }
     const Extent &dries = figures.driesOut;

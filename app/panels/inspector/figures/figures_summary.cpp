@@ -21,11 +21,14 @@ void FiguresSummary::add(const InspectedSegment &inspected)
     const Segment &segment = *inspected.segment;
     const Style &style = inspected.style();
     const DerivedFigures figures = derivedFigures(segment, style);
-    if (segment.lift) {
+    if (segment.takesPaint()) {
         ++erasing;
         withoutEffect += segment.density == 0;
         reach.add(figures.spread);
-        taken.add(figures.peak);
+        if (segment.fade)
+            share.add(takenShare(segment));
+        else
+            taken.add(figures.peak);
         return;
     }
     ++segments;
@@ -66,6 +69,7 @@ void FiguresSummary::add(const FiguresSummary &other)
     withoutEffect += other.withoutEffect;
     reach.add(other.reach);
     taken.add(other.taken);
+    share.add(other.share);
     for (const Style &style : other.styles)
         if (styles.empty() || !(styles.back() == style))
             styles.push_back(style);

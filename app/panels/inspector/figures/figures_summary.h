@@ -24,7 +24,8 @@ struct FiguresSummary {
     Extent fading, shrinking;
     bool uneven = false;
     std::size_t erasing = 0, withoutEffect = 0; ///< the segments that take paint away, and those that take nothing
-    Extent reach, taken;                        ///< of these, the spread and the greatest density that they take away
+    Extent reach, taken; ///< of these, the spread, and of those that lift the greatest density that they take away
+    Extent share;        ///< of those that fade, the share of the paint that they take
     std::vector<Style> styles; ///< in the order of the segments; where equal styles follow each other, once
 
     void add(const InspectedSegment &inspected);

@@ -54,7 +54,7 @@ std::vector<int> placeOf(QModelIndex row)
     return place;
 }
 
-QString moveRows(StrokesView &view, StrokesModel &model, const StrokesFilter &filter, bool up)
+QString moveRows(StrokesView &view, StrokesModel &model, const StrokesFilter &filter, bool up, ValueEntry &entry)
 {
     view.selectWholeGroups();
     QModelIndexList rows;
@@ -69,7 +69,7 @@ QString moveRows(StrokesView &view, StrokesModel &model, const StrokesFilter &fi
     if (gap.row < 0)
         return up ? RowMoves::tr("Nothing changes: this is on top already.")
                   : RowMoves::tr("Nothing changes: this is at the bottom already.");
-    return model.move(rows, gap.parent, gap.row) ? QString()
+    return model.move(rows, gap.parent, gap.row, &entry) ? QString()
                                                  : RowMoves::tr("Nothing changes: locked strokes stay in place.");
 }
 

@@ -1,0 +1,126 @@
+#include "app/canvas/overlay/canvas_overlay.h"
+
+#include "app/canvas/canvas_lift.h"
+#include "app/canvas/canvas_view.h"
+#include "app/canvas/handles/canvas_handles.h"
+#include "app/canvas/handles/rulers.h"
+#include "app/canvas/input/canvas_input.h"
+#include "app/canvas/overlay/shown_selection.h"
+#include "app/canvas/tool.h"
+#include "app/session/editor.h"
+
+#include <QPainter>
+#include <QPalette>
+
+#include <utility>
+
+namespace suffuse {
+
+CanvasOverlay::CanvasOverlay(Editor &editor, const CanvasView &view, CanvasInput &input, CanvasHandles &handles,
+                             ShownSelection &selected, CanvasLift &lift)
+    : m_editor(editor), m_view(view), m_input(input), m_handles(handles), m_selected(selected), m_lift(lift)
+{}
+
+Tool *CanvasOverlay::tool() const
+{
+    return m_input.hand().tool();
+}
+
+void CanvasOverlay::paintAround(QPainter &painter, double dpr) const
+{
+    constexpr int veil = 115; // Paint below this veil is seen as paint, and as no part of the picture.
+    OverlayColours colours = m_colours;
+    if (m_aids.showBeyond)
+        colours.pasteboard.setAlpha(veil);
+    painter.save();
+    paintPasteboard(painter, m_view.view(), m_editor.unsettled().painting()->canvas.area(), colours, dpr);
+    painter.restore();
+}
+
+void CanvasOverlay::paint(QPainter &painter, double dpr)
+{
+    painter.save();
+    if (m_aids.showGrid)
+        paintGrid(painter, m_view.view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
+    painter.setRenderHint(QPainter::Antialiasing);
+    m_handles.paint(painter, m_view.view(), m_colours, dpr);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    if (!isBare())
+        m_missing.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_colours, dpr);
+    if (showsOutlines())
+        paintSelection(painter, dpr);
+    paintErasures(painter, dpr);
+    painter.restore();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (tool() && !isBare())
+        tool()->paint(painter, m_view.view(), dpr);
+    m_input.keyboardPen().paint(painter, dpr);
+    paintAngle(painter, dpr);
+    if (m_aids.showRulers)
+        paintRulers(painter, m_view.view(), rulerUnit(), m_colours, dpr);
+    m_note.paint(painter, m_view.view(), dpr);
+}
+
+void CanvasOverlay::paintSelection(QPainter &painter, double dpr)
+{
+    SelectionOutline &outline = m_selected.outline();
+    if (m_selected.selection().isEmpty() ||
+        m_lift.paintOutline(painter, outline, m_selected.selection(), m_colours, dpr))
+        return;
+    outline.paint(painter, m_view.view(), *m_editor.unsettled().painting(), m_selected.selection(), m_colours, dpr,
+                  m_editor.isDragging() || m_editor.isStepping());
+}
+
+void CanvasOverlay::paintErasures(QPainter &painter, double dpr)
+{
+    const bool selected = !m_selected.selection().isEmpty(); // else they are those of all strokes
+    const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
+    const bool ofSelected = selected && !showsAllErasures();
+    if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
+        m_erasures.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(),
+                         ofSelected ? &m_selected.selection().strokes : nullptr, m_colours, dpr);
+}
+
+bool CanvasOverlay::showsAllErasures() const
+{
+    return m_aids.showErasures && !isBare() &&
+           (m_selected.selection().isEmpty() || (tool() && tool()->showsErasures()));
+}
+
+bool CanvasOverlay::isBare() const
+{
+    return m_input.keys().isBare() || m_editor.compared();
+}
+
+bool CanvasOverlay::showsOutlines() const
+{
+    return m_aids.showOutlines && !isBare() && (m_revealed || !tool() || tool()->showsOutlines());
+}
+
+/// Paints the angle beside the pointer while the canvas is turned by hand.
+void CanvasOverlay::paintAngle(QPainter &painter, double dpr) const
+{
+    if (m_input.hand().navigation() == Navigation::Rotate)
+        paintBadge(painter, angleText(m_view.view().rotation), m_input.hand().lastPixel(), 0, m_view.view(), dpr);
+}
+
+RulerUnit CanvasOverlay::rulerUnit() const
+{
+    return unitOf(m_aids.rulerUnits, m_editor.resolution());
+}
+
+void CanvasOverlay::readPalette(const QPalette &palette)
+{
+    const bool dark = palette.color(QPalette::Window).lightness() < 128;
+    m_colours.pasteboard = dark ? QColor(43, 45, 49) : QColor(209, 211, 215);
+    m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
+    m_colours.accent = QColor(4, 46, 124);
+    m_colours.guide = QColor(0, 92, 92);
+}
+
+bool CanvasOverlay::reveal(bool revealed)
+{
+    return std::exchange(m_revealed, revealed) != revealed && !(tool() && tool()->showsOutlines());
+}
+
+} // namespace suffuse
