@@ -6868,15 +6868,15 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atenuar: arrastrar para volver más pálidos los trazos seleccionados, según la intensidad. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Atenuar: arrastrar para volver más pálidos los trazos seleccionados, según la intensidad. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atenuar: arrastrar para volver más pálidos los trazos del grupo, según la intensidad. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Atenuar: arrastrar para volver más pálidos los trazos del grupo, según la intensidad. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atenuar: arrastrar para volver la pintura más pálida, según la intensidad, dondequiera que se vea. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Atenuar: arrastrar para volver más pálida la pintura que se vea, según la intensidad. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>

@@ -94,7 +94,7 @@ void DrawingDialog::addFields(QGridLayout &grid)
     m_difference = new QLabel(m_form);
     m_difference->setWordWrap(true);
     m_difference->setAlignment(Qt::AlignTop | Qt::AlignLeading);
-    m_difference->setMinimumHeight(2 * m_difference->fontMetrics().lineSpacing()); // Most differences take so much.
+    m_difference->setMinimumHeight(3 * m_difference->fontMetrics().lineSpacing()); // No difference takes more.
     m_difference->setToolTip(tr("Of red, green and blue, over the sheet, with a pixel a unit"));
     grid.addWidget(new QLabel(tr("Difference"), m_form), 6, 0, Qt::AlignTop);
     grid.addWidget(m_difference, 6, 1, 1, 2);

@@ -107,7 +107,7 @@ void PrintDialog::addPrinters(QGridLayout &grid)
         m_printer->setCurrentIndex(at);
     addField(0, tr("Printer"), m_printer, tr("Where the page comes out"));
     m_noPrinter = quietLabel(tr("No printer is set up on this computer. A file can be printed elsewhere."), m_form);
-    m_noPrinter->setMinimumHeight(2 * m_noPrinter->fontMetrics().lineSpacing()); // What wraps takes no other row's room.
+    m_noPrinter->setMinimumHeight(3 * m_noPrinter->fontMetrics().lineSpacing()); // What wraps takes no other row's room.
     m_noPrinter->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     m_noPrinter->setVisible(!has);
     grid.addWidget(m_noPrinter, 1, 1, 1, 2);
