@@ -186,8 +186,8 @@ std::vector<SoftEraser::FoundPaint> SoftEraser::hitsOf(const SoughtStroke &targe
     if (first != &target)
         return {};
     std::ranges::stable_sort(all, {}, &FoundPaint::part);
-    const auto [from, to] = std::ranges::unique(all, {}, &FoundPaint::part);
-    all.erase(from, to);
+    const auto isSame = [](const FoundPaint &a, const FoundPaint &b) { return a.part == b.part; };
+    all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
     return all;
 }
 
