@@ -7100,6 +7100,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nach %1 exportiert</translation>
     </message>
     <message>
+        <source>Printed to %1</source>
+        <translation>Gedruckt in %1</translation>
+    </message>
+    <message>
         <source>Given to the printer %1</source>
         <translation>An den Drucker %1 übergeben</translation>
     </message>

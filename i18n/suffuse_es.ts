@@ -7100,6 +7100,10 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Exportado a %1</translation>
     </message>
     <message>
+        <source>Printed to %1</source>
+        <translation>Impreso en %1</translation>
+    </message>
+    <message>
         <source>Given to the printer %1</source>
         <translation>Enviado a la impresora %1</translation>
     </message>

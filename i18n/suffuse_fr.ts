@@ -7100,6 +7100,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Exporté dans %1</translation>
     </message>
     <message>
+        <source>Printed to %1</source>
+        <translation>Imprimé dans %1</translation>
+    </message>
+    <message>
         <source>Given to the printer %1</source>
         <translation>Transmis à l’imprimante %1</translation>
     </message>
@@ -8926,7 +8930,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::NewDialog</name>
     <message>
         <source>Custom</source>
-        <translation>Personnalisé</translation>
+        <translation>Personnalisée</translation>
     </message>
     <message>
         <source>Swap width and height</source>
@@ -10743,7 +10747,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>%1, %2</source>
         <extracomment>a position: x, y</extracomment>
-        <translation>%1, %2</translation>
+        <translation>%1 ; %2</translation>
     </message>
     <message>
         <source>%1 %</source>

@@ -7071,6 +7071,10 @@ Arrow keys work too.</source>
         <translation>%1 にエクスポートしました</translation>
     </message>
     <message>
+        <source>Printed to %1</source>
+        <translation>%1 に印刷しました</translation>
+    </message>
+    <message>
         <source>Given to the printer %1</source>
         <translation>プリンター %1 に送りました</translation>
     </message>

@@ -7071,6 +7071,10 @@ Arrow keys work too.</source>
         <translation>已导出到 %1</translation>
     </message>
     <message>
+        <source>Printed to %1</source>
+        <translation>已打印到 %1</translation>
+    </message>
+    <message>
         <source>Given to the printer %1</source>
         <translation>已交给打印机 %1</translation>
     </message>

@@ -19,7 +19,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double usualDpi = 300, largest = 1e6;
+constexpr double largest = 1e6;
 
 } // namespace
 
@@ -82,7 +82,7 @@ void PrintRows::addResolution(QGridLayout &grid, int row)
     m_dpi = new DecimalBox(parentWidget());
     m_dpi->setRange(leastResolution, mostResolution);
     m_dpi->setDecimals(1);
-    m_dpi->setValue(usualDpi);
+    m_dpi->setValue(usualResolution); // A pixel is a unit then, as rulers and prints count it.
     m_dpi->setSuffix(tr(" dpi"));
     m_dpi->setKeyboardTracking(false);
     m_dpi->setAccessibleName(tr("Resolution"));

@@ -8,6 +8,7 @@
 #include "app/widgets/asking/save_name.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/decimal_box.h"
+#include "model/painting/resolution.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -62,6 +63,8 @@ PrintDialog::PrintDialog(Editor &editor, const Rect &shown, QWidget *parent)
     m_path->setText(suggestedExportPath(editor, m_place, QStringLiteral("pdf")));
     if (const auto &view = std::as_const(editor).extras().view; view && view->print)
         take(*view->print);
+    else if (isResolution(std::as_const(editor).extras().resolution)) // It says how large it is.
+        m_size->setCurrentIndex(m_size->findData(int(PrintSetup::Size::Actual)));
     follow();
     printerChanged();
     begin();

@@ -246,8 +246,13 @@ int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QW
 {
     if (hint == SH_Widget_Animation_Duration && motionIsReduced())
         return 0;
-    // This is the same on every desktop.
-    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 1 : QProxyStyle::styleHint(hint, option, widget, result);
+    switch (hint) { // These are the same on every desktop.
+    case SH_DialogButtonBox_ButtonsHaveIcons:
+    case SH_Menu_Scrollable: // A menu that is taller than the screen scrolls: columns cover what it belongs to.
+        return 1;
+    default:
+        return QProxyStyle::styleHint(hint, option, widget, result);
+    }
 }
 
 int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const

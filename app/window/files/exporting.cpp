@@ -106,7 +106,8 @@ void Exporting::print(bool inLarge)
     if (dialog.exec() != QDialog::Accepted)
         return;
     if (dialog.printsToFile())
-        sayWritten(dialog.path()->text());
+        m_place.window.statusBar()->showMessage(tr("Printed to %1").arg(QDir::toNativeSeparators(dialog.path()->text())),
+                                                8'000);
     else
         m_place.window.statusBar()->showMessage(tr("Given to the printer %1").arg(dialog.printer()->currentText()),
                                                 8'000);

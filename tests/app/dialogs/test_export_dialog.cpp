@@ -369,10 +369,10 @@ private slots:
         ExportDialog dialog(bench.editor, shown);
         PrintRows &print = *dialog.print();
         print.unitBox()->setCurrentIndex(0);
-        QCOMPARE(print.dpi(), 300.0);
+        QCOMPARE(print.dpi(), 150.0);
         dialog.widthBox()->setValue(3000);
-        QCOMPARE(print.widthBox()->value(), 254.0);
-        QCOMPARE(print.heightBox()->value(), 190.5); // 4:3
+        QCOMPARE(print.widthBox()->value(), 508.0);
+        QCOMPARE(print.heightBox()->value(), 381.0); // 4:3
         print.dpiBox()->setValue(600);               // pixels were set: they stay
         QCOMPARE(dialog.widthBox()->value(), 3000);
         QCOMPARE(print.widthBox()->value(), 127.0);
