@@ -16,6 +16,12 @@
 
 namespace suffuse {
 
+namespace {
+
+constexpr int besideChosen = 110; ///< how opaque lines of erasures are where some segments are selected
+
+} // namespace
+
 CanvasOverlay::CanvasOverlay(Editor &editor, const CanvasView &view, CanvasInput &input, CanvasHandles &handles,
                              ShownSelection &selected, CanvasLift &lift)
     : m_editor(editor), m_view(view), m_input(input), m_handles(handles), m_selected(selected), m_lift(lift)
@@ -47,9 +53,9 @@ void CanvasOverlay::paint(QPainter &painter, double dpr)
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
         m_missing.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_colours, dpr);
+    paintErasures(painter, dpr); // One of them that is selected is drawn over its line.
     if (showsOutlines())
         paintSelection(painter, dpr);
-    paintErasures(painter, dpr);
     painter.restore();
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool() && !isBare())
@@ -76,9 +82,12 @@ void CanvasOverlay::paintErasures(QPainter &painter, double dpr)
     const bool selected = !m_selected.selection().isEmpty(); // else they are those of all strokes
     const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
     const bool ofSelected = selected && !showsAllErasures();
+    OverlayColours colours = m_colours;
+    if (!m_selected.selection().segments.empty())
+        colours.accent.setAlpha(besideChosen);
     if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
         m_erasures.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(),
-                         ofSelected ? &m_selected.selection().strokes : nullptr, m_colours, dpr);
+                         ofSelected ? &m_selected.selection().strokes : nullptr, colours, dpr);
 }
 
 bool CanvasOverlay::showsAllErasures() const

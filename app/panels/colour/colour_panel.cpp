@@ -265,6 +265,7 @@ void ColourPanel::takeHex(const QString &text)
     } else {
         m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
         keepInSight(*m_hex);
+        m_hex->refuse();
     }
     showHex();
 }

@@ -30,6 +30,12 @@ std::vector<const Stroke *> selectedStrokes(const Painting &painting, const std:
 
 } // namespace
 
+bool Inspected::isErasure() const
+{
+    return !segments.empty() &&
+           std::ranges::all_of(segments, [](const InspectedSegment &s) { return s.segment->takesPaint(); });
+}
+
 bool areInWashes(const Inspected &inspected)
 {
     const auto washes = washesOf(*inspected.painting);

@@ -21,6 +21,8 @@ struct Inspected {
     std::vector<InspectedSegment> segments; ///< in the order of `refs`
     std::vector<const Stroke *> strokes;    ///< each stroke once, bottom to top
     bool isEmpty() const { return segments.empty(); }
+    /// Whether all of it takes paint away.
+    bool isErasure() const;
 };
 
 /// Whether all of the strokes lie in washes (Group::wash), whose style and mixing are seen in place of their own.

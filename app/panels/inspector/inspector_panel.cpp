@@ -184,13 +184,14 @@ void InspectorPanel::showValues(const Inspected &inspected)
         return;
     }
     m_summary->setText(selectionSummary(inspected, !document.selection().segments.empty()));
-    putFirst(std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); }));
+    const bool isErasure = inspected.isErasure();
+    putFirst(!isErasure && std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); }));
     m_groups->refresh();
     m_picture->refresh(inspected);
     m_segments->refresh(inspected);
-    // What takes paint away has no style of its own: it weakens what is there.
-    m_style->setVisible(
-        std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->takesPaint(); }));
+    // What takes paint away has neither a style nor a fill of its own: it weakens what is there.
+    m_style->setVisible(!isErasure);
+    m_fill->setVisible(!isErasure);
     m_style->refresh(inspected);
     m_fill->refresh(inspected);
     m_figures->refresh(inspected);

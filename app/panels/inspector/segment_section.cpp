@@ -305,7 +305,7 @@ void SegmentSection::refresh(const Inspected &inspected)
     for (const auto &[member, row] : m_rows)
         showCommon(*row, numberOf(member), inspected);
     showBorn(inspected);
-    nameForErasure(std::ranges::all_of(segments, [](const InspectedSegment &s) { return s.segment->takesPaint(); }));
+    nameForErasure(inspected.isErasure());
     m_density->setVisible(!m_erasure->refresh(inspected));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));

@@ -55,6 +55,7 @@ void EntryField::finish()
     const QString taken = text();
     m_shown = taken;
     setModified(false); // Return and leaving the field take a text once
+    m_refused = false;
     emit typed(taken);
 }
 
@@ -79,9 +80,11 @@ void EntryField::keyPressEvent(QKeyEvent *event)
         event->setAccepted(qobject_cast<QDialog *>(window()));
     } else {
         const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-        const bool showsFirst = isReturn && isModified() && window()->property(showsFirstProperty).toBool();
+        const bool takes = isReturn && isModified();
         QLineEdit::keyPressEvent(event);
-        if (showsFirst)
+        if (takes && m_refused)
+            selectAll();
+        if (takes && (m_refused || window()->property(showsFirstProperty).toBool()))
             event->accept();
     }
 }

@@ -25,6 +25,9 @@ public:
     static void takeTypedIn(const QWidget &window);
     /// Shows the text that counts now; emits nothing. What is being typed stays while that text stays the same.
     void showText(const QString &text);
+    /// From whoever cannot take what was `typed`: after Return the keyboard stays, so that the keys that are to mend the
+    /// text are not the canvas', where letters take tools.
+    void refuse() { m_refused = true; }
 
 signals:
     /// Another text has been typed. Whoever takes or refuses it shows the text that counts then.
@@ -41,7 +44,8 @@ protected:
 private:
     void finish();
 
-    QString m_shown; ///< the text that counts
+    QString m_shown;        ///< the text that counts
+    bool m_refused = false; ///< what was typed last
 };
 
 } // namespace suffuse

@@ -215,10 +215,12 @@ void ValueCard::refresh()
     const bool one = m_at && m_editor.selection().segments.size() == 1;
     const QString stroke = count == 1 ? titleOf(*inspected.strokes.front()) : tr("%Ln stroke(s)", nullptr, int(count));
     m_title->setText(one ? tr("%1, segment %2").arg(stroke).arg(m_at->segment + 1) : stroke);
-    const bool fillsAlone = std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); });
+    const bool isErasure = inspected.isErasure();
+    const bool fillsAlone =
+        !isErasure && std::ranges::all_of(inspected.strokes, [](const Stroke *s) { return isFillAlone(*s); });
     m_fill->setVisible(fillsAlone);
     m_segments->setVisible(!fillsAlone);
-    m_width->setVisible(!fillsAlone);
+    m_width->setVisible(!fillsAlone && !isErasure);
     m_segments->refresh(inspected);
     m_fill->refresh(inspected);
     showFew();

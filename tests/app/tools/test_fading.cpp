@@ -1,16 +1,21 @@
 // The eraser that fades: paint gets paler by the strength, softly, whatever its style, and what it leaves is edited.
 #include "app/panels/inspector/figures/figures_section.h"
+#include "app/panels/inspector/fill_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/rows/erasure_rows.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/panels/inspector/style_section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/slider_field.h"
+#include "app/window/pointer/value_card.h"
+#include "model/area/outline.h"
 #include "model/brush/brush.h"
 #include "model/painting/influence.h"
 #include "model/shaping/shapes.h"
 #include "render/probe.h"
 #include "tests/app/tools/eraser_session.h"
 #include "undo/edits.h"
+#include "undo/node_edits.h"
 
 #include <QComboBox>
 #include <QTemporaryDir>
@@ -223,6 +228,34 @@ private slots:
         QTest::keyClick(&s.canvas(), Qt::Key_Delete);
         QCOMPARE(s.erasing(s.hill), 0);
         QVERIFY(std::abs(s.opacity({400, 270}) - was) < 1e-12);
+    }
+
+    /// Where the paint is a fill alone, an erasure of it is seen by itself all the same.
+    void ofAFillTheErasureAloneIsShown()
+    {
+        HillSession s("flat-wash");
+        Stroke filled = s.stroke(s.hill);
+        for (Segment &segment : filled.segments)
+            segment.density = 0;
+        filled.fill = Fill{};
+        QVERIFY(isFillAlone(filled));
+        s.editor().push(replaceStrokes(s.editor().document(), {filled}), "fill");
+        s.erase({280, 270}, {520, 270});
+        s.dry();
+        QVERIFY(!s.fading().empty() && isFillAlone(s.stroke(s.hill)));
+        s.use(Command::Segments);
+        auto &panel = *s.window.findChild<InspectorPanel *>();
+        auto &section = *panel.findChild<SegmentSection *>();
+        auto &fill = *panel.findChild<FillSection *>();
+        s.editor().document().setSelection({{s.hill}, s.fading()});
+        QTRY_VERIFY(!section.erasure()->share()->label()->isHidden());
+        QVERIFY(fill.isHidden() && panel.findChild<StyleSection *>()->isHidden());
+        s.use(Command::EditHere);
+        auto *card = s.window.findChild<ValueCard *>();
+        QVERIFY(card && !card->findChild<SegmentSection *>()->isHidden() && card->findChild<FillSection *>()->isHidden());
+        card->close();
+        s.editor().document().setSelection({{s.hill}, {}});
+        QTRY_VERIFY(!fill.isHidden());
     }
 
 private:

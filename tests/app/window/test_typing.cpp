@@ -1,7 +1,9 @@
 // What is typed into fields of docks and dialogs, and when it counts.
+#include "app/panels/colour/colour_panel.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/slider_field.h"
@@ -152,6 +154,32 @@ private slots:
         QTest::keyClick(field, Qt::Key_Escape);
         QCOMPARE(field->text(), before);
         QCOMPARE(s.steps(), steps);
+        QVERIFY(s.canvas().hasFocus());
+    }
+
+    void aRefusedColourKeepsTheKeyboard()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.window.findChild<QDockWidget *>("colourDock")->raise();
+        EntryField *hex = s.window.findChild<ColourPanel *>()->hex();
+        const QString before = hex->text();
+        const Tool *tool = s.canvas().tool();
+        for (int time = 0; time < 2; ++time) {
+            hex->setFocus();
+            hex->selectAll();
+            QTest::keyClicks(hex, "zz9");
+            QTest::keyClick(hex, Qt::Key_Return);
+            QVERIFY(hex->hasFocus());
+            QCOMPARE(hex->text(), before);
+            QCOMPARE(hex->selectedText(), before);
+        }
+        QTest::keyClicks(hex, "e1");
+        QCOMPARE(s.canvas().tool(), tool);
+        hex->selectAll();
+        QTest::keyClicks(hex, "#336699");
+        QTest::keyClick(hex, Qt::Key_Return);
+        QCOMPARE(hex->text(), QString("#336699"));
         QVERIFY(s.canvas().hasFocus());
     }
 

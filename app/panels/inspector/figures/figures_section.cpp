@@ -151,7 +151,7 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     };
     const bool erasure = figures.isErasure(), fill = figures.isFillAlone();
     m_plot->setVisible(!erasure && !fill);
-    m_cut->setVisible(!fill);
+    m_cut->setVisible(!fill && !(erasure && figures.share.count > 0)); // It shows density, of which a fade takes none.
     m_fillAlone->setVisible(fill);
     for (int i = 0; i < figureCount; ++i)
         for (QLabel *label : {m_names[std::size_t(i)], m_figures[std::size_t(i)]})
