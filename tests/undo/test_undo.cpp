@@ -21,7 +21,7 @@ class TestUndo : public QObject {
 private slots:
     void randomWalks()
     {
-        const quint32 walks = quint32(trials(100, 10'000)), from = firstSeed();
+        const quint32 walks = quint32(trials(200, 10'000)), from = firstSeed();
         const int length = isLongRun() ? 10'000 : 2'000;
         qint64 steps = 0;
         for (quint32 walk = from; walk < from + walks; ++walk) {
