@@ -1,6 +1,7 @@
 #include "model/shaping/erasing/soft_eraser.h"
 
 #include "model/paint/half_width.h"
+#include "model/paint/point_density.h"
 #include "model/painting/influence.h"
 #include "model/shaping/curves/split.h"
 
@@ -23,6 +24,9 @@ constexpr double ln2 = std::numbers::ln2, lnUnseen = 11 * ln2; ///< e^−lnUnsee
 /// What has been taken counts for what comes so many spreads later along the path: before, it is the same stroke of
 /// the hand.
 constexpr double sameStroke = 3;
+/// For what fades that is so from fewer spreads on: what lies farther back on a straight line is ½ erfc(2) of its peak,
+/// 1/400. Less than a share of the peak does not count, so that a line that does not come by again takes one share.
+constexpr double sameFade = 2, leastTaken = 1.0 / 50;
 constexpr double mostPathParts = 64; // of a segment
 
 /// Its density is that of a peak of 1, and its granulation the share of the strength.
@@ -133,8 +137,24 @@ void SoftEraser::addParts(const Stroke &path, const Segment &segment)
         part.reach = part.curve.controlBox().grown(std::max(m_sought, m_tip.radius));
         part.from = begin + from * arc;
         part.to = begin + to * arc;
+        part.peak = m_tip.way == SoftWay::Fade ? peakLeft(part) : 0;
         m_parts.push_back(part);
     }
+}
+
+double SoftEraser::peakLeft(const PathPart &part) const
+{
+    const double peak = fadingPeak(part.share, m_tip), spread = m_tip.spread();
+    const Point middle = part.curve.at(0.5);
+    double taken = 0;
+    for (const PathPart &before : m_parts) {
+        if (before.to > part.from - sameFade * spread)
+            break;
+        const Segment segment = segmentOf(before, before.peak, middle);
+        if (before.peak > 0 && reaches(segment, spread, {}))
+            taken += segmentDensity(segment, spread, {}, CurveDetail::Rough);
+    }
+    return taken < leastTaken * peak ? peak : std::max(0.0, peak - taken);
 }
 
 /// Looks for a stroke's paint under the parts from `from` on. What was found there before was provisional.
@@ -143,7 +163,8 @@ void SoftEraser::seek(SoughtStroke &target, std::size_t from)
     std::erase_if(target.hits, [from](const FoundPaint &hit) { return hit.part >= from; });
     for (std::size_t i = from; i < m_parts.size(); ++i) {
         const PathPart &part = m_parts[i];
-        if (!(part.share > 0) || !target.reach.intersects(part.reach))
+        const bool takes = m_tip.way == SoftWay::Fade ? part.peak > leastShare : part.share > 0;
+        if (!takes || !target.reach.intersects(part.reach))
             continue;
         while (m_tip.way == SoftWay::Lift && i < m_frozenParts && target.taken < target.hits.size() &&
                m_parts[target.hits[target.taken].part].to < part.from - sameStroke * m_tip.spread())
@@ -153,21 +174,25 @@ void SoftEraser::seek(SoughtStroke &target, std::size_t from)
     }
 }
 
-Segment SoftEraser::taking(const FoundPaint &hit, Point origin) const
+Segment SoftEraser::segmentOf(const PathPart &part, double peak, Point origin) const
 {
-    const PathPart &part = m_parts[hit.part];
     Segment segment;
     for (std::size_t i = 0; i < 4; ++i)
         segment.bezier[i] = toOffset(part.curve.p[i], origin);
     const double spread = m_tip.spread();
     segment.diffusion = float(spread * spread / (4 * double(takingAge)));
     segment.maxAge = takingAge;
-    const bool fades = m_tip.way == SoftWay::Fade;
-    const double peak = fades ? fadingPeak(part.share, m_tip) : liftingPeak(hit.excess, part.share, m_tip);
     segment.density = float(std::min(1e12, part.density * peak));
     segment.born = part.born;
-    (fades ? segment.fade : segment.lift) = true;
+    (m_tip.way == SoftWay::Fade ? segment.fade : segment.lift) = true;
     return segment;
+}
+
+Segment SoftEraser::taking(const FoundPaint &hit, Point origin) const
+{
+    const PathPart &part = m_parts[hit.part];
+    const bool fades = m_tip.way == SoftWay::Fade;
+    return segmentOf(part, fades ? part.peak : liftingPeak(hit.excess, part.share, m_tip), origin);
 }
 
 std::vector<SoftEraser::FoundPaint> SoftEraser::hitsOf(const SoughtStroke &target) const

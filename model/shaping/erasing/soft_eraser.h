@@ -40,9 +40,9 @@ double fadingPeak(double share, const SoftTip &tip);
 /// it is e^{(2q − 1)²x}, x = (radius/s)²: the paint ends at (2q − 1) radii, whatever the softness.
 double liftingPeak(double excess, double share, const SoftTip &tip);
 
-/// One drag of the eraser over strokes. What has been lifted at one place counts when the path comes by again: where
-/// nothing is left, nothing more is lifted. What fades takes its share again: of what is left. The result depends on
-/// the samples, not on when one asks for it.
+/// One drag of the eraser over strokes. What has been taken at one place counts when the path comes by again: where
+/// nothing is left, nothing more is lifted, and what fades takes its share once. Another drag takes its share of what is
+/// left. The result depends on the samples, not on when one asks for it.
 class SoftEraser {
 public:
     /// For each group in a wash, that wash.
@@ -70,6 +70,7 @@ private:
         Microseconds born = 0;
         Rect reach;
         double from = 0, to = 0; ///< arc length
+        double peak = 0;         ///< of what fades, less what the path took here before
     };
     struct FoundPaint {
         std::size_t part = 0;
@@ -85,7 +86,11 @@ private:
 
     void follow();
     void addParts(const Stroke &path, const Segment &segment);
+    /// The peak of a part that fades, which the last one is not yet.
+    double peakLeft(const PathPart &part) const;
     void seek(SoughtStroke &target, std::size_t from);
+    /// A part of the path as a segment with a peak, as seen from the origin of a stroke.
+    Segment segmentOf(const PathPart &part, double peak, Point origin) const;
     Segment taking(const FoundPaint &hit, Point origin) const;
     /// What a stroke's erasure is made of.
     std::vector<FoundPaint> hitsOf(const SoughtStroke &target) const;

@@ -176,6 +176,32 @@ private slots:
         QVERIFY(std::abs(s.opacity({400, 270}) / was - 0.36) < 0.02);
     }
 
+    /// To and fro in one drag is one time, along lines as well as where they cross.
+    void oneDragTakesItsShareOnce()
+    {
+        HillSession s("flat-wash");
+        s.choose(EraserMode::Fade, 0.3);
+        const double was = s.opacity({400, 270});
+        s.erase({280, 270}, {520, 270}, {}, false);
+        Point from{520, 270};
+        for (const Point to : {Point{280, 270}, Point{520, 270}, Point{400, 180}, Point{400, 360}}) {
+            for (int i = 1; i <= 12; ++i) {
+                s.advance(interval);
+                s.move(from + (i / 12.0) * (to - from));
+            }
+            from = to;
+        }
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(from));
+        s.dry();
+        for (const Point at : {Point{340, 270}, Point{320, 270}, Point{400, 330}})
+            QVERIFY2(std::abs(s.opacity(at) / was - 0.7) < 0.03, qPrintable(QString::number(s.opacity(at) / was)));
+        const double crossed = s.opacity({400, 270}) / was; // The parts beside the crossing reach into it.
+        QVERIFY2(crossed > 0.6 && crossed < 0.72, qPrintable(QString::number(crossed)));
+        s.erase({280, 270}, {380, 270});
+        s.dry();
+        QVERIFY(std::abs(s.opacity({320, 270}) / was - 0.49) < 0.03);
+    }
+
     /// A pen's pressure is a share of the strength.
     void aPensPressureCounts()
     {
