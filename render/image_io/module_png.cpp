@@ -201,9 +201,10 @@ std::shared_ptr<Packing> packedRows(std::vector<Byte> rows, const ImageModuleWri
         packing->run();
         done.set_value();
     }).detach();
-    while (end.wait_for(pause) != std::future_status::ready)
+    do { // Asks before it waits: whoever stops the writing in time is heard, however quick the packing is.
         if (job.stopped(job.context))
             return nullptr;
+    } while (end.wait_for(pause) != std::future_status::ready);
     return packing;
 }
 
