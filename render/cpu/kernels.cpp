@@ -397,7 +397,7 @@ void toArgb(const float *rgba, int count, std::uint32_t *argb)
     const hn::RebindToSigned<Tag> intTag;
     const hn::RebindToUnsigned<Tag> argbTag;
     const auto level = [&](Vec v) {
-        // Not fused: files of whole pictures are rounded so (render/image_io/module_formats.h), and tiles are crops of them.
+        // Not fused: files of whole pictures are rounded so (render/image_io/module/formats.h), and tiles are crops of them.
         return hn::BitCast(argbTag, hn::ConvertTo(intTag, hn::Add(hn::Mul(v, hn::Set(tag, 255.0f)), hn::Set(tag, 0.5f))));
     };
     const int lanes = int(hn::Lanes(tag));

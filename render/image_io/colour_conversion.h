@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/result.h"
-#include "render/image_io/module_api.h"
+#include "render/image_io/module/api.h"
 
 #include <QByteArray>
 #include <QString>

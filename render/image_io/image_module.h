@@ -2,7 +2,7 @@
 
 #include "model/result.h"
 #include "render/image_io/image_io.h"
-#include "render/image_io/module_api.h"
+#include "render/image_io/module/api.h"
 
 namespace suffuse {
 

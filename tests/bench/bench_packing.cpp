@@ -1,6 +1,6 @@
 // Why frames of films are packed by code of our own: sizes and times of it and of what libraries have, on the rows of
 // PNG files, as they were before they were packed. bench_packing [--repeat N] FRAME.png…
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

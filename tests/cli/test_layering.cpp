@@ -134,12 +134,12 @@ const QList<Rule> &rules()
         // OpenGL by its types only: no library of it is linked.
         {"render/cuda/device/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where the libraries of image files are known, the program is not; where OpenImageIO is, none of the others.
-        {"render/image_io/module_",
-         {"render/image_io/module_", "model/module_guard.h"},
+        {"render/image_io/module/",
+         {"render/image_io/module/", "model/module_guard.h"},
          {},
          {"Imath", "jpeglib.h", "lcms2.h", "libdeflate.h", "tiffio.h", "webp"}},
-        {"render/image_io/module_openimageio", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
-        {"render/image_io/module_proxy", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
+        {"render/image_io/module/openimageio", {"render/image_io/module/"}, {}, {"OpenImageIO"}},
+        {"render/image_io/module/proxy", {"render/image_io/module/"}, {}, {"OpenImageIO"}},
         {"app/",
          {"model/", "undo/", "render/", "app/"},
          {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg"},
@@ -415,9 +415,9 @@ void TestLayering::breachesAreFound_data()
     row("quotes change nothing", "model/a.cpp", "#include \"hwy/highway.h\"", 1);
     row("render uses no Widgets", "render/a.cpp", "#include <QWidget>\n#include <QObject>", 1);
     row("OpenImageIO outside its module", "render/a.cpp", "#include <OpenImageIO/imageio.h>", 1);
-    row("OpenImageIO in its module", "render/image_io/module_openimageio.cpp", "#include <OpenImageIO/imageio.h>", 0);
-    row("and not in the light one", "render/image_io/module_png.cpp", "#include <OpenImageIO/imageio.h>", 1);
-    row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
+    row("OpenImageIO in its module", "render/image_io/module/openimageio.cpp", "#include <OpenImageIO/imageio.h>", 0);
+    row("and not in the light one", "render/image_io/module/png.cpp", "#include <OpenImageIO/imageio.h>", 1);
+    row("the module does not know the program", "render/image_io/module/a.cpp", "#include \"render/target.h\"", 1);
     row("libqpdf outside its module", "model/formats/pdf/a.cpp", "#include <qpdf/QPDF.hh>", 1);
     row("libqpdf in its module", "model/formats/pdf/module_a.cpp", "#include <qpdf/QPDF.hh>", 0);
     row("which does not know the program", "model/formats/pdf/module_a.cpp", "#include \"model/result.h\"", 1);

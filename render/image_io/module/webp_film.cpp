@@ -1,8 +1,8 @@
 // Animated WebP. A frame has what changed, encoded like a still picture, and libwebp's multiplexer makes the file. Its
 // WebPAnimEncoder would choose what changed, too, but leaves out small differences from the frame before. So whatever
 // changes slowly, as wet paint does, would stand still.
-#include "render/image_io/module_entry.h"
-#include "render/image_io/module_webp_pixels.h"
+#include "render/image_io/module/entry.h"
+#include "render/image_io/module/webp_pixels.h"
 
 #include <webp/mux.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image_io/module_entry.h"
+#include "render/image_io/module/entry.h"
 
 #include <OpenImageIO/filesystem.h>
 

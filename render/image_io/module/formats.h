@@ -1,7 +1,7 @@
 // The parts of the module of the common formats.
 #pragma once
 
-#include "render/image_io/module_entry.h"
+#include "render/image_io/module/entry.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 // The module of the common formats. What it links is small, so that a picture is written without a wait.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 namespace suffuse {
 

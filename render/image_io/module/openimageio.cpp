@@ -1,5 +1,5 @@
 // The module of the other formats, which is the only place that knows OpenImageIO.
-#include "render/image_io/module_proxy.h"
+#include "render/image_io/module/proxy.h"
 
 #include <OpenImageIO/imageio.h>
 

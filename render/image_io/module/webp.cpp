@@ -1,5 +1,5 @@
-#include "render/image_io/module_formats.h"
-#include "render/image_io/module_webp_pixels.h"
+#include "render/image_io/module/formats.h"
+#include "render/image_io/module/webp_pixels.h"
 
 #include <webp/decode.h>
 #include <webp/mux.h>

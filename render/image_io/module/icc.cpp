@@ -1,5 +1,5 @@
 // The ICC profile of sRGB (IEC 61966-2-1) in TIFF and JPEG files, made by lcms2.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <lcms2.h>
 

@@ -43,8 +43,8 @@ struct ImageModuleWrite {
     bool (*stopped)(void *context); ///< whether writing is to stop; may be called on any thread
 };
 
-/// What a tile becomes: a JPEG file, or a tile of a TIFF file that is packed by deflate, of which the file is written by
-/// the program.
+/// What a tile becomes: a JPEG file, or a tile of a TIFF file that is packed by deflate, of which the file is written
+/// by the program.
 enum ImageModuleTileKind { ModuleTileJpeg, ModuleTileTiff };
 
 /// A tile that is cut out of a picture in memory.
@@ -103,9 +103,9 @@ struct ImageModuleColours {
 
 /// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
 /// `suffuse_image_read`, and in the small module `suffuse_image_film_add`, `suffuse_image_film_end`,
-/// `suffuse_image_profile`, `suffuse_image_tile`, `suffuse_colours_name`, `suffuse_colours_open`, `suffuse_colours_apply` and
-/// `suffuse_colours_close`. Those that return a bool return false if they fail, and put a message (UTF-8, cut to `size`
-/// bytes) into `error`.
+/// `suffuse_image_profile`, `suffuse_image_tile`, `suffuse_colours_name`, `suffuse_colours_open`,
+/// `suffuse_colours_apply` and `suffuse_colours_close`. Those that return a bool return false if they fail, and put a
+/// message (UTF-8, cut to `size` bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleTileFunction = bool (*)(const ImageModuleTile *tile, char *error, std::size_t size);

@@ -1,5 +1,5 @@
 // Writes PNG by libdeflate. libpng and zlib would take three times as long.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <libdeflate.h>
 

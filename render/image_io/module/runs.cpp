@@ -1,6 +1,6 @@
 // Deflate (RFC 1951) without a search for matches, by Huffman codes and runs of one byte. After PNG's filters, runs of
 // zeros are most of what a search would find. Pictures of soft paint get 2 % larger by what is left out.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <libdeflate.h>
 

@@ -1,5 +1,5 @@
 // Tiles of pictures of any size: JPEG files, and tiles of TIFF files, packed once.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <libdeflate.h>
 

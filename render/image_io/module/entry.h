@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/module_guard.h"
-#include "render/image_io/module_api.h"
+#include "render/image_io/module/api.h"
 
 /// Defines the entry points of a module, which writes and reads by these functions.
 #define SUFFUSE_IMAGE_MODULE(writeRows, readRows)                                                                      \

@@ -1,5 +1,5 @@
 // Writes TIFF by libtiff, in strips that are packed as they come.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #define IMATH_HALF_NO_LOOKUP_TABLE // it is for the way back, and a library of its own
 #include <Imath/half.h>

@@ -1,5 +1,5 @@
 // Converts colours between ICC profiles, by lcms2.
-#include "render/image_io/module_entry.h"
+#include "render/image_io/module/entry.h"
 
 #include <lcms2.h>
 

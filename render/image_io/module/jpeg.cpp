@@ -1,5 +1,5 @@
 // Writes JPEG by libjpeg.
-#include "render/image_io/module_formats.h"
+#include "render/image_io/module/formats.h"
 
 #include <cstdio> // jpeglib.h needs it
 
@@ -86,7 +86,8 @@ bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite
     const std::string_view profile = profileOf(job);
     jpeg_write_icc_profile(&jpeg, reinterpret_cast<const JOCTET *>(profile.data()), unsigned(profile.size()));
     for (int y = 0; y < job.height && file.whole && !row; ++y) {
-        JSAMPROW pixels = reinterpret_cast<JSAMPROW>(const_cast<std::uint32_t *>(tile->argb + std::size_t(y) * tile->stride));
+        JSAMPROW pixels =
+            reinterpret_cast<JSAMPROW>(const_cast<std::uint32_t *>(tile->argb + std::size_t(y) * tile->stride));
         jpeg_write_scanlines(&jpeg, &pixels, 1);
     }
     for (int y = 0; y < job.height && file.whole && row; ++y) {
