@@ -1,7 +1,7 @@
 // Filled strokes for the render tests.
 #pragma once
 
-#include "tests/render/lifted.h"
+#include "tests/render/erasing/lifted.h"
 
 namespace suffuse::test {
 

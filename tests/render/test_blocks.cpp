@@ -1,6 +1,6 @@
 // Blocks of segments: an edit moves the borders near it alone, and a stroke that grows keeps those that it has.
 #include "render/nodes/blocks.h"
-#include "tests/render/edited_strokes.h"
+#include "tests/render/erasing/edited_strokes.h"
 #include "tests/trials.h"
 
 using namespace suffuse;

@@ -2,7 +2,7 @@
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
 #include "model/shaping/erasing/erase.h"
-#include "tests/render/edited_strokes.h"
+#include "tests/render/erasing/edited_strokes.h"
 #include "tests/trials.h"
 
 #include <QFile>

@@ -1,5 +1,5 @@
 // Layers that are merged: whatever they and their neighbours do to the picture, it stays.
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "app/session/commands/session_rows.h"
 #include "app/session/current_layer.h"

@@ -3,7 +3,7 @@
 
 #include "tests/render/cuda/cuda_checks.h"
 #include "tests/render/filled.h"
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 namespace suffuse::test {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/render/cuda/cuda_checks.h"
-#include "tests/render/grouped.h"
-#include "tests/render/pictured.h"
+#include "tests/render/layers/grouped.h"
+#include "tests/render/layers/pictured.h"
 
 namespace suffuse::test {
 

@@ -1,6 +1,6 @@
 // Layered files: what plain programs make of the layers is the picture, and the painting comes back.
 #include "tests/files.h"
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "model/formats/files.h"
 #include "model/formats/ora/ora_parts.h"

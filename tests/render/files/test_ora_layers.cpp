@@ -1,6 +1,6 @@
 // The layers of OpenRaster files: they come in as groups with a picture each, and show what the file shows.
 #include "tests/files.h"
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "model/formats/files.h"
 #include "model/formats/ora/composite_op.h"

@@ -10,8 +10,8 @@
 #include "tests/render/files/bounded_groups.h"
 #include "tests/render/files/picture_difference.h"
 #include "tests/render/filled.h"
+#include "tests/render/layers/pictured.h"
 #include "tests/render/paintings.h"
-#include "tests/render/pictured.h"
 #include "tests/trials.h"
 
 #include <QProcess>

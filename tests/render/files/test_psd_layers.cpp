@@ -1,6 +1,6 @@
 // The layers of Photoshop files: those that are written here come in as they look, and other ones as far as they go.
 #include "tests/files.h"
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "model/formats/files.h"
 #include "model/formats/psd/pack_bits.h"

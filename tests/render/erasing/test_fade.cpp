@@ -1,6 +1,6 @@
 // Segments that make paint paler: the CPU renderer against the reference, and what they are meant to do.
-#include "tests/render/edited_strokes.h"
-#include "tests/render/lifted.h"
+#include "tests/render/erasing/edited_strokes.h"
+#include "tests/render/erasing/lifted.h"
 
 #include "model/paint/local_paint.h"
 #include "model/paint/point_density.h"

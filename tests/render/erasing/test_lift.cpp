@@ -1,5 +1,5 @@
 // Chains, and segments that take paint away: the CPU renderer against the reference, and the figures at a point.
-#include "tests/render/lifted.h"
+#include "tests/render/erasing/lifted.h"
 
 #include "model/paint/local_paint.h"
 #include "model/paint/point_density.h"

@@ -1,6 +1,6 @@
 // Edits of paint that is lifted: what an erasure leaves as it was, and redraws of what changed.
-#include "tests/render/edited_strokes.h"
-#include "tests/render/lifted.h"
+#include "tests/render/erasing/edited_strokes.h"
+#include "tests/render/erasing/lifted.h"
 
 #include "model/painting/influence.h"
 #include "model/shaping/erasing/erase.h"

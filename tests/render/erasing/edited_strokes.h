@@ -4,7 +4,7 @@
 #include "render/nodes/blocks.h"
 #include "render/nodes/node_builder.h"
 #include "render/scene/scene.h"
-#include "tests/render/lifted.h"
+#include "tests/render/erasing/lifted.h"
 
 namespace suffuse::test {
 

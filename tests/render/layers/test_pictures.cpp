@@ -1,6 +1,6 @@
 // Pictures as the paint of strokes (docs/solver.md, "Pictures").
-#include "tests/render/grouped.h"
-#include "tests/render/pictured.h"
+#include "tests/render/layers/grouped.h"
+#include "tests/render/layers/pictured.h"
 
 #include "render/probe.h"
 #include "render/scene/picture.h"

@@ -1,6 +1,6 @@
 // Groups that blend: the formulas of each mode, trees of groups against the reference, and one picture for all of them.
 #include "tests/render/filled.h"
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "render/composition/composition.h"
 #include "render/math/scalar.h"

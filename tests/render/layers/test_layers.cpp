@@ -152,8 +152,8 @@ private slots:
             g.maxAge = 0.4f;
             g.born = below->end() + frame * 16000;
             if (varied) {
-                g.colour = {0.5f + 0.4f * std::sin(0.1f * float(frame)), 0.3f, 0.5f + 0.4f * std::cos(0.07f * float(frame)),
-                            0.9f};
+                g.colour = {0.5f + 0.4f * std::sin(0.1f * float(frame)), 0.3f,
+                            0.5f + 0.4f * std::cos(0.07f * float(frame)), 0.9f};
                 g.granulation = 0.5f + 0.4f * std::sin(0.2f * float(frame));
             }
             if (oblique && frame % 50 > 20)

@@ -1,5 +1,5 @@
 // Groups that are clipped to what lies below them, masks, and washes: what each shows, and that nothing else changes.
-#include "tests/render/grouped.h"
+#include "tests/render/layers/grouped.h"
 
 #include "render/composition/composition.h"
 #include "render/composition/washes.h"
