@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>Brush pen</source>
-        <translation>Pincel rotulador</translation>
+        <translation>Rotulador pincel</translation>
     </message>
     <message>
         <source>Dry brush</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>Granulating wash</source>
-        <translation>Aguada granulada</translation>
+        <translation>Aguada granulante</translation>
     </message>
     <message>
         <source>Wet in wet</source>
@@ -219,7 +219,7 @@
     </message>
     <message>
         <source>Restore &amp;Defaults</source>
-        <translation>Restablecer &amp;valores predeterminados</translation>
+        <translation>&amp;Valores predeterminados</translation>
     </message>
     <message>
         <source>&amp;Show Details...</source>
@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>%1: has more than 2 GB; that is more than can be opened</source>
-        <translation>%1: tiene más de 2 GB; es más de lo que se puede abrir</translation>
+        <translation>%1: ocupa más de 2 GB; es más de lo que se puede abrir</translation>
     </message>
     <message>
         <source>  bytes     %1</source>
@@ -569,7 +569,7 @@
     </message>
     <message>
         <source>Names of rows, with commas between: takes these only.</source>
-        <translation>Nombres de filas separados por comas: solo toma estas.</translation>
+        <translation>Nombres de filas separados por comas: solo se usan estas.</translation>
     </message>
     <message>
         <source>Runs a row (default: 9).</source>
@@ -935,7 +935,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
-        <translation>Píxeles por pulgada, tal como lo dice el archivo (predeterminado: los que hacen que la imagen sea en papel tan grande como dice IN; si no lo dice, nada).</translation>
+        <translation>Píxeles por pulgada que indica el archivo (predeterminado: los que dan a la imagen el tamaño en papel que dice IN; si no lo dice, ninguno).</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -1038,11 +1038,11 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>%1 shown alone</source>
-        <translation>%1 mostrado solo</translation>
+        <translation>%1 en solitario</translation>
     </message>
     <message>
         <source>%1 a draft</source>
-        <translation>%1 borrador</translation>
+        <translation>%1 como borrador</translation>
     </message>
     <message>
         <source>  pictures  %1</source>
@@ -1142,7 +1142,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>As many strokes as this root mean square error needs, in 255ths.</source>
-        <translation>Tantos trazos como requiera este error cuadrático medio, en 255 partes.</translation>
+        <translation>Tantos trazos como requiera esta media cuadrática del error, sobre 255.</translation>
     </message>
     <message>
         <source>So many paints, which become linked swatches.</source>
@@ -1489,7 +1489,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Writes the scripts, and submits nothing.</source>
-        <translation>Escribe los guiones y no envía nada.</translation>
+        <translation>Escribe los scripts y no envía nada.</translation>
     </message>
     <message>
         <source>--cpus %1: give a whole number, at least 1</source>
@@ -1505,7 +1505,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Prints a job type of Flamenco 3 for its folder of scripts.</source>
-        <translation>Muestra un tipo de trabajo de Flamenco 3 para su carpeta de guiones.</translation>
+        <translation>Muestra un tipo de trabajo de Flamenco 3 para su carpeta de scripts.</translation>
     </message>
     <message>
         <source>%1: the plan is damaged, or of another version; make it anew</source>
@@ -1838,8 +1838,8 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     <message numerus="yes">
         <source>%Ln stroke(s) cannot lie there, too far out, and were left out.</source>
         <translation>
-            <numerusform>%Ln trazo no puede estar ahí, demasiado lejos, y se ha omitido.</numerusform>
-            <numerusform>%Ln trazos no pueden estar ahí, demasiado lejos, y se han omitido.</numerusform>
+            <numerusform>%Ln trazo quedaría demasiado lejos y se ha omitido.</numerusform>
+            <numerusform>%Ln trazos quedarían demasiado lejos y se han omitido.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2163,7 +2163,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. Up to %1 is clear.</source>
-        <translation>ξ2 demasiado grande para ξ1: el trazo no tiene un borde claro y tiñe hasta donde llega su pintura. Hasta %1 es claro.</translation>
+        <translation>ξ2 demasiado grande para ξ1: el trazo no tiene un borde nítido y tiñe hasta donde llega su pintura. Con %1 como máximo, lo tiene.</translation>
     </message>
     <message>
         <source>ξ2 too large for ξ1: the paint inside the dark rim vanishes.</source>
@@ -2368,7 +2368,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
-        <translation>Suffuse no ha podido arrancar las últimas veces, así que ha empezado con los ajustes habituales. Los suyos se conservan en %1.</translation>
+        <translation>Suffuse no ha podido arrancar las últimas veces, así que ha empezado con los ajustes predeterminados. Los suyos se conservan en %1.</translation>
     </message>
     <message>
         <source>Leave out the quotation marks: file dialogs take them for the borders between several names.</source>
@@ -2469,7 +2469,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Cold press</source>
-        <translation>Prensado frío</translation>
+        <translation>Prensado en frío</translation>
     </message>
     <message>
         <source>Rough</source>
@@ -2603,7 +2603,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
-        <translation>Arrastrar: mover el centro de giro. Mayús+clic: volver al medio.</translation>
+        <translation>Arrastrar: mover el centro de giro. Mayús+clic: volver al centro.</translation>
     </message>
     <message>
         <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
@@ -2895,7 +2895,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Paints with strokes that really diffuse, and stay editable.</source>
-        <translation>Pinta con trazos que se expanden de verdad y siguen siendo editables.</translation>
+        <translation>Pinta con trazos que se difunden de verdad y siguen siendo editables.</translation>
     </message>
     <message>
         <source>Free software under the Apache License 2.0.</source>
@@ -3016,7 +3016,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Nothing is selected that can be changed. Click a stroke, and its values are shown here.</source>
-        <translation>No hay nada seleccionado que se pueda cambiar. Haga clic en un trazo y aquí se muestran sus valores.</translation>
+        <translation>No hay nada seleccionado que se pueda cambiar. Haga clic en un trazo y aquí se mostrarán sus valores.</translation>
     </message>
 </context>
 <context>
@@ -3047,7 +3047,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>By numbers</source>
-        <translation>Por números</translation>
+        <translation>Con números</translation>
     </message>
     <message>
         <source>X</source>
@@ -3196,7 +3196,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>At most so much redder or less red</source>
-        <translation>Como máximo, tanto más o menos rojo</translation>
+        <translation>Cuánto más o menos rojo, como máximo</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3204,7 +3204,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>At most so much more or less yellow</source>
-        <translation>Como máximo, tanto más o menos amarillo</translation>
+        <translation>Cuánto más o menos amarillo, como máximo</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -3212,7 +3212,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>At most so much bluer or less blue</source>
-        <translation>Como máximo, tanto más o menos azul</translation>
+        <translation>Cuánto más o menos azul, como máximo</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -3220,7 +3220,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>At most so much lighter or darker</source>
-        <translation>Como máximo, tanto más claro o más oscuro</translation>
+        <translation>Cuánto más claro o más oscuro, como máximo</translation>
     </message>
     <message>
         <source>Drifts along the stroke</source>
@@ -3278,7 +3278,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>Qué cambia con qué: una marca activa una curva, un clic la muestra debajo</translation>
+        <translation>Qué cambia con qué: una marca activa una curva; un clic la muestra debajo</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -3286,7 +3286,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>Arrastre los puntos; haga clic para añadir otro, arrástrelo fuera para quitarlo</translation>
+        <translation>Arrastre los puntos; haga clic para añadir otro; arrastre uno fuera para quitarlo</translation>
     </message>
     <message>
         <source>Full speed</source>
@@ -3314,7 +3314,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>Recorrido en el que lo que deriva pasa a ser otro, en tamaños</translation>
+        <translation>Recorrido en el que lo que deriva cambia por completo, en tamaños</translation>
     </message>
 </context>
 <context>
@@ -3745,7 +3745,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Arrastrar: pintar; toque: un punto. Botón derecho: paleta. Mayús: tamaño, opacidad. Ctrl+clic: color de la imagen; con Mayús, el del trazo.</translation>
+        <translation>Arrastrar: pintar; toque: punto. Botón derecho: paleta. Mayús+arrastrar: tamaño, opacidad. Ctrl+clic: color de la imagen; con Mayús, del trazo.</translation>
     </message>
 </context>
 <context>
@@ -4658,7 +4658,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Select what is drawn around; with Shift from paint, too</source>
-        <translation>Seleccionar lo que se rodea; con Mayús, también desde la pintura</translation>
+        <translation>Seleccionar lo que se rodea; con Mayús, también al empezar sobre pintura</translation>
     </message>
     <message>
         <source>&amp;Touch</source>
@@ -4782,7 +4782,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>&amp;Middles, Vertically</source>
-        <translation>&amp;Medios, en vertical</translation>
+        <translation>Puntos &amp;medios, en vertical</translation>
     </message>
     <message>
         <source>&amp;Bottom Edges</source>
@@ -5142,7 +5142,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Give Up, or Deselect</source>
-        <translation>Abandonar o anular la selección</translation>
+        <translation>Cancelar o anular la selección</translation>
     </message>
     <message>
         <source>Save a Cop&amp;y…</source>
@@ -6077,7 +6077,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Put the layer onto the one just below it; the picture stays</source>
-        <translation>Pasar la capa a la que está justo debajo; la imagen no cambia</translation>
+        <translation>Fusionar la capa con la que está justo debajo; la imagen no cambia</translation>
     </message>
     <message>
         <source>La&amp;yer</source>
@@ -6233,7 +6233,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Select a group that this can be.</source>
-        <translation>Seleccione un grupo que pueda serlo.</translation>
+        <translation>Seleccione un grupo al que se pueda aplicar.</translation>
     </message>
     <message>
         <source>Select strokes of a group.</source>
@@ -6465,7 +6465,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>The centre of the symmetry lies in the middle again, and the axes are upright and level</source>
-        <translation>El centro de simetría vuelve al medio, y los ejes quedan vertical y horizontal</translation>
+        <translation>El centro de simetría vuelve al centro del lienzo, y los ejes quedan vertical y horizontal</translation>
     </message>
     <message>
         <source>Rulers and Guides</source>
@@ -6638,11 +6638,11 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>%1 is locked: nothing is painted there</source>
-        <translation>%1 está bloqueado: ahí no se pinta nada</translation>
+        <translation>Capa bloqueada (%1): ahí no se pinta nada</translation>
     </message>
     <message>
         <source>%1 is hidden: nothing is painted there</source>
-        <translation>%1 está oculto: ahí no se pinta nada</translation>
+        <translation>Capa oculta (%1): ahí no se pinta nada</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -6845,7 +6845,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
-        <translation>La parte de la pintura que quita en su medio.</translation>
+        <translation>La parte de la pintura que quita en su centro.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -6880,27 +6880,27 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Levantar: arrastrar para quitar pintura suavemente de los trazos seleccionados. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Levantar: arrastrar para quitar pintura suavemente de los trazos seleccionados. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Levantar: arrastrar para quitar pintura suavemente de los trazos del grupo. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Levantar: arrastrar para quitar pintura suavemente de los trazos del grupo. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Levantar: arrastrar para quitar pintura suavemente, dondequiera que se vea. Mayús: cortar. [ y ] cambian el tamaño, { y } la intensidad.</translation>
+        <translation>Levantar: arrastrar para quitar pintura suavemente, dondequiera que se vea. Mayús: cortar. [ y ]: tamaño; { y }: intensidad.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas seleccionadas. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
+        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas seleccionadas. Mayús: borrar suavemente. [ y ]: tamaño.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas del grupo. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
+        <translation>Cortar: arrastrar para recortar lo que hay bajo el círculo de las curvas del grupo. Mayús: borrar suavemente. [ y ]: tamaño.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Cortar: arrastrar para recortar lo que hay de las curvas bajo el círculo. Mayús: borrar suavemente. [ y ] cambian el tamaño.</translation>
+        <translation>Cortar: arrastrar para recortar lo que hay de las curvas bajo el círculo. Mayús: borrar suavemente. [ y ]: tamaño.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
@@ -7140,7 +7140,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
-        <translation>Clic en un trazo: los seleccionados toman su aspecto, y lo que varía a lo largo de ellos se mantiene. Mayús: los mismos valores en todo el trazo.</translation>
+        <translation>Clic en un trazo: los seleccionados toman su aspecto; lo que varía a lo largo se mantiene. Mayús: los mismos valores en todo el trazo.</translation>
     </message>
     <message>
         <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour. Ctrl: its whole appearance.</source>
@@ -7207,11 +7207,11 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Density in the middle of a long straight stroke, dry.</source>
-        <translation>Densidad en el medio de un trazo largo y recto, seco.</translation>
+        <translation>Densidad en el centro de un trazo largo y recto, seco.</translation>
     </message>
     <message>
         <source>From the middle to the visible edge of a long straight stroke, dry.</source>
-        <translation>Del medio al borde visible de un trazo largo y recto, seco.</translation>
+        <translation>Del centro al borde visible de un trazo largo y recto, seco.</translation>
     </message>
     <message>
         <source>When the paint has spread so thin that nothing of it is visible any more.</source>
@@ -7259,7 +7259,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
-        <translation>Lo que un segmento del borrado quita en su medio: una parte de la pintura si atenúa; densidad si levanta, y la pintura menos densa desaparece ahí.</translation>
+        <translation>Lo que un segmento del borrado quita en su centro: una parte de la pintura si atenúa; densidad si levanta, y la pintura menos densa desaparece ahí.</translation>
     </message>
 </context>
 <context>
@@ -7468,7 +7468,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Photoshop files over 30,000 pixels a side (PSB) are not read. Save it as PSD.</source>
-        <translation>Los archivos de Photoshop de más de 30.000 píxeles por lado (PSB) no se leen. Guárdelo como PSD.</translation>
+        <translation>Los archivos de Photoshop de más de 30 000 píxeles por lado (PSB) no se leen. Guárdelo como PSD.</translation>
     </message>
     <message>
         <source>Only Photoshop files in RGB or grey of 8 or 16 bits are read. Convert it to RGB.</source>
@@ -7526,7 +7526,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>would have more than 2 GB; nothing was written</source>
-        <translation>tendría más de 2 GB; no se ha escrito nada</translation>
+        <translation>ocuparía más de 2 GB; no se ha escrito nada</translation>
     </message>
     <message>
         <source>cannot be written (%1); choose another place</source>
@@ -7550,7 +7550,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>the image has %1 MB; at most 64 MB are possible, make it smaller</source>
-        <translation>la imagen tiene %1 MB; se admiten 64 MB como máximo, redúzcala</translation>
+        <translation>la imagen ocupa %1 MB; se admiten 64 MB como máximo, redúzcala</translation>
     </message>
     <message>
         <source>is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them</source>
@@ -7570,7 +7570,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>the image file %1 has %2 MB; at most 64 MB are possible</source>
-        <translation>el archivo de imagen %1 tiene %2 MB; se admiten 64 MB como máximo</translation>
+        <translation>el archivo de imagen %1 ocupa %2 MB; se admiten 64 MB como máximo</translation>
     </message>
     <message>
         <source>the image file %1 cannot be read: %2</source>
@@ -7578,7 +7578,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>is not a data:…;base64,… URL</source>
-        <translation>no tiene la forma data:…;base64,… de una URL</translation>
+        <translation>no es una URL data:…;base64,…</translation>
     </message>
     <message>
         <source>the image is too large; at most 64 MB are possible</source>
@@ -7590,7 +7590,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>has more than 2 GB; that is more than can be opened</source>
-        <translation>tiene más de 2 GB; es más de lo que se puede abrir</translation>
+        <translation>ocupa más de 2 GB; es más de lo que se puede abrir</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -7702,7 +7702,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>is given twice; keep one of them</source>
-        <translation>está dos veces; deje solo una</translation>
+        <translation>aparece dos veces; deje solo uno</translation>
     </message>
     <message>
         <source>is not a member of this format; correct or remove it</source>
@@ -7930,7 +7930,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>has more than 1 MB; it is not a brush</source>
-        <translation>tiene más de 1 MB; no es un pincel</translation>
+        <translation>ocupa más de 1 MB; no es un pincel</translation>
     </message>
     <message>
         <source>a colour has three numbers: red, green, blue</source>
@@ -7994,7 +7994,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>has more than 64 MB of XML; that is more than is read</source>
-        <translation>tiene más de 64 MB de XML; es más de lo que se lee</translation>
+        <translation>ocupa más de 64 MB de XML; es más de lo que se lee</translation>
     </message>
     <message>
         <source>holds no curves; there is nothing to paint</source>
@@ -8046,7 +8046,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one</source>
-        <translation>faltan el lienzo, el papel, los grupos, las muestras y el calco; el lienzo es uno habitual</translation>
+        <translation>faltan el lienzo, el papel, los grupos, las muestras y el calco; se usa un lienzo predeterminado</translation>
     </message>
     <message>
         <source>the image of the paper is missing; there is no paper now</source>
@@ -8356,7 +8356,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>The linked picture %1 has more than 64 MB, and is not seen.</source>
-        <translation>La imagen vinculada %1 tiene más de 64 MB, y no se ve.</translation>
+        <translation>La imagen vinculada %1 ocupa más de 64 MB, y no se ve.</translation>
     </message>
     <message>
         <source>The linked picture %1 has changed since it was linked, and is not seen: link it anew in the Inspector.</source>
@@ -8557,7 +8557,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>would have more than 2 GB</source>
-        <translation>tendría más de 2 GB</translation>
+        <translation>ocuparía más de 2 GB</translation>
     </message>
     <message>
         <source>could not be written: %1</source>
@@ -8607,7 +8607,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Shown alone</source>
-        <translation>Mostrado solo</translation>
+        <translation>Mostrado en solitario</translation>
     </message>
     <message>
         <source>A draft: left out of what is exported</source>
@@ -8856,11 +8856,11 @@ Las teclas de flecha también funcionan.</translation>
     <name>suffuse::MixingSection</name>
     <message>
         <source>Mixing</source>
-        <translation>Mezclar</translation>
+        <translation>Mezclas</translation>
     </message>
     <message>
         <source>Paint colours over each other here. Shift+drag rubs, Ctrl+click picks.</source>
-        <translation>Pinte aquí colores unos sobre otros. Mayús+arrastrar frota, Ctrl+clic toma.</translation>
+        <translation>Pinte aquí colores unos sobre otros. Mayús+arrastrar: frotar; Ctrl+clic: tomar.</translation>
     </message>
     <message>
         <source>Paint</source>
@@ -8892,7 +8892,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation>Toma una hoja limpia.</translation>
+        <translation>Pone una hoja limpia.</translation>
     </message>
 </context>
 <context>
@@ -9142,7 +9142,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.</source>
-        <translation>Mover el borrado: quita pintura donde está. Ctrl: por un eje. Esc lo abandona.</translation>
+        <translation>Mover el borrado: quita pintura donde está. Ctrl: por un eje. Esc lo cancela.</translation>
     </message>
     <message>
         <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
@@ -9158,7 +9158,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>What was selected is deleted; its strokes are merely shown. Click what else is to go, or take whole strokes with the Select tool.</source>
-        <translation>Lo que estaba seleccionado se ha eliminado; sus trazos solo se muestran. Haga clic en lo que también sobre, o tome trazos enteros con Seleccionar.</translation>
+        <translation>Lo seleccionado se ha eliminado; sus trazos solo se muestran. Haga clic en lo que también sobre, o tome trazos enteros con Seleccionar.</translation>
     </message>
 </context>
 <context>
@@ -9246,7 +9246,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation>Toma una hoja limpia.</translation>
+        <translation>Pone una hoja limpia.</translation>
     </message>
     <message>
         <source>pressure of the pen →</source>
@@ -9527,7 +9527,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>The printer does not take the page. See whether it is there, or print to a file.</source>
-        <translation>La impresora no acepta la página. Compruebe si está ahí, o imprima en un archivo.</translation>
+        <translation>La impresora no acepta la página. Compruebe que esté disponible, o imprima en un archivo.</translation>
     </message>
 </context>
 <context>
@@ -9700,7 +9700,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>How much of it one touch does; a pen&apos;s pressure takes from it</source>
-        <translation>Cuánto hace un toque; la presión del lápiz lo reduce</translation>
+        <translation>Cuánto efecto tiene un toque; la presión del lápiz lo reduce</translation>
     </message>
     <message>
         <source>Push strokes</source>
@@ -9802,7 +9802,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Gives the chosen colours back what they were</source>
-        <translation>Devuelve a los colores elegidos lo que eran</translation>
+        <translation>Devuelve los colores elegidos a lo que eran</translation>
     </message>
     <message>
         <source>All colours</source>
@@ -10067,7 +10067,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>The selected paint is not wetted then</source>
-        <translation>Entonces no se moja la pintura seleccionada</translation>
+        <translation>La pintura seleccionada no se moja en ese momento</translation>
     </message>
     <message>
         <source>Remove re-wetting</source>
@@ -10257,7 +10257,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>When the stroke, or what is selected of it, begins. All of that moves in time as one.</source>
-        <translation>Cuándo empieza el trazo, o lo seleccionado de él. Todo ello se mueve en el tiempo como uno solo.</translation>
+        <translation>Cuándo empieza el trazo, o lo seleccionado de él. Todo ello se mueve en el tiempo como un todo.</translation>
     </message>
     <message>
         <source>Change birth</source>
@@ -10273,7 +10273,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>How much of the paper&apos;s grain shows: 0 % is smooth, 100 % shows all of it. Files and scripts hold ω, which is 1 where this is 0 %.</source>
-        <translation>Cuánto se ve del grano del papel: 0 % es liso, 100 % lo muestra todo. Los archivos y guiones contienen ω, que es 1 donde esto es 0 %.</translation>
+        <translation>Cuánto se ve del grano del papel: 0 % es liso, 100 % lo muestra todo. Los archivos y scripts contienen ω, que es 1 donde esto es 0 %.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10289,7 +10289,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Density in the middle of the stroke at full pressure.</source>
-        <translation>Densidad en el medio del trazo a plena presión.</translation>
+        <translation>Densidad en el centro del trazo a plena presión.</translation>
     </message>
     <message>
         <source>String</source>
@@ -10535,7 +10535,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before. File ▸ Restore Backup brings one back.</source>
-        <translation>Cuántas versiones anteriores se conservan al guardar una obra: «name.suffuse~», a su lado, es la última; «~2», la anterior. Archivo ▸ Restaurar copia de seguridad recupera una.</translation>
+        <translation>Cuántas versiones anteriores se conservan al guardar una obra: «nombre.suffuse~», a su lado, es la última; «~2», la anterior. Archivo ▸ Restaurar copia de seguridad recupera una.</translation>
     </message>
     <message>
         <source>Language of the program</source>
@@ -10763,7 +10763,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and lifts it; + and - change its pressure; Esc puts it away.</source>
-        <translation>Las teclas de flecha mueven el lápiz, con Mayús lejos y con Alt poco a poco; Espacio lo baja y lo levanta; + y - cambian su presión; Esc lo guarda.</translation>
+        <translation>Las teclas de flecha mueven el lápiz, con Mayús más lejos y con Alt más fino; Espacio lo baja y lo levanta; + y - cambian su presión; Esc lo retira.</translation>
     </message>
 </context>
 <context>
@@ -11663,7 +11663,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>In the middle of the canvas, as large as it goes</source>
-        <translation>En el medio del lienzo, lo más grande posible</translation>
+        <translation>En el centro del lienzo, lo más grande posible</translation>
     </message>
     <message>
         <source>Replace…</source>
@@ -11694,7 +11694,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Whole</source>
-        <translation>Entero</translation>
+        <translation>Todo</translation>
     </message>
     <message>
         <source>All that is selected</source>
@@ -11728,11 +11728,11 @@ Las teclas de flecha también funcionan.</translation>
     <name>suffuse::ShapeTool</name>
     <message>
         <source>Drag from the middle to a corner. Shift: steps of 15°. Return: as the last one.</source>
-        <translation>Arrastrar del medio a una esquina. Mayús: pasos de 15°. Intro: como la última.</translation>
+        <translation>Arrastrar del centro a una esquina. Mayús: pasos de 15°. Intro: como la última.</translation>
     </message>
     <message>
         <source>Drag from corner to corner. Shift: even sides. Ctrl: from the middle. Return: as the last one.</source>
-        <translation>Arrastrar de esquina a esquina. Mayús: lados iguales. Ctrl: desde el medio. Intro: como la última.</translation>
+        <translation>Arrastrar de esquina a esquina. Mayús: lados iguales. Ctrl: desde el centro. Intro: como la última.</translation>
     </message>
     <message>
         <source>Rectangle</source>
@@ -11886,7 +11886,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>So much more grain, or less</source>
-        <translation>Tanto más grano, o menos</translation>
+        <translation>Cuánto más grano, o menos</translation>
     </message>
     <message>
         <source>Hue</source>
@@ -11902,11 +11902,11 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Colours get lighter or darker by up to this</source>
-        <translation>Los colores se aclaran u oscurecen hasta esto</translation>
+        <translation>Los colores se aclaran u oscurecen, como máximo, en esta medida</translation>
     </message>
     <message>
         <source>So much more opaque, or less</source>
-        <translation>Tanto más opaco, o menos</translation>
+        <translation>Cuánto más opaco, o menos</translation>
     </message>
     <message>
         <source>Roll Again</source>
@@ -12004,7 +12004,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Swap</source>
-        <translation>Intercambiar</translation>
+        <translation>Invertir</translation>
     </message>
     <message>
         <source>The two colours change places</source>
@@ -12127,7 +12127,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Openings of the bounds that are narrower are closed</source>
-        <translation>Las aberturas más estrechas de los límites se cierran</translation>
+        <translation>Se cierran las aberturas de los límites más estrechas que esto</translation>
     </message>
     <message>
         <source>Grow by</source>
@@ -12151,7 +12151,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Looking for what the paint bounds there. Esc gives it up.</source>
-        <translation>Buscando lo que delimita ahí la pintura. Esc lo abandona.</translation>
+        <translation>Buscando lo que delimita ahí la pintura. Esc lo cancela.</translation>
     </message>
     <message>
         <source>The painting has changed meanwhile: nothing was filled.</source>
@@ -12654,7 +12654,7 @@ Las teclas de flecha también funcionan.</translation>
     <name>LayeredFile</name>
     <message>
         <source>%1: Photoshop files have at most 2 GB. Choose a smaller size, or OpenRaster.</source>
-        <translation>%1: los archivos de Photoshop tienen como máximo 2 GB. Elija un tamaño menor, u OpenRaster.</translation>
+        <translation>%1: los archivos de Photoshop ocupan como máximo 2 GB. Elija un tamaño menor, u OpenRaster.</translation>
     </message>
     <message>
         <source>%1: Photoshop files have at most %2 pixels a side. Choose a smaller size, or OpenRaster.</source>
@@ -12812,7 +12812,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>%1: would have %2 MB once it is unpacked, and could not be opened again. Choose fewer bands, or the ending .svg.</source>
-        <translation>%1: tendría %2 MB una vez descomprimido, y no se podría volver a abrir. Elija menos bandas, o la terminación .svg.</translation>
+        <translation>%1: ocuparía %2 MB una vez descomprimido, y no se podría volver a abrir. Elija menos bandas, o la terminación .svg.</translation>
     </message>
     <message numerus="yes">
         <source>PDF has no groups that erase what lies below, or add to it: %n group(s) became plain.</source>
@@ -13125,7 +13125,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>At most so many. More of them go on with those that are there; fewer begin anew.</source>
-        <translation>Como máximo, tantos. Más continúan con los que hay; menos empiezan de nuevo.</translation>
+        <translation>Como máximo, tantos. Con más se continúa a partir de los que hay; con menos se empieza de nuevo.</translation>
     </message>
     <message>
         <source>Detail</source>
@@ -13133,7 +13133,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>How much is done for each stroke. Better goes on with what is there.</source>
-        <translation>Cuánto se hace por cada trazo. Más calidad continúa con lo que hay.</translation>
+        <translation>Cuánto se hace por cada trazo. Con más calidad se continúa a partir de lo que hay.</translation>
     </message>
     <message>
         <source>Quick</source>
@@ -13153,7 +13153,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Of all strokes. Another one begins anew.</source>
-        <translation>De todos los trazos. Otro empieza de nuevo.</translation>
+        <translation>De todos los trazos. Con otro se empieza de nuevo.</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -13448,7 +13448,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>That is farther than before, when it was off by %1; Undo brings the former strokes back.</source>
-        <translation>Es más lejos que antes, cuando se apartaba %1; Deshacer recupera los trazos anteriores.</translation>
+        <translation>Está más lejos que antes, cuando se apartaba %1; Deshacer recupera los trazos anteriores.</translation>
     </message>
 </context>
 <context>
@@ -13837,7 +13837,7 @@ Las teclas de flecha también funcionan.</translation>
     <name>suffuse::Extensions</name>
     <message>
         <source>Programs are limited in time, memory and what they write, but not confined: install bubblewrap, and they have no network and can write nowhere else.</source>
-        <translation>Los programas tienen limitado el tiempo, la memoria y lo que escriben, pero no están aislados: instale bubblewrap, y no tendrán red ni podrán escribir en otro lugar.</translation>
+        <translation>Los programas tienen limitados el tiempo, la memoria y lo que escriben, pero no están aislados: instale bubblewrap, y no tendrán red ni podrán escribir en otro lugar.</translation>
     </message>
     <message>
         <source>Programs are confined by bubblewrap: they have no network, unless they say that they need it, and can write in a temporary folder only.</source>
@@ -13845,7 +13845,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Programs are limited in time, memory and what they write, but not confined: bubblewrap is installed, and does not work here (%1).</source>
-        <translation>Los programas tienen limitado el tiempo, la memoria y lo que escriben, pero no están aislados: bubblewrap está instalado, y no funciona aquí (%1).</translation>
+        <translation>Los programas tienen limitados el tiempo, la memoria y lo que escriben, pero no están aislados: bubblewrap está instalado, y no funciona aquí (%1).</translation>
     </message>
     <message>
         <source>it wrote no result</source>
@@ -14133,7 +14133,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>From</source>
-        <translation>De</translation>
+        <translation>Origen</translation>
     </message>
     <message>
         <source>State</source>
@@ -14161,7 +14161,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>You</source>
-        <translation>Usted</translation>
+        <translation>Propio</translation>
     </message>
     <message>
         <source>Suffuse</source>
@@ -14432,11 +14432,11 @@ Las teclas de flecha también funcionan.</translation>
     <name>suffuse::PenSpeech</name>
     <message>
         <source>Arrow keys move the pen, Space presses it down and lifts it. Esc puts it away.</source>
-        <translation>Las teclas de flecha mueven el lápiz; Espacio lo baja y lo levanta. Esc lo guarda.</translation>
+        <translation>Las teclas de flecha mueven el lápiz; Espacio lo baja y lo levanta. Esc lo retira.</translation>
     </message>
     <message>
         <source>The pen is put away.</source>
-        <translation>El lápiz está guardado.</translation>
+        <translation>El lápiz se ha retirado.</translation>
     </message>
     <message>
         <source>Pen down at %1.</source>
@@ -14452,7 +14452,7 @@ Las teclas de flecha también funcionan.</translation>
     </message>
     <message>
         <source>Given up.</source>
-        <translation>Abandonado.</translation>
+        <translation>Cancelado.</translation>
     </message>
     <message>
         <source>Pressure %1 %</source>
