@@ -80,7 +80,7 @@
     </message>
     <message>
         <source>Dry chalk</source>
-        <translation>乾いたチョーク</translation>
+        <translation>ドライチョーク</translation>
     </message>
     <message>
         <source>Pencil</source>
@@ -104,11 +104,11 @@
     </message>
     <message>
         <source>Flat wash</source>
-        <translation>平筆ウォッシュ</translation>
+        <translation>平塗りウォッシュ</translation>
     </message>
     <message>
         <source>Granulating wash</source>
-        <translation>粒状ウォッシュ</translation>
+        <translation>粒状化ウォッシュ</translation>
     </message>
     <message>
         <source>Wet in wet</source>
@@ -120,7 +120,7 @@
     </message>
     <message>
         <source>Two tones</source>
-        <translation>二色</translation>
+        <translation>ツートーン</translation>
     </message>
     <message>
         <source>Charcoal</source>
@@ -223,11 +223,11 @@
     </message>
     <message>
         <source>&amp;Show Details...</source>
-        <translation>詳細を表示(&amp;S)...</translation>
+        <translation>詳細を表示(&amp;S)…</translation>
     </message>
     <message>
         <source>&amp;Hide Details...</source>
-        <translation>詳細を隠す(&amp;H)...</translation>
+        <translation>詳細を隠す(&amp;H)…</translation>
     </message>
 </context>
 <context>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>  on paper  %1 × %2 mm, %3 units an inch</source>
-        <translation>  紙の上      %1 × %2 mm、1 インチあたり %3 単位</translation>
+        <translation>  印刷サイズ  %1 × %2 mm、1 インチあたり %3 単位</translation>
     </message>
     <message>
         <source>  strokes   %1</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
-        <translation>%1 × %2 ピクセルにはメモリが足りません。より小さいサイズを選んでください。</translation>
+        <translation>%1 × %2 ピクセルを描画するにはメモリが足りません。より小さいサイズを選んでください。</translation>
     </message>
     <message>
         <source>--area %1: give X,Y,W,H in canvas units, W and H above 0</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Part of the canvas, in canvas units (default: all of it).</source>
-        <translation>キャンバスの一部、キャンバス単位（既定値は全体）。</translation>
+        <translation>キャンバスの一部（キャンバス単位、既定値は全体）。</translation>
     </message>
     <message>
         <source>The moment that is drawn, in seconds (default: the end).</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Number of threads (default: one a core).</source>
-        <translation>スレッド数（既定値はコアごとに 1）。</translation>
+        <translation>スレッド数（既定ではコアごとに 1 つ）。</translation>
     </message>
     <message>
         <source>Prints times and counts as JSON.</source>
@@ -581,7 +581,7 @@
     </message>
     <message>
         <source>Range of the generated strokes&apos; spread, in units (default: 6 20).</source>
-        <translation>生成するストロークの広がりの範囲、単位（既定値 6 20）。</translation>
+        <translation>生成するストロークの広がりの範囲（単位、既定値 6 20）。</translation>
     </message>
     <message>
         <source>Segments of the growth rows (default: 1000,10000,100000).</source>
@@ -659,7 +659,7 @@
     </message>
     <message>
         <source>Length in seconds (default 10).</source>
-        <translation>長さ、秒（既定値 10）。</translation>
+        <translation>長さ（秒、既定値 10）。</translation>
     </message>
     <message>
         <source>Seconds that are kept of a pause in the painting (default 0.5).</source>
@@ -763,7 +763,7 @@
     </message>
     <message>
         <source>size on paper</source>
-        <translation>紙の上での大きさ</translation>
+        <translation>印刷サイズ</translation>
     </message>
     <message>
         <source>unknown to this version, kept</source>
@@ -837,11 +837,11 @@
     </message>
     <message>
         <source>How far right of the canvas&apos; left edge, in canvas units.</source>
-        <translation>キャンバスの左端から右への距離、キャンバス単位。</translation>
+        <translation>キャンバスの左端から右への距離（キャンバス単位）。</translation>
     </message>
     <message>
         <source>How far below the canvas&apos; upper edge, in canvas units.</source>
-        <translation>キャンバスの上端から下への距離、キャンバス単位。</translation>
+        <translation>キャンバスの上端から下への距離（キャンバス単位）。</translation>
     </message>
     <message>
         <source>Which one, as the list names it.</source>
@@ -925,11 +925,11 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Of JPEG and WebP, 1 to 100 (default 92); WebP loses nothing at 100.</source>
-        <translation>JPEG と WebP の画質、1～100（既定値 92）。WebP は 100 で無劣化です。</translation>
+        <translation>JPEG と WebP の画質（1～100、既定値 92）。WebP は 100 で無劣化です。</translation>
     </message>
     <message>
         <source>Pixels an inch, as the file says it (default: what makes the picture as large on paper as IN says that it is; else it says nothing).</source>
-        <translation>ファイルに記される 1 インチあたりのピクセル数（既定では、紙の上での大きさが IN の示す大きさになる値。IN が示していなければ記されません）。</translation>
+        <translation>ファイルに記される 1 インチあたりのピクセル数（既定では、印刷サイズが IN の示す大きさになる値。IN が示していなければ記されません）。</translation>
     </message>
     <message>
         <source>--format is for -o -; the ending of %1 chooses the format</source>
@@ -972,7 +972,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>  segment %1 lifts: φ %2, share %3
 </source>
-        <translation>  セグメント %1 がリフト: φ %2、割合 %3
+        <translation>  セグメント %1 が吸い取る: φ %2、割合 %3
 </translation>
     </message>
     <message>
@@ -1021,7 +1021,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>there is not enough memory for layers of %1 × %2 pixels. Choose a smaller size.</source>
-        <translation>%1 × %2 ピクセルのレイヤーにはメモリが足りません。より小さいサイズを選んでください。</translation>
+        <translation>%1 × %2 ピクセルのレイヤーを描画するにはメモリが足りません。より小さいサイズを選んでください。</translation>
     </message>
     <message numerus="yes">
         <source>%n group(s) would look otherwise in other programs; their layers show what they make of the picture instead</source>
@@ -1083,7 +1083,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>How many bands full opacity has, 1 to 256 (default: 16).</source>
-        <translation>完全な不透明度を分ける帯の数、1～256（既定値 16）。</translation>
+        <translation>不透明度 100 % までを分ける帯の数（1～256、既定値 16）。</translation>
     </message>
     <message>
         <source>The moment that is drawn, in seconds (default: all dried).</source>
@@ -1103,7 +1103,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Where OUT is a PDF: A3, A4, A5, Letter, or a size such as 200x150mm or 8x6in, into which the sheet fits (default: the sheet as large as it is on paper; where that is not said, 96 units are an inch).</source>
-        <translation>OUT が PDF の場合: A3、A4、A5、Letter、または 200x150mm や 8x6in のようなサイズ。用紙がこの中に収まります（既定では用紙の紙の上での大きさ。指定がなければ 96 単位が 1 インチ）。</translation>
+        <translation>OUT が PDF の場合: A3、A4、A5、Letter、または 200x150mm や 8x6in のようなサイズ。用紙がこの中に収まります（既定では用紙の印刷サイズ。指定がなければ 96 単位が 1 インチ）。</translation>
     </message>
     <message>
         <source>--page is for PDF; give OUT the ending .pdf</source>
@@ -1159,7 +1159,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>The share of the error as people see it, 0 (default) to 1.</source>
-        <translation>誤差のうち人の知覚に基づく割合、0（既定値）～1。</translation>
+        <translation>誤差のうち人の知覚に基づく割合（0～1、既定値 0）。</translation>
     </message>
     <message>
         <source>Goes on with a painting that was fitted before.</source>
@@ -1361,7 +1361,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>So many pixels a side at most, 1 to 1024.</source>
-        <translation>一辺の最大ピクセル数、1～1024。</translation>
+        <translation>一辺の最大ピクセル数（1～1024）。</translation>
     </message>
     <message>
         <source>Writes a small picture of a painting as a PNG file: the preview in the file, if it has one. File managers call this.</source>
@@ -1373,7 +1373,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>%1 of %2 pieces are there</source>
-        <translation>ピース %2 個のうち %1 個あり</translation>
+        <translation>ピース %2 個のうち %1 個がそろっています</translation>
     </message>
     <message>
         <source>%1: frames %2 are missing</source>
@@ -1521,11 +1521,11 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>%1: there is no plan (%2). Is the shared folder there? farm plan makes one.</source>
-        <translation>%1: 計画がありません（%2）。共有フォルダーはありますか？計画は farm plan で作成します。</translation>
+        <translation>%1: 計画がありません（%2）。共有フォルダーは接続されていますか？計画は farm plan で作成します。</translation>
     </message>
     <message>
         <source>%1: the folder is gone. Is the shared folder there?</source>
-        <translation>%1: フォルダーがなくなっています。共有フォルダーはありますか？</translation>
+        <translation>%1: フォルダーがなくなっています。共有フォルダーは接続されていますか？</translation>
     </message>
     <message>
         <source>The folder of the farm, which all machines share.</source>
@@ -1545,7 +1545,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Of JPEG and WebP, 1 to 100.</source>
-        <translation>JPEG と WebP の画質、1～100。</translation>
+        <translation>JPEG と WebP の画質（1～100）。</translation>
     </message>
     <message>
         <source>a farm draws numbered frames, name%05d.png</source>
@@ -1791,7 +1791,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>run programs of others on a painting</source>
-        <translation>ほかの人のプログラムを絵に対して実行する</translation>
+        <translation>外部のプログラムを絵に対して実行する</translation>
     </message>
     <message>
         <source>Its id, as extension list names it, or the path of its folder.</source>
@@ -1833,7 +1833,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message numerus="yes">
         <source>As SVG, for other programs, what was erased softly is left out: %n erasure(s).</source>
         <translation>
-            <numerusform>ほかのプログラム用の SVG では、やわらかい消し跡が省かれます: 消し跡 %n 個。</numerusform>
+            <numerusform>ほかのプログラム用の SVG では、やわらかく消した跡 %n 個が省かれます。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1844,7 +1844,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
-        <translation>消し跡は、それが取り除く絵の具なしではコピーされません。「複製」でストローク内に複製、Delete キーで削除します。</translation>
+        <translation>消し跡は、消す対象の絵の具と一緒でなければコピーできません。「複製」でストローク内に複製、Delete キーで削除できます。</translation>
     </message>
     <message>
         <source>What was pasted lies outside of what is seen of the canvas. View ▸ Zoom to Selection goes there.</source>
@@ -1867,12 +1867,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message numerus="yes">
         <source>As SVG, for other programs, pictures are left out: %n of them.</source>
         <translation>
-            <numerusform>ほかのプログラム用の SVG では、画像が省かれます: %n 個。</numerusform>
+            <numerusform>ほかのプログラム用の SVG では、画像 %n 枚が省かれます。</numerusform>
         </translation>
     </message>
     <message>
         <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
-        <translation>貼り付けたものは、表示中の時点より後に描かれたものでした。見えるように、この時点に移しました。</translation>
+        <translation>貼り付けたものは、表示中の時点より後に描かれていました。見えるように、この時点に移しました。</translation>
     </message>
 </context>
 <context>
@@ -2021,7 +2021,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Apply texture of the brush</source>
-        <translation>ブラシの質感を適用</translation>
+        <translation>ブラシのテクスチャを適用</translation>
     </message>
     <message>
         <source>No appearance was copied.</source>
@@ -2045,7 +2045,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Recolour artwork</source>
-        <translation>アートワークの色変更</translation>
+        <translation>アートワークを再配色</translation>
     </message>
     <message>
         <source>The painting has no swatches yet.</source>
@@ -2057,7 +2057,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Not combined: one stroke has one fill, and these differ, overlap, or are missing in some strokes.</source>
-        <translation>連結されませんでした。1 本のストロークの塗りは 1 つですが、これらは異なるか、重なるか、一部のストロークにありません。</translation>
+        <translation>連結できません。1 本のストロークの塗りは 1 つですが、これらは異なるか、重なるか、一部のストロークにありません。</translation>
     </message>
     <message>
         <source>Aligning takes two strokes or groups that are not locked. A group counts as one; it can be aligned relative to the canvas.</source>
@@ -2101,7 +2101,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Export draft again</source>
-        <translation>下描きを再びエクスポート</translation>
+        <translation>グループの下描きを解除</translation>
     </message>
     <message numerus="yes">
         <source>%Ln stroke(s) now. Where their paint meets it mixes, and no longer adds up.</source>
@@ -2126,11 +2126,11 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>Export</name>
     <message>
         <source>The selected strokes were exported last, and nothing is selected. Select strokes, or choose Export…</source>
-        <translation>前回は選択したストロークをエクスポートしましたが、今は何も選択されていません。ストロークを選択するか、次を選んでください: エクスポート…</translation>
+        <translation>前回は選択したストロークをエクスポートしましたが、今は何も選択されていません。ストロークを選択するか、「エクスポート…」を選んでください。</translation>
     </message>
     <message>
         <source>There is nothing to export. Choose Export…</source>
-        <translation>エクスポートするものがありません。次を選んでください: エクスポート…</translation>
+        <translation>エクスポートするものがありません。「エクスポート…」を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -2149,11 +2149,11 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Density 0: there is no paint.</source>
-        <translation>濃度 0: 絵の具がありません。</translation>
+        <translation>濃度 0：絵の具がありません。</translation>
     </message>
     <message>
         <source>Opacity 0 %: nothing of it is seen.</source>
-        <translation>不透明度 0 %: まったく見えません。</translation>
+        <translation>不透明度 0 %：まったく見えません。</translation>
     </message>
     <message>
         <source>Fades away at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
@@ -2166,7 +2166,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Strength 0: nothing is taken away.</source>
-        <translation>強さ 0: 何も取り除かれません。</translation>
+        <translation>強さ 0：何も取り除かれません。</translation>
     </message>
 </context>
 <context>
@@ -2382,7 +2382,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>&amp;Keep Mine</source>
-        <translation>こちらを維持(&amp;K)</translation>
+        <translation>自分の変更を維持(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
@@ -2390,7 +2390,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Reloading takes away what was painted since the last save; Undo brings it back.</source>
-        <translation>再読み込みすると、前回の保存より後に描いたものがなくなります。「元に戻す」で戻せます。</translation>
+        <translation>再読み込みすると、前回の保存以降に描いたものがなくなります。「元に戻す」で戻せます。</translation>
     </message>
     <message>
         <source>“%1” exists. Replace it?</source>
@@ -2402,7 +2402,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Without saving, what has not been saved yet is lost.</source>
-        <translation>保存しないと、まだ保存していないものは失われます。</translation>
+        <translation>保存しないと、未保存の変更は失われます。</translation>
     </message>
 </context>
 <context>
@@ -2518,7 +2518,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
-        <translation>%1 × %2 ピクセルにはメモリが足りません。より小さいサイズを選んでください。</translation>
+        <translation>%1 × %2 ピクセルを描画するにはメモリが足りません。より小さいサイズを選んでください。</translation>
     </message>
     <message>
         <source>The reference finds no gradients. Use the CPU backend.</source>
@@ -2743,7 +2743,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>a segment that lifts cannot fade as well</source>
-        <translation>リフトするセグメントは、同時に薄くすることはできません</translation>
+        <translation>吸い取るセグメントは、同時に薄くすることはできません</translation>
     </message>
     <message>
         <source>the segment does not start where the one before it ends</source>
@@ -3031,7 +3031,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Left edge, canvas units</source>
-        <translation>左端、キャンバス単位</translation>
+        <translation>左端（キャンバス単位）</translation>
     </message>
     <message>
         <source>Y</source>
@@ -3039,7 +3039,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Upper edge, canvas units</source>
-        <translation>上端、キャンバス単位</translation>
+        <translation>上端（キャンバス単位）</translation>
     </message>
     <message>
         <source>W</source>
@@ -3047,7 +3047,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Width, canvas units</source>
-        <translation>幅、キャンバス単位</translation>
+        <translation>幅（キャンバス単位）</translation>
     </message>
     <message>
         <source>H</source>
@@ -3055,7 +3055,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Height, canvas units</source>
-        <translation>高さ、キャンバス単位</translation>
+        <translation>高さ（キャンバス単位）</translation>
     </message>
 </context>
 <context>
@@ -3262,7 +3262,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>点をドラッグ。クリックで点を追加、外へドラッグすると削除します</translation>
+        <translation>点をドラッグ。クリックで点を追加、外へドラッグで削除</translation>
     </message>
     <message>
         <source>Full speed</source>
@@ -3270,7 +3270,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation>曲線の右端にあたる速度、1 秒あたりのサイズ数</translation>
+        <translation>曲線の右端にあたる速度（1 秒あたりのサイズ数）</translation>
     </message>
     <message>
         <source> sizes/s</source>
@@ -3282,7 +3282,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Distance at the right end of its curves, in sizes</source>
-        <translation>曲線の右端にあたる距離、サイズ数</translation>
+        <translation>曲線の右端にあたる距離（サイズ数）</translation>
     </message>
     <message>
         <source> sizes</source>
@@ -3290,7 +3290,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>ゆらぐ値が別の値になるまでの距離、サイズ数</translation>
+        <translation>ゆらぐ値が別の値になるまでの距離（サイズ数）</translation>
     </message>
 </context>
 <context>
@@ -3313,7 +3313,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Shape and hand</source>
-        <translation>形と手</translation>
+        <translation>形状と手の動き</translation>
     </message>
     <message>
         <source>Settings of the brush</source>
@@ -3333,7 +3333,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Brush: %1</source>
-        <translation>ブラシ: %1</translation>
+        <translation>ブラシ：%1</translation>
     </message>
     <message>
         <source>&amp;Save Changes</source>
@@ -3423,7 +3423,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Hand</source>
-        <translation>手</translation>
+        <translation>手の動き</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -3585,7 +3585,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>&amp;Texture Only</source>
-        <translation>質感のみ(&amp;T)</translation>
+        <translation>テクスチャのみ(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -3596,7 +3596,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>How density becomes coverage.</source>
-        <translation>濃度が被覆率になる仕方。</translation>
+        <translation>濃度から被覆率への変わり方。</translation>
     </message>
     <message>
         <source>Mixing</source>
@@ -3627,7 +3627,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
-        <translation>描くブラシを選びます。色は変わりません。</translation>
+        <translation>描画に使うブラシを選びます。色は変わりません。</translation>
     </message>
     <message>
         <source>Current colour</source>
@@ -3643,7 +3643,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Painted with last</source>
-        <translation>最近描いた色</translation>
+        <translation>最近の描画に使った色</translation>
     </message>
     <message>
         <source>Recent colours</source>
@@ -3654,7 +3654,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>suffuse::BrushPanel</name>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
-        <translation>描くブラシを選びます。色は変わりません。</translation>
+        <translation>描画に使うブラシを選びます。色は変わりません。</translation>
     </message>
     <message>
         <source>Reset brush</source>
@@ -3721,14 +3721,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size, opacity. Ctrl+click: the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>ドラッグで描画、タップで点。右ボタン：パレット。Shift+ドラッグ：サイズ、不透明度。Ctrl+クリック：画像の色（Shift でストローク自体の色）。</translation>
+        <translation>ドラッグで描画、タップで点。右ボタン：パレット。Shift+ドラッグ：サイズ、不透明度。Ctrl+クリック：表示色を採取（Shift でストローク自体の色）。</translation>
     </message>
 </context>
 <context>
     <name>suffuse::BrushToolOptions</name>
     <message>
         <source>Width of a dry line at full pressure, in units ([ and ] change it)</source>
-        <translation>最大の筆圧で描いた乾いた線の幅、単位（[ と ] で変更）</translation>
+        <translation>最大の筆圧で描いて乾いた線の幅（単位、[ と ] で変更）</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
@@ -3760,7 +3760,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>What to paint with. Click: all brushes, with pictures.</source>
-        <translation>描くブラシ。クリック：すべてのブラシを見本付きで表示。</translation>
+        <translation>描画に使うブラシ。クリック：すべてのブラシを見本付きで表示。</translation>
     </message>
 </context>
 <context>
@@ -3861,7 +3861,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>キャンバスの幅、単位。1 単位は 100 % 表示で 1 ピクセルです。</translation>
+        <translation>キャンバスの幅（単位数）。1 単位は 100 % 表示で 1 ピクセルです。</translation>
     </message>
     <message>
         <source>Height</source>
@@ -3869,7 +3869,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>キャンバスの高さ、単位。1 単位は 100 % 表示で 1 ピクセルです。</translation>
+        <translation>キャンバスの高さ（単位数）。1 単位は 100 % 表示で 1 ピクセルです。</translation>
     </message>
     <message>
         <source>%1 × %2 mm at %3 dpi</source>
@@ -3881,7 +3881,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Texture</source>
-        <translation>質感</translation>
+        <translation>テクスチャ</translation>
     </message>
     <message>
         <source>None</source>
@@ -3921,7 +3921,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>%1 cannot be used as paper: %2</source>
-        <translation>%1 は紙として使えません: %2</translation>
+        <translation>%1 は紙として使えません：%2</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -3944,7 +3944,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>The picture goes to the screen by way of memory: %1</source>
-        <translation>画像はメモリ経由で画面に表示されています: %1</translation>
+        <translation>画像はメモリ経由で画面に表示されています：%1</translation>
     </message>
 </context>
 <context>
@@ -3958,7 +3958,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>suffuse::ColourHeader</name>
     <message>
         <source>Shows and changes the colour that is painted with</source>
-        <translation>描く色を表示し、変更します</translation>
+        <translation>描画色を表示し、変更します</translation>
     </message>
     <message>
         <source>Colour of what is selected</source>
@@ -4011,7 +4011,7 @@ Shift: all change as the shown one does, and keep their differences.</source>
     </message>
     <message>
         <source>The colour that is painted with</source>
-        <translation>描く色</translation>
+        <translation>描画色</translation>
     </message>
     <message>
         <source>Previous colour</source>
@@ -4019,7 +4019,7 @@ Shift: all change as the shown one does, and keep their differences.</source>
     </message>
     <message>
         <source>The colour painted with last. Click: back to it.</source>
-        <translation>前に描いた色。クリック：その色に戻す。</translation>
+        <translation>前に使った描画色。クリック：その色に戻す。</translation>
     </message>
     <message>
         <source>Hex</source>
@@ -4027,11 +4027,11 @@ Shift: all change as the shown one does, and keep their differences.</source>
     </message>
     <message>
         <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
-        <translation>sRGB カラー: #rrggbb、#rgb、または CSS: rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
+        <translation>sRGB カラー：#rrggbb、#rgb、または CSS: rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-        <translation>「%1」は色ではありません。#rrggbb の形で入力してください（例: #2f6690）。</translation>
+        <translation>「%1」は色ではありません。#rrggbb の形で入力してください（例：#2f6690）。</translation>
     </message>
     <message>
         <source>Recent colours</source>
@@ -4039,11 +4039,11 @@ Shift: all change as the shown one does, and keep their differences.</source>
     </message>
     <message>
         <source>Colours painted with before. Click: take it.</source>
-        <translation>以前に描いた色。クリック：その色を使う。</translation>
+        <translation>以前に描画に使った色。クリック：その色を使う。</translation>
     </message>
     <message>
         <source>Colours painted with come here.</source>
-        <translation>描いた色がここに並びます。</translation>
+        <translation>描画に使った色がここに並びます。</translation>
     </message>
     <message>
         <source>RYB</source>
@@ -4064,7 +4064,7 @@ Shift: all change as the shown one does, and keep their differences.</source>
     </message>
     <message>
         <source>The numbers that the sliders show: paint as red, yellow and blue, or the screen&apos;s hue, saturation and value, or its red, green and blue</source>
-        <translation>スライダーの数値: 絵の具の赤・黄・青、画面の色相・彩度・明度、または赤・緑・青</translation>
+        <translation>スライダーの数値：絵の具の赤・黄・青、画面の色相・彩度・明度、または赤・緑・青</translation>
     </message>
     <message>
         <source>Colour of the brush</source>
@@ -4306,7 +4306,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select and move strokes</source>
-        <translation>ストロークを選択して移動</translation>
+        <translation>ストロークを選択して移動します</translation>
     </message>
     <message>
         <source>Se&amp;gments</source>
@@ -4318,7 +4318,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Move the canvas</source>
-        <translation>キャンバスを移動</translation>
+        <translation>キャンバスを移動します</translation>
     </message>
     <message>
         <source>&amp;Raise</source>
@@ -4446,11 +4446,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Paste strokes where they were</source>
-        <translation>ストロークを元の位置に貼り付け</translation>
+        <translation>ストロークを元の位置に貼り付けます</translation>
     </message>
     <message>
         <source>Edit segments, nodes and handles of strokes</source>
-        <translation>ストロークのセグメント、ノード、ハンドルを編集</translation>
+        <translation>ストロークのセグメント、ノード、ハンドルを編集します</translation>
     </message>
     <message>
         <source>&amp;Knife</source>
@@ -4458,7 +4458,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Cut strokes along a line</source>
-        <translation>線に沿ってストロークを切断</translation>
+        <translation>線に沿ってストロークを切断します</translation>
     </message>
     <message>
         <source>&amp;Eraser</source>
@@ -4478,7 +4478,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Pick a colour</source>
-        <translation>色を採取</translation>
+        <translation>色を採取します</translation>
     </message>
     <message>
         <source>&amp;Insert Nodes</source>
@@ -4486,7 +4486,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Insert a node into each selected segment</source>
-        <translation>選択した各セグメントにノードを挿入</translation>
+        <translation>選択した各セグメントにノードを挿入します</translation>
     </message>
     <message>
         <source>&amp;Corner</source>
@@ -4546,7 +4546,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Join two selected end nodes</source>
-        <translation>選択した 2 つの端点ノードを接続</translation>
+        <translation>選択した 2 つの端点ノードを接続します</translation>
     </message>
     <message>
         <source>&amp;Delete Segments</source>
@@ -4566,7 +4566,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Replace selected segments by one that goes on smoothly</source>
-        <translation>選択したセグメントを、滑らかにつながる 1 つのセグメントに置き換え</translation>
+        <translation>選択したセグメントを、滑らかにつながる 1 つのセグメントに置き換えます</translation>
     </message>
     <message>
         <source>&amp;Reverse</source>
@@ -4606,7 +4606,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select all strokes of the same colour</source>
-        <translation>同じ色のストロークをすべて選択</translation>
+        <translation>同じ色のストロークをすべて選択します</translation>
     </message>
     <message>
         <source>&amp;Style</source>
@@ -4614,11 +4614,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select all strokes of the same style</source>
-        <translation>同じスタイルのストロークをすべて選択</translation>
+        <translation>同じスタイルのストロークをすべて選択します</translation>
     </message>
     <message>
         <source>Select all strokes of the same brush</source>
-        <translation>同じブラシのストロークをすべて選択</translation>
+        <translation>同じブラシのストロークをすべて選択します</translation>
     </message>
     <message>
         <source>&amp;Lasso</source>
@@ -4630,7 +4630,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select what is drawn around; with Shift from paint, too</source>
-        <translation>囲んだものを選択。Shift で絵の具の上からも開始</translation>
+        <translation>囲んだものを選択します。Shift で絵の具の上からも開始できます</translation>
     </message>
     <message>
         <source>&amp;Touch</source>
@@ -4638,7 +4638,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select what a path touches</source>
-        <translation>パスが触れたものを選択</translation>
+        <translation>ドラッグの軌跡が触れたものを選択します</translation>
     </message>
     <message>
         <source>&amp;Group</source>
@@ -4850,7 +4850,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Relative to the &amp;First Selected</source>
-        <translation>最初の選択を基準(&amp;F)</translation>
+        <translation>最初に選択したものを基準(&amp;F)</translation>
     </message>
     <message>
         <source>Relative to the Bi&amp;ggest</source>
@@ -4862,7 +4862,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Play the painting being painted, or pause</source>
-        <translation>絵が描かれていく過程を再生、または一時停止</translation>
+        <translation>絵が描かれていく過程を再生、または一時停止します</translation>
     </message>
     <message>
         <source>To the &amp;Start</source>
@@ -4874,7 +4874,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Go to where the painting begins</source>
-        <translation>絵の描き始めへ移動</translation>
+        <translation>絵の描き始めへ移動します</translation>
     </message>
     <message>
         <source>P&amp;revious Stroke</source>
@@ -4910,7 +4910,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Go to the end, where all has dried: the present</source>
-        <translation>終わりへ移動。すべてが乾いた現在です</translation>
+        <translation>終わりへ移動します。すべてが乾いた現在です</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
@@ -4918,7 +4918,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Play again and again</source>
-        <translation>繰り返し再生</translation>
+        <translation>繰り返し再生します</translation>
     </message>
     <message>
         <source>S&amp;kip Pauses</source>
@@ -4938,7 +4938,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Show wet paint as it will look when it has dried, while you paint too</source>
-        <translation>濡れた絵の具を、描いている間も乾いた後の見た目で表示</translation>
+        <translation>濡れた絵の具を、描いている間も乾いた後の見た目で表示します</translation>
     </message>
     <message>
         <source>Let It Dr&amp;y</source>
@@ -4946,7 +4946,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Go to the moment at which all has dried</source>
-        <translation>すべてが乾いた時点へ移動</translation>
+        <translation>すべてが乾いた時点へ移動します</translation>
     </message>
     <message>
         <source>&amp;Freeze Wet Paint</source>
@@ -5030,7 +5030,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Relative to the Last Select&amp;ed</source>
-        <translation>最後の選択を基準(&amp;E)</translation>
+        <translation>最後に選択したものを基準(&amp;E)</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
@@ -5094,7 +5094,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Move the Selection Ten Times as Far</source>
-        <translation>選択範囲を 10 倍移動</translation>
+        <translation>選択範囲を 10 倍の距離だけ移動</translation>
     </message>
     <message>
         <source>Move the Selection by One Unit</source>
@@ -5154,7 +5154,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>To the same file, with the same settings</source>
-        <translation>同じファイルに、同じ設定で</translation>
+        <translation>同じファイルに、同じ設定でエクスポートします</translation>
     </message>
     <message>
         <source>Hide Outlines and Handles While Held</source>
@@ -5166,7 +5166,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select all strokes of the same name</source>
-        <translation>同じ名前のストロークをすべて選択</translation>
+        <translation>同じ名前のストロークをすべて選択します</translation>
     </message>
     <message>
         <source>Select &amp;Found</source>
@@ -5174,7 +5174,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select what the search in the Strokes dock has found</source>
-        <translation>ストロークドックの検索で見つかったものを選択</translation>
+        <translation>ストロークドックの検索で見つかったものを選択します</translation>
     </message>
     <message>
         <source>Find Strokes</source>
@@ -5210,7 +5210,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The keyboard goes from the canvas to the docks and tool bars in turn</source>
-        <translation>キーボードの操作先を、キャンバスからドックとツールバーへ順に移します</translation>
+        <translation>キーボードフォーカスを、キャンバスからドックとツールバーへ順に移します</translation>
     </message>
     <message>
         <source>&amp;Previous Panel</source>
@@ -5218,7 +5218,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The keyboard goes back from panel to panel</source>
-        <translation>キーボードの操作先を、前のパネルに戻します</translation>
+        <translation>キーボードフォーカスを、前のパネルに戻します</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
@@ -5258,7 +5258,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Step in canvas units</source>
-        <translation>間隔、キャンバス単位</translation>
+        <translation>間隔（キャンバス単位）</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5328,7 +5328,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Smooth the curves of the selected strokes; each time more</source>
-        <translation>選択したストロークの曲線を滑らかにします。繰り返すほど強く</translation>
+        <translation>選択したストロークの曲線を滑らかにします。繰り返すほど強まります</translation>
     </message>
     <message>
         <source>S&amp;traighten</source>
@@ -5340,7 +5340,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Move the selected strokes towards straight lines; each time more</source>
-        <translation>選択したストロークを直線に近づけます。繰り返すほど強く</translation>
+        <translation>選択したストロークを直線に近づけます。繰り返すほど強まります</translation>
     </message>
     <message>
         <source>&amp;Grow Paint</source>
@@ -5392,7 +5392,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Offset, smooth, straighten, grow or shrink the selected strokes by numbers</source>
-        <translation>選択したストロークを数値でオフセット、平滑化、直線化、太く、細くします</translation>
+        <translation>選択したストロークを、数値指定でオフセット、平滑化、直線化、または太く・細くします</translation>
     </message>
     <message>
         <source>Resha&amp;pe</source>
@@ -5448,7 +5448,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Push, comb, pinch or roughen strokes</source>
-        <translation>ストロークを押す、とかす、つまむ、荒らすツール</translation>
+        <translation>ストロークを押したり、とかしたり、つまんだり、荒らしたりします</translation>
     </message>
     <message>
         <source>What lies under the pointer, and what can be done with it</source>
@@ -5460,7 +5460,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Brushes, colours, size and zoom where the pointer is</source>
-        <translation>ブラシ、色、サイズ、ズームをポインターの位置に表示</translation>
+        <translation>ブラシ、色、サイズ、ズームをポインターの位置に表示します</translation>
     </message>
     <message>
         <source>Edit Value&amp;s Here…</source>
@@ -5468,7 +5468,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width, diffusion, density, colour and opacity of what is selected, at the pointer</source>
-        <translation>選択したものの幅、拡散、濃度、色、不透明度をポインターの位置で編集</translation>
+        <translation>選択したものの幅、拡散、濃度、色、不透明度をポインターの位置で編集します</translation>
     </message>
     <message>
         <source>&amp;Whole Brush</source>
@@ -5480,7 +5480,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Put the brush in hand on the selected strokes; they remember the pen&apos;s pressure</source>
-        <translation>使用中のブラシを、選択したストロークに適用。ペンの筆圧は保たれます</translation>
+        <translation>使用中のブラシを、選択したストロークに適用します。ペンの筆圧は保たれます</translation>
     </message>
     <message>
         <source>&amp;Form Only</source>
@@ -5488,7 +5488,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width, density, tapering and tip of the brush in hand</source>
-        <translation>使用中のブラシの幅、濃度、入り抜き、筆先</translation>
+        <translation>使用中のブラシの幅、濃度、入り抜き、筆先を適用します</translation>
     </message>
     <message>
         <source>&amp;Colour Only</source>
@@ -5496,15 +5496,15 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Colour and opacity of the brush in hand</source>
-        <translation>使用中のブラシの色と不透明度</translation>
+        <translation>使用中のブラシの色と不透明度を適用します</translation>
     </message>
     <message>
         <source>&amp;Texture Only</source>
-        <translation>質感のみ(&amp;T)</translation>
+        <translation>テクスチャのみ(&amp;T)</translation>
     </message>
     <message>
         <source>Style, mixing, grain and drying time of the brush in hand</source>
-        <translation>使用中のブラシのスタイル、混色、紙目、乾燥時間</translation>
+        <translation>使用中のブラシのスタイル、混色、紙目、乾燥時間を適用します</translation>
     </message>
     <message>
         <source>C&amp;opy Appearance</source>
@@ -5516,7 +5516,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Copy style, mixing, values and colour of the stroke that was selected last</source>
-        <translation>最後に選択したストロークのスタイル、混色、値、色をコピー</translation>
+        <translation>最後に選択したストロークのスタイル、混色、値、色をコピーします</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
@@ -5524,7 +5524,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Put it on the selected strokes; what varies along them goes on varying</source>
-        <translation>選択したストロークに適用。ストロークに沿った変化は残ります</translation>
+        <translation>選択したストロークに適用します。ストロークに沿った変化は残ります</translation>
     </message>
     <message>
         <source>Paste Appearance Evenl&amp;y</source>
@@ -5532,7 +5532,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Put it on the selected strokes, with the same values all along</source>
-        <translation>選択したストロークに、全体を同じ値にして適用</translation>
+        <translation>選択したストロークに、全体を同じ値にして適用します</translation>
     </message>
     <message>
         <source>Along th&amp;e Stroke…</source>
@@ -5544,7 +5544,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Set a value along the stroke: constant, as a ramp, or drawn as a curve</source>
-        <translation>ストロークに沿った値を設定：一定、直線変化、または曲線を手描き</translation>
+        <translation>ストロークに沿った値を、一定、直線変化、または手描きの曲線で設定します</translation>
     </message>
     <message>
         <source>Vary at Rand&amp;om…</source>
@@ -5572,7 +5572,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>選択したストロークからやわらかく消した跡を破線で表示。選択がなければすべて</translation>
+        <translation>選択したストロークからやわらかく消した跡を破線で表示します。選択がなければすべてが対象です</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5608,11 +5608,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Delete the selected segments, which leaves gaps in strokes</source>
-        <translation>選択したセグメントを削除。ストロークに切れ目ができます</translation>
+        <translation>選択したセグメントを削除します。ストロークに切れ目ができます</translation>
     </message>
     <message>
         <source>Take paint away softly, or cut out parts of strokes</source>
-        <translation>絵の具をやわらかく取り除く、またはストロークの一部を切り抜きます</translation>
+        <translation>絵の具をやわらかく取り除くか、ストロークの一部を切り抜きます</translation>
     </message>
     <message>
         <source>Map Colours to S&amp;watches</source>
@@ -5628,7 +5628,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Give each colour of the painting, or of what is selected, another one everywhere</source>
-        <translation>絵または選択したものの色を、それぞれ別の色にまとめて変更</translation>
+        <translation>絵または選択したものの色を、それぞれ別の色にまとめて変更します</translation>
     </message>
     <message>
         <source>Paste Appeara&amp;nce</source>
@@ -5640,7 +5640,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Recolour Artwor&amp;k…</source>
-        <translation>アートワークの色変更(&amp;K)…</translation>
+        <translation>アートワークを再配色(&amp;K)…</translation>
     </message>
     <message>
         <source>Match &amp;by Eyedropper</source>
@@ -5656,15 +5656,15 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Not done: nothing would be left.</source>
-        <translation>実行されませんでした。何も残らなくなります。</translation>
+        <translation>実行しませんでした。実行すると何も残りません。</translation>
     </message>
     <message>
         <source>Not done: the outlines meet so often that it would take minutes.</source>
-        <translation>実行されませんでした。アウトラインの交差が多すぎて、何分もかかります。</translation>
+        <translation>実行しませんでした。アウトラインの交差が多すぎて、何分もかかります。</translation>
     </message>
     <message>
         <source>Not done: the outlines lie on each other so closely that the result is uncertain.</source>
-        <translation>実行されませんでした。アウトラインが近すぎて、結果が不確かになります。</translation>
+        <translation>実行しませんでした。アウトラインが近すぎて、結果が不確かになります。</translation>
     </message>
     <message>
         <source>Select two or more filled strokes.</source>
@@ -5768,7 +5768,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Make fills of what is seen of the lines of the selected strokes</source>
-        <translation>選択したストロークの見えている線を塗りに変換</translation>
+        <translation>選択したストロークの見えている線を塗りに変換します</translation>
     </message>
     <message>
         <source>Stroke to outline</source>
@@ -5836,7 +5836,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Show what is selected as large as possible: strokes, segments or nodes</source>
-        <translation>選択したもの（ストローク、セグメント、ノード）をできるだけ大きく表示</translation>
+        <translation>選択したもの（ストローク、セグメント、ノード）をできるだけ大きく表示します</translation>
     </message>
     <message>
         <source>Add Gradient</source>
@@ -5872,7 +5872,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The selected groups are seen only where the next thing below them in the same group is; needs something below</source>
-        <translation>選択したグループを、同じグループ内ですぐ下にあるものの範囲でだけ表示。下に何かが必要です</translation>
+        <translation>選択したグループを、同じグループ内ですぐ下にあるものの範囲でだけ表示します。下に何かが必要です</translation>
     </message>
     <message>
         <source>Use as Mask</source>
@@ -5880,7 +5880,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What is beside the selected groups is seen only where they have paint; needs something beside</source>
-        <translation>選択したグループと並ぶものを、グループに絵の具がある所でだけ表示。並ぶものが必要です</translation>
+        <translation>選択したグループと同じ階層のものを、グループに絵の具がある所でだけ表示します。同じ階層にほかのものが必要です</translation>
     </message>
     <message>
         <source>Wash</source>
@@ -5900,19 +5900,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Not merged: nothing lies below the layer in its group.</source>
-        <translation>結合されませんでした。グループ内でこのレイヤーの下に何もありません。</translation>
+        <translation>結合できません。グループ内でこのレイヤーの下に何もありません。</translation>
     </message>
     <message>
         <source>Not merged: what lies just below the layer is no layer.</source>
-        <translation>結合されませんでした。すぐ下にあるものがレイヤーではありません。</translation>
+        <translation>結合できません。すぐ下にあるものがレイヤーではありません。</translation>
     </message>
     <message>
         <source>Not merged: one of the two layers is hidden.</source>
-        <translation>結合されませんでした。一方のレイヤーが非表示です。</translation>
+        <translation>結合できません。一方のレイヤーが非表示です。</translation>
     </message>
     <message>
         <source>Not merged: one of the two layers is locked.</source>
-        <translation>結合されませんでした。一方のレイヤーがロックされています。</translation>
+        <translation>結合できません。一方のレイヤーがロックされています。</translation>
     </message>
     <message>
         <source>Merge layer down</source>
@@ -5952,7 +5952,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Paint on a new layer that shows only where the layer below has paint: a clipping mask</source>
-        <translation>下のレイヤーに絵の具がある所でだけ見える、新しいレイヤーに描く（クリッピングマスク）</translation>
+        <translation>下のレイヤーに絵の具がある所でだけ見える、新しいレイヤーに描きます（クリッピングマスク）</translation>
     </message>
     <message>
         <source>&amp;Duplicate Layer</source>
@@ -6012,7 +6012,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Show only this layer, or all again</source>
-        <translation>このレイヤーだけを表示、またはすべて再表示</translation>
+        <translation>このレイヤーだけを表示するか、すべて再表示します</translation>
     </message>
     <message>
         <source>Show other layers</source>
@@ -6032,15 +6032,15 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Not merged: one of the two layers is a mask, and the picture would change.</source>
-        <translation>結合されませんでした。一方のレイヤーがマスクで、見た目が変わってしまいます。</translation>
+        <translation>結合できません。一方のレイヤーがマスクで、見た目が変わってしまいます。</translation>
     </message>
     <message>
         <source>Not merged: the layer below is clipped, and the picture would change.</source>
-        <translation>結合されませんでした。下のレイヤーがクリッピングされており、見た目が変わってしまいます。</translation>
+        <translation>結合できません。下のレイヤーがクリッピングされており、見た目が変わってしまいます。</translation>
     </message>
     <message>
         <source>Not merged: what lies above is clipped to this layer, and the picture would change.</source>
-        <translation>結合されませんでした。上のものがこのレイヤーでクリッピングされており、見た目が変わってしまいます。</translation>
+        <translation>結合できません。上のものがこのレイヤーでクリッピングされており、見た目が変わってしまいます。</translation>
     </message>
     <message>
         <source>So that the picture stays, %1 is a group of its own within %2.</source>
@@ -6048,7 +6048,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Put the layer onto the one just below it; the picture stays</source>
-        <translation>レイヤーをすぐ下のレイヤーにまとめます。見た目は変わりません</translation>
+        <translation>レイヤーをすぐ下のレイヤーに結合します。見た目は変わりません</translation>
     </message>
     <message>
         <source>La&amp;yer</source>
@@ -6132,7 +6132,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Shows the colours that are left on another device, as a press, by its profile</source>
-        <translation>印刷機など、ほかの機器で再現される色を、そのプロファイルで表示</translation>
+        <translation>印刷機など、ほかの機器で再現される色を、そのプロファイルで表示します</translation>
     </message>
     <message>
         <source>Gamut &amp;Warning</source>
@@ -6232,7 +6232,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Select a stroke that was combined or cut into parts.</source>
-        <translation>連結したか、部分に切断したストロークを選択してください。</translation>
+        <translation>連結したストロークか、部分に切断したストロークを選択してください。</translation>
     </message>
     <message>
         <source>Select a stroke from which something was erased softly.</source>
@@ -6308,11 +6308,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Horizontal place, in canvas units</source>
-        <translation>水平位置、キャンバス単位</translation>
+        <translation>水平位置（キャンバス単位）</translation>
     </message>
     <message>
         <source>Vertical place, in canvas units</source>
-        <translation>垂直位置、キャンバス単位</translation>
+        <translation>垂直位置（キャンバス単位）</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6324,7 +6324,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Along the upper and the left edge; guides are dragged out of them, and back into them</source>
-        <translation>上端と左端に表示。ここからガイドを引き出し、ここへ戻します</translation>
+        <translation>上端と左端に表示します。ここからガイドを引き出し、ここへ戻します</translation>
     </message>
     <message>
         <source>Show the &amp;Guides</source>
@@ -6388,7 +6388,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What is painted comes once in each arm around the centre</source>
-        <translation>描いたものが、中心のまわりの各腕に 1 回ずつ現れます</translation>
+        <translation>描いたものが、中心のまわりの各区画に 1 回ずつ現れます</translation>
     </message>
     <message>
         <source>&amp;Kaleidoscope</source>
@@ -6396,7 +6396,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
-        <translation>描いたものが、中心のまわりの各腕と、その隣に鏡映しで現れます</translation>
+        <translation>描いたものが、中心のまわりの各区画と、その隣に鏡映しで現れます</translation>
     </message>
     <message>
         <source>&amp;Paint in Symmetry</source>
@@ -6412,7 +6412,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Number of &amp;Arms…</source>
-        <translation>腕の数(&amp;A)…</translation>
+        <translation>分割数(&amp;A)…</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -6420,7 +6420,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Arms around the centre</source>
-        <translation>中心のまわりの腕</translation>
+        <translation>中心のまわりの分割数</translation>
     </message>
     <message>
         <source>An&amp;gle of the Axes…</source>
@@ -6448,7 +6448,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Colour, brushes and strokes beside a wide canvas</source>
-        <translation>広いキャンバスの横に、色、ブラシ、ストローク</translation>
+        <translation>広いキャンバスの横に、色、ブラシ、ストロークを並べます</translation>
     </message>
     <message>
         <source>Workspace to &amp;Refine</source>
@@ -6456,7 +6456,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Inspector, strokes, history and colour</source>
-        <translation>インスペクター、ストローク、履歴、色</translation>
+        <translation>インスペクター、ストローク、履歴、色を並べます</translation>
     </message>
     <message>
         <source>Workspace for &amp;Time</source>
@@ -6464,7 +6464,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>A high timeline, with inspector and strokes</source>
-        <translation>高いタイムラインと、インスペクター、ストローク</translation>
+        <translation>縦に広いタイムラインと、インスペクター、ストロークを並べます</translation>
     </message>
     <message>
         <source>&amp;Save Workspace…</source>
@@ -6496,7 +6496,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
-        <translation>描きながら絵の別の場所を見るウィンドウ。編集はどちらにも反映されます</translation>
+        <translation>描きながら絵の別の場所を見るウィンドウです。編集はどちらにも反映されます</translation>
     </message>
     <message>
         <source>&amp;Repeat Last Extension</source>
@@ -6508,7 +6508,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Once more, with the same values</source>
-        <translation>同じ値でもう一度</translation>
+        <translation>同じ値でもう一度実行します</translation>
     </message>
     <message>
         <source>&amp;Manage Extensions…</source>
@@ -6540,7 +6540,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it</source>
-        <translation>矢印キーでキャンバス上の十字を動かし、Space で使用中のツールを押し下げ、離します</translation>
+        <translation>矢印キーでキャンバス上の十字カーソルを動かし、Space で使用中のツールを押し下げ、離します</translation>
     </message>
     <message>
         <source>There are no guides.</source>
@@ -6585,11 +6585,11 @@ Arrow keys work too.</source>
     <name>suffuse::CurrentLayer</name>
     <message>
         <source>Layer: %1</source>
-        <translation>レイヤー: %1</translation>
+        <translation>レイヤー：%1</translation>
     </message>
     <message>
         <source>No layer: paint goes on top of all</source>
-        <translation>レイヤーなし: 全体の一番上に描きます</translation>
+        <translation>レイヤーなし：全体の一番上に描きます</translation>
     </message>
     <message>
         <source>Layer %1</source>
@@ -6597,11 +6597,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>New layer: %1. Paint on it.</source>
-        <translation>新規レイヤー: %1。ここに描いてください。</translation>
+        <translation>新規レイヤー：%1。ここに描いてください。</translation>
     </message>
     <message>
         <source>New clipped layer: %1. Paint on it, where the layer below has paint.</source>
-        <translation>新規クリッピングレイヤー: %1。下のレイヤーに絵の具がある所に描いてください。</translation>
+        <translation>新規クリッピングレイヤー：%1。下のレイヤーに絵の具がある所に描いてください。</translation>
     </message>
     <message>
         <source>All is shown again, since this would be hidden</source>
@@ -6639,7 +6639,7 @@ Arrow keys work too.</source>
     <name>suffuse::DensityPlot</name>
     <message>
         <source>Coverage at the peak density %1: %2 %</source>
-        <translation>最大濃度 %1 での被覆率: %2 %</translation>
+        <translation>最大濃度 %1 での被覆率：%2 %</translation>
     </message>
     <message>
         <source>density φ — first of several styles</source>
@@ -6744,7 +6744,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Lift</source>
-        <translation>リフト</translation>
+        <translation>吸い取る</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -6752,7 +6752,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Fade makes paint paler, wherever it is seen; Lift takes its density away, so that edges draw in; Cut cuts curves out</source>
-        <translation>「薄くする」は、見えている所の絵の具を薄くします。リフトは濃度を取り除くため、縁が内側へ縮みます。カットは曲線を切り抜きます</translation>
+        <translation>「薄くする」は、見えている所の絵の具を薄くします。「吸い取る」は濃度を取り除くため、縁が内側へ縮みます。「カット」は曲線を切り抜きます</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -6764,7 +6764,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How far what is taken away spreads, as a share of the radius</source>
-        <translation>取り除く範囲の広がり、半径に対する割合</translation>
+        <translation>取り除く範囲の広がり（半径に対する割合）</translation>
     </message>
     <message>
         <source>Selected Strokes</source>
@@ -6789,7 +6789,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>薄くする：取り除く絵の具の割合。リフト：取り除く濃度の量。フェザーの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧で弱まります</translation>
+        <translation>薄くする：取り除く絵の具の割合。吸い取る：取り除く濃度の量。ぼかしの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧が弱いほど小さくなります</translation>
     </message>
 </context>
 <context>
@@ -6800,7 +6800,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Fade makes paint paler; Lift takes its density away, so that edges draw in.</source>
-        <translation>「薄くする」は絵の具を薄くします。リフトは濃度を取り除くため、縁が内側へ縮みます。</translation>
+        <translation>「薄くする」は絵の具を薄くします。「吸い取る」は濃度を取り除くため、縁が内側へ縮みます。</translation>
     </message>
     <message>
         <source>Fade</source>
@@ -6808,7 +6808,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Lift</source>
-        <translation>リフト</translation>
+        <translation>吸い取る</translation>
     </message>
     <message>
         <source>Takes</source>
@@ -6839,39 +6839,39 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>薄くする：ドラッグで、選択したストロークを強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>薄くする：ドラッグで、選択したストロークを強さに応じて薄くします。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>薄くする：ドラッグで、グループのストロークを強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>薄くする：ドラッグで、グループのストロークを強さに応じて薄くします。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>薄くする：ドラッグで、見えている絵の具を強さに応じて薄くする。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>薄くする：ドラッグで、見えている絵の具を強さに応じて薄くします。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>リフト：ドラッグで、選択したストロークの絵の具をやわらかく取り除く。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>吸い取る：ドラッグで、選択したストロークの絵の具をやわらかく取り除きます。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>リフト：ドラッグで、グループのストロークの絵の具をやわらかく取り除く。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>吸い取る：ドラッグで、グループのストロークの絵の具をやわらかく取り除きます。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>リフト：ドラッグで、見えている絵の具をやわらかく取り除く。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
+        <translation>吸い取る：ドラッグで、見えている絵の具をやわらかく取り除きます。Shift：カット。[ ] でサイズ、{ } で強さ。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、選択した曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
+        <translation>カット：ドラッグで、選択した曲線の円の下の部分を切り抜きます。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、グループの曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
+        <translation>カット：ドラッグで、グループの曲線の円の下の部分を切り抜きます。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>カット：ドラッグで、曲線の円の下の部分を切り抜く。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
+        <translation>カット：ドラッグで、曲線の円の下の部分を切り抜きます。Shift：やわらかく消す。[ と ] でサイズを変更。</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
@@ -6899,7 +6899,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not on the layer, and only that is reached.</source>
-        <translation>何も消えませんでした。円の下のものがレイヤーになく、レイヤーだけが対象です。</translation>
+        <translation>何も消えませんでした。円の下のものは、対象のレイヤーにありません。</translation>
     </message>
 </context>
 <context>
@@ -6930,7 +6930,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm, or ora or psd with layers.</source>
-        <translation>形式は拡張子で決まります: png、tiff、exr、jpg、webp、pfm、またはレイヤー付きの ora、psd。</translation>
+        <translation>形式は拡張子で決まります：png、tiff、exr、jpg、webp、pfm、またはレイヤー付きの ora、psd。</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -6970,19 +6970,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width in pixels</source>
-        <translation>幅、ピクセル</translation>
+        <translation>幅（ピクセル）</translation>
     </message>
     <message>
         <source>Width in pixels; the height follows.</source>
-        <translation>幅、ピクセル。高さは自動で決まります。</translation>
+        <translation>幅（ピクセル）。高さは自動で決まります。</translation>
     </message>
     <message>
         <source>Height in pixels</source>
-        <translation>高さ、ピクセル</translation>
+        <translation>高さ（ピクセル）</translation>
     </message>
     <message>
         <source>Height in pixels; the width follows.</source>
-        <translation>高さ、ピクセル。幅は自動で決まります。</translation>
+        <translation>高さ（ピクセル）。幅は自動で決まります。</translation>
     </message>
     <message>
         <source>painting</source>
@@ -6994,7 +6994,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>“%1” has no ending of a picture format. Choose one of: %2.</source>
-        <translation>「%1」に画像形式の拡張子がありません。次のいずれかを選んでください: %2。</translation>
+        <translation>「%1」に画像形式の拡張子がありません。次のいずれかを選んでください：%2。</translation>
     </message>
     <message>
         <source>%1 exists. Replace it?</source>
@@ -7087,11 +7087,11 @@ Arrow keys work too.</source>
     <name>suffuse::EyedropperTool</name>
     <message>
         <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
-        <translation>クリックで画像の色を現在の色にします。Shift：ストローク自体の色。</translation>
+        <translation>クリックで表示色を現在の色にします。Shift：ストローク自体の色。</translation>
     </message>
     <message>
         <source>A click takes</source>
-        <translation>クリックで取得</translation>
+        <translation>クリックで採取</translation>
     </message>
     <message>
         <source>The colour, to paint with</source>
@@ -7115,11 +7115,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour. Ctrl: its whole appearance.</source>
-        <translation>クリックで、選択したものに画像の色を付けます。Shift：ストローク自体の色。Ctrl：外観全体。</translation>
+        <translation>クリックで、選択したものに表示色を付けます。Shift：ストローク自体の色。Ctrl：外観全体。</translation>
     </message>
     <message>
         <source>Click to give the swatch the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
-        <translation>クリックで、スウォッチを画像の色にします。Shift：ストローク自体の色。</translation>
+        <translation>クリックで、スウォッチを表示色にします。Shift：ストローク自体の色。</translation>
     </message>
     <message>
         <source>A colour, or style, values and colour of a stroke for the selected ones. The colour is for what the Colour dock shows: the brush, the selection or a swatch.</source>
@@ -7146,7 +7146,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
-        <translation>濃度が被覆率になる仕方。印は、選択したセグメントの最大濃度です。</translation>
+        <translation>濃度から被覆率への変わり方。印は、選択したセグメントの最大濃度です。</translation>
     </message>
     <message>
         <source>Cross-section</source>
@@ -7202,11 +7202,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Spread along</source>
-        <translation>縦の広がり</translation>
+        <translation>線方向の広がり</translation>
     </message>
     <message>
         <source>How far the paint has spread across the curve once it is dry: √(4·D·t_max).</source>
-        <translation>乾いたときに、絵の具が曲線を横切る方向へ広がる距離: √(4·D·t_max)。</translation>
+        <translation>乾いたときに、絵の具が曲線を横切る方向へ広がる距離：√(4·D·t_max)。</translation>
     </message>
     <message>
         <source>How far it has spread along the curve.</source>
@@ -7214,7 +7214,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Spread across</source>
-        <translation>横の広がり</translation>
+        <translation>幅方向の広がり</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -7226,11 +7226,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How softly the erasure ends: how far it has spread beside its curve, √(4·D·t_max).</source>
-        <translation>消し跡の縁のやわらかさ。曲線の横へ広がった距離: √(4·D·t_max)。</translation>
+        <translation>消し跡の縁のやわらかさ。曲線の横へ広がった距離：√(4·D·t_max)。</translation>
     </message>
     <message>
         <source>What one segment of the erasure takes away in its middle: the share of the paint if it fades; density if it lifts, and paint that is thinner is gone there.</source>
-        <translation>消し跡の 1 セグメントが中央で取り除く量。「薄くする」では絵の具の割合、リフトでは濃度で、これより薄い絵の具はなくなります。</translation>
+        <translation>消し跡の 1 セグメントが中央で取り除く量。「薄くする」では絵の具の割合、「吸い取る」では濃度で、これより薄い絵の具はなくなります。</translation>
     </message>
 </context>
 <context>
@@ -7292,7 +7292,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What was painted since the last save goes; Undo brings it back.</source>
-        <translation>前回の保存より後に描いたものがなくなります。「元に戻す」で戻せます。</translation>
+        <translation>前回の保存以降に描いたものがなくなります。「元に戻す」で戻せます。</translation>
     </message>
     <message>
         <source>&amp;Revert</source>
@@ -7319,7 +7319,7 @@ Arrow keys work too.</source>
     <name>suffuse::FileSaving</name>
     <message>
         <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
-        <translation>これから描くものは、異常終了すると失われます: %1。このまま描けますが、ときどき保存してください。</translation>
+        <translation>これから描くものは、異常終了すると失われます：%1。このまま描けますが、ときどき保存してください。</translation>
     </message>
     <message>
         <source>“%1” is gone from its folder. Save to put it back.</source>
@@ -7692,11 +7692,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>expected %1 before “%2”</source>
-        <translation>「%2」の前に %1 が必要です</translation>
+        <translation>「%2」の前に%1が必要です</translation>
     </message>
     <message>
         <source>%1 is not %2</source>
-        <translation>%1 は %2 ではありません</translation>
+        <translation>%1 は%2ではありません</translation>
     </message>
     <message>
         <source>has %1 numbers instead of %2</source>
@@ -7784,7 +7784,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
-        <translation>より新しいプログラム（%1）で書き込まれ、バージョン %2 の読み込みに対応したものが必要です。これは %3 です。Suffuse を更新してください</translation>
+        <translation>より新しいプログラム（%1）で書き込まれています。読み込みにはバージョン %2 への対応が必要ですが、これが対応するのは %3 までです。Suffuse を更新してください</translation>
     </message>
     <message>
         <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
@@ -7932,7 +7932,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>belongs to %1, and would not any more; save under another name</source>
-        <translation>%1 の所有ですが、そうでなくなってしまいます。別の名前で保存してください</translation>
+        <translation>所有者は %1 ですが、保存すると所有者が変わってしまいます。別の名前で保存してください</translation>
     </message>
     <message>
         <source>could not be brought to the disk</source>
@@ -8144,7 +8144,7 @@ Arrow keys work too.</source>
     <message>
         <source>, </source>
         <comment>list</comment>
-        <translation>, </translation>
+        <translation>、</translation>
     </message>
     <message numerus="yes">
         <source>%n gradient(s)</source>
@@ -8203,7 +8203,7 @@ Arrow keys work too.</source>
     <message numerus="yes">
         <source>%n image(s)</source>
         <translation>
-            <numerusform>画像 %n 個</numerusform>
+            <numerusform>画像 %n 枚</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8340,7 +8340,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>the size on paper</source>
-        <translation>紙の上での大きさ</translation>
+        <translation>印刷サイズ</translation>
     </message>
     <message>
         <source>the first element is not xournal</source>
@@ -8541,7 +8541,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>A wash: its strokes are one</source>
-        <translation>ウォッシュ: ストロークが一体になっています</translation>
+        <translation>ウォッシュ：ストロークが一体になっています</translation>
     </message>
     <message>
         <source>Shown alone</source>
@@ -8549,7 +8549,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>A draft: left out of what is exported</source>
-        <translation>下描き: エクスポートに含まれません</translation>
+        <translation>下描き：エクスポートに含まれません</translation>
     </message>
 </context>
 <context>
@@ -8660,7 +8660,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Sets a value along the stroke: constant, as a ramp, or drawn as a curve.</source>
-        <translation>ストロークに沿った値を設定：一定、直線変化、または曲線を手描き。</translation>
+        <translation>ストロークに沿った値を、一定、直線変化、または手描きの曲線で設定します。</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %Ln segment(s)</source>
@@ -8693,15 +8693,15 @@ Arrow keys work too.</source>
     <name>suffuse::KeyboardFocus</name>
     <message>
         <source>The %1 dock has the keyboard; Esc gives it back to the canvas.</source>
-        <translation>%1 ドックがキーボード操作の対象です。Esc でキャンバスに戻ります。</translation>
+        <translation>%1 ドックにキーボードフォーカスがあります。Esc でキャンバスに戻ります。</translation>
     </message>
     <message>
         <source>The canvas has the keyboard.</source>
-        <translation>キャンバスがキーボード操作の対象です。</translation>
+        <translation>キャンバスにキーボードフォーカスがあります。</translation>
     </message>
     <message>
         <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
-        <translation>ツールバー「%1」がキーボード操作の対象です。Esc でキャンバスに戻ります。</translation>
+        <translation>ツールバー「%1」にキーボードフォーカスがあります。Esc でキャンバスに戻ります。</translation>
     </message>
 </context>
 <context>
@@ -8852,7 +8852,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Minutes and seconds, as the timeline shows them: 1:02.345</source>
-        <translation>分と秒、タイムラインの表示と同じ形式: 1:02.345</translation>
+        <translation>分と秒（タイムラインの表示と同じ形式）：1:02.345</translation>
     </message>
 </context>
 <context>
@@ -8919,7 +8919,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Pixels for each inch of paper. The sheet stays as large on paper.</source>
-        <translation>紙 1 インチあたりのピクセル数。紙の上での用紙の大きさは変わりません。</translation>
+        <translation>紙 1 インチあたりのピクセル数。用紙の印刷サイズは変わりません。</translation>
     </message>
 </context>
 <context>
@@ -8931,7 +8931,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの位置、左から、キャンバス単位。Enter またはクリックで置きます</translation>
+        <translation>次のノードの左からの位置（キャンバス単位）。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8940,7 +8940,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの位置、上から、キャンバス単位。Enter またはクリックで置きます</translation>
+        <translation>次のノードの上からの位置（キャンバス単位）。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Length</source>
@@ -8948,7 +8948,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>最後のノードから次のノードまで、キャンバス単位。Enter またはクリックで置きます</translation>
+        <translation>最後のノードから次のノードまでの長さ（キャンバス単位）。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -8956,7 +8956,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Direction from the last node to the next one, clockwise from the right. Return sets it, and so does a click</source>
-        <translation>最後のノードから次のノードへの方向、右から時計回り。Enter またはクリックで置きます</translation>
+        <translation>最後のノードから次のノードへの方向（右から時計回り）。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9059,7 +9059,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>
-        <translation>ドラッグでノードを移動、影響範囲内をなめらかに（ホイール、Alt+ドラッグ）。Ctrl：軸に沿って。Ctrl+Alt：ハンドル。Shift+クリックで追加。</translation>
+        <translation>ドラッグでノードを移動、影響範囲内を滑らかに（ホイール、Alt+ドラッグ）。Ctrl：軸に沿って。Ctrl+Alt：ハンドル。Shift+クリックで追加。</translation>
     </message>
     <message>
         <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
@@ -9171,7 +9171,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How hard the pen must be pressed, for all brushes.</source>
-        <translation>ペンを押す強さの感度、全ブラシ共通。</translation>
+        <translation>ペンを押す強さの感度。全ブラシに共通です。</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
@@ -9183,7 +9183,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>↑ paints with</source>
-        <translation>↑ 描く筆圧</translation>
+        <translation>↑ 描画の筆圧</translation>
     </message>
     <message>
         <source>Pressure curve</source>
@@ -9230,7 +9230,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Keep what is set here as a preset</source>
-        <translation>ここの設定をプリセットとして保存</translation>
+        <translation>ここの設定をプリセットとして保存します</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -9238,7 +9238,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Forget the chosen preset</source>
-        <translation>選んだプリセットを削除</translation>
+        <translation>選んだプリセットを削除します</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9417,11 +9417,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Usual: %1 dpi</source>
-        <translation>標準: %1 dpi</translation>
+        <translation>標準：%1 dpi</translation>
     </message>
     <message>
         <source>The printer's: %1 dpi</source>
-        <translation>プリンターの解像度: %1 dpi</translation>
+        <translation>プリンターの解像度：%1 dpi</translation>
     </message>
     <message>
         <source>The margins leave no room on the paper.</source>
@@ -9452,7 +9452,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>There is no room for the page on the disk: %1</source>
-        <translation>ディスクにページを書き込む空きがありません: %1</translation>
+        <translation>ディスクにページを書き込む空きがありません：%1</translation>
     </message>
     <message>
         <source>The printer does not take the page. See whether it is there, or print to a file.</source>
@@ -9467,19 +9467,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width on paper</source>
-        <translation>紙の上での幅</translation>
+        <translation>印刷時の幅</translation>
     </message>
     <message>
         <source>Width on paper; the height and the pixels follow.</source>
-        <translation>紙の上での幅。高さとピクセル数は自動で決まります。</translation>
+        <translation>印刷時の幅。高さとピクセル数は自動で決まります。</translation>
     </message>
     <message>
         <source>Height on paper</source>
-        <translation>紙の上での高さ</translation>
+        <translation>印刷時の高さ</translation>
     </message>
     <message>
         <source>Height on paper; the width and the pixels follow.</source>
-        <translation>紙の上での高さ。幅とピクセル数は自動で決まります。</translation>
+        <translation>印刷時の高さ。幅とピクセル数は自動で決まります。</translation>
     </message>
     <message>
         <source>mm</source>
@@ -9514,7 +9514,7 @@ Arrow keys work too.</source>
     <name>suffuse::ProbePanel</name>
     <message>
         <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
-        <translation>絵の上でポインターを止めると、そこを構成するものがここに一覧表示されます。クリックしに来ても一覧は残ります。</translation>
+        <translation>絵の上でポインターを止めると、そこを構成するものがここに一覧表示されます。ポインターをここへ移しても一覧は残り、クリックできます。</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -9530,7 +9530,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Of strokes: share of the colour. Of segments: share of the stroke&apos;s density.</source>
-        <translation>ストローク: 色に占める割合。セグメント: ストロークの濃度に占める割合。</translation>
+        <translation>ストローク：色に占める割合。セグメント：ストロークの濃度に占める割合。</translation>
     </message>
     <message>
         <source>Strokes under the pointer</source>
@@ -9542,7 +9542,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The density of the chosen stroke at this place from when it was painted until it is dry. Dashed: the density from which it is seen.</source>
-        <translation>選んだストロークの、この場所での濃度。描かれてから乾くまで。破線: 見え始める濃度。</translation>
+        <translation>選んだストロークの、この場所での濃度。描かれてから乾くまで。破線：見え始める濃度。</translation>
     </message>
     <message>
         <source>%1, %2 · paper η %3</source>
@@ -9629,7 +9629,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How much of it one touch does; a pen&apos;s pressure takes from it</source>
-        <translation>1 回の操作での効果の大きさ。ペンの筆圧で弱まります</translation>
+        <translation>1 回の操作での効果の大きさ。ペンの筆圧が弱いほど小さくなります</translation>
     </message>
     <message>
         <source>Push strokes</source>
@@ -9656,7 +9656,7 @@ Arrow keys work too.</source>
     <name>suffuse::RecolourDialog</name>
     <message>
         <source>Recolour Artwork</source>
-        <translation>アートワークの色変更</translation>
+        <translation>アートワークを再配色</translation>
     </message>
     <message>
         <source>Colours of what is selected</source>
@@ -9706,7 +9706,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>sRGB colour as #rrggbb, #rgb or CSS: rgb(255, 0, 128), hsl(20, 50%, 40%), teal</source>
-        <translation>sRGB カラー: #rrggbb、#rgb、または CSS: rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
+        <translation>sRGB カラー：#rrggbb、#rgb、または CSS: rgb(255, 0, 128)、hsl(20, 50%, 40%)、teal</translation>
     </message>
     <message>
         <source>Swatches</source>
@@ -9750,7 +9750,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>100 %: as it is; 0 %: grey; more: more colourful</source>
-        <translation>100 %: 元のまま。0 %: グレー。100 % 超: より鮮やか</translation>
+        <translation>100 %：元のまま。0 %：グレー。100 % 超：より鮮やか</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -9770,7 +9770,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-        <translation>「%1」は色ではありません。#rrggbb の形で入力してください（例: #2f6690）。</translation>
+        <translation>「%1」は色ではありません。#rrggbb の形で入力してください（例：#2f6690）。</translation>
     </message>
 </context>
 <context>
@@ -9843,7 +9843,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What was painted since the last save is then lost for good.</source>
-        <translation>前回の保存より後に描いたものは、完全に失われます。</translation>
+        <translation>前回の保存以降に描いたものは、完全に失われます。</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -9925,7 +9925,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How far curves may move, in canvas units</source>
-        <translation>曲線が動いてよい距離、キャンバス単位</translation>
+        <translation>曲線が動いてよい距離（キャンバス単位）</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9941,7 +9941,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>この長さ以下の波打ちをなくします、キャンバス単位</translation>
+        <translation>この長さ（キャンバス単位）以下の波打ちをなくします</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9949,7 +9949,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>0 %: as it is; 100 %: a straight line</source>
-        <translation>0 %: 元のまま。100 %: 直線</translation>
+        <translation>0 %：元のまま。100 %：直線</translation>
     </message>
     <message>
         <source>Width</source>
@@ -9961,7 +9961,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>ストロークの方向に対して右へ、キャンバス単位。0 未満で左へ</translation>
+        <translation>ストロークの方向に対して右への距離（キャンバス単位）。0 未満で左へ</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -9986,11 +9986,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>at %1 for %2 s</source>
-        <translation>%1 に %2 s 間</translation>
+        <translation>%1 から %2 s 間</translation>
     </message>
     <message>
         <source>at %1 for %2 s, some segments</source>
-        <translation>%1 に %2 s 間、一部のセグメント</translation>
+        <translation>%1 から %2 s 間、一部のセグメント</translation>
     </message>
     <message>
         <source>The selected paint is not wetted then</source>
@@ -10017,27 +10017,27 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Hue on the circle of the screen&apos;s colours: 0° red, 120° green, 240° blue</source>
-        <translation>画面の色の色相環での色相: 0° 赤、120° 緑、240° 青</translation>
+        <translation>画面の色の色相環での色相：0° 赤、120° 緑、240° 青</translation>
     </message>
     <message>
         <source>0 %: grey; 100 %: as colourful as a screen can be</source>
-        <translation>0 %: グレー。100 %: 画面で最も鮮やかな色</translation>
+        <translation>0 %：グレー。100 %：画面で最も鮮やかな色</translation>
     </message>
     <message>
         <source>0 %: black; 100 %: as bright as the colour can be</source>
-        <translation>0 %: 黒。100 %: その色で最も明るい状態</translation>
+        <translation>0 %：黒。100 %：その色で最も明るい状態</translation>
     </message>
     <message>
         <source>Red light of the screen, 0 to 255</source>
-        <translation>画面の赤の光、0～255</translation>
+        <translation>画面の赤の光（0～255）</translation>
     </message>
     <message>
         <source>Green light of the screen, 0 to 255</source>
-        <translation>画面の緑の光、0～255</translation>
+        <translation>画面の緑の光（0～255）</translation>
     </message>
     <message>
         <source>Blue light of the screen, 0 to 255</source>
-        <translation>画面の青の光、0～255</translation>
+        <translation>画面の青の光（0～255）</translation>
     </message>
     <message>
         <source>R</source>
@@ -10128,7 +10128,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Direction of the anisotropy, clockwise from the horizontal.</source>
-        <translation>異方性の方向、水平から時計回り。</translation>
+        <translation>異方性の方向（水平から時計回り）。</translation>
     </message>
     <message>
         <source>Change anisotropy</source>
@@ -10200,7 +10200,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How much of the paper&apos;s grain shows: 0 % is smooth, 100 % shows all of it. Files and scripts hold ω, which is 1 where this is 0 %.</source>
-        <translation>紙目がどれだけ現れるか。0 % でなめらか、100 % ですべて現れます。ファイルとスクリプトでは ω を使い、ここの 0 % が 1 にあたります。</translation>
+        <translation>紙目がどれだけ現れるか。0 % で滑らか、100 % ですべて現れます。ファイルとスクリプトでは ω を使い、ここの 0 % が 1 にあたります。</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10208,7 +10208,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width of a dry line at full pressure, in units; sets the diffusion.</source>
-        <translation>最大の筆圧で描いた乾いた線の幅、単位。拡散を決めます。</translation>
+        <translation>最大の筆圧で描いて乾いた線の幅（単位）。拡散を決めます。</translation>
     </message>
     <message>
         <source>Flow</source>
@@ -10232,7 +10232,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
-        <translation>下の色が残る割合: 0 % で覆い、100 % で加算。</translation>
+        <translation>下の色が残る割合：0 % で覆い、100 % で加算。</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -10312,7 +10312,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Feathering</source>
-        <translation>フェザー</translation>
+        <translation>ぼかし</translation>
     </message>
     <message>
         <source>Dark edges</source>
@@ -10320,7 +10320,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Covering (alpha)</source>
-        <translation>覆う（アルファ）</translation>
+        <translation>被覆（アルファ）</translation>
     </message>
     <message>
         <source>Pigment (β)</source>
@@ -10486,11 +10486,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Motion</source>
-        <translation>動き</translation>
+        <translation>アニメーション</translation>
     </message>
     <message>
         <source>Whether docks glide to their places and carets blink</source>
-        <translation>ドックがなめらかに移動するか、カーソルが点滅するか</translation>
+        <translation>ドックが滑らかに移動するか、カーソルが点滅するか</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -10560,11 +10560,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Fixed: no command can have these keys.</source>
-        <translation>固定: どのコマンドにも割り当てられないキーです。</translation>
+        <translation>固定：どのコマンドにも割り当てられないキーです。</translation>
     </message>
     <message>
         <source>%1 is fixed: “%2”. Give “%3” another shortcut.</source>
-        <translation>%1 は固定です: 「%2」。「%3」に別のショートカットを割り当ててください。</translation>
+        <translation>%1 は固定です：「%2」。「%3」に別のショートカットを割り当ててください。</translation>
     </message>
     <message>
         <source>&amp;None</source>
@@ -10599,7 +10599,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>円の直径、キャンバス単位（[ と ] で変更）</translation>
+        <translation>円の直径（キャンバス単位、[ と ] で変更）</translation>
     </message>
 </context>
 <context>
@@ -10633,7 +10633,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで動くか、キャンバス単位。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
+        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで一緒に動くか（キャンバス単位）。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10641,7 +10641,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Let the reach follow the view: soft where nodes would crowd, else the node alone</source>
-        <translation>影響範囲を表示倍率に合わせる: ノードが密集する所ではなめらかに、それ以外ではノードだけ</translation>
+        <translation>影響範囲を表示倍率に合わせます：ノードが密集する所では滑らかに、それ以外ではノードだけ</translation>
     </message>
     <message>
         <source>Let the reach follow the view</source>
@@ -10652,7 +10652,7 @@ Arrow keys work too.</source>
     <name>suffuse::StatusLine</name>
     <message>
         <source>Position of the pointer in canvas units</source>
-        <translation>ポインターの位置、キャンバス単位</translation>
+        <translation>ポインターの位置（キャンバス単位）</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -10767,7 +10767,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How the density of all strokes of the wash becomes coverage.</source>
-        <translation>ウォッシュのすべてのストロークの濃度が被覆率になる仕方。</translation>
+        <translation>ウォッシュのすべてのストロークの濃度から被覆率への変わり方。</translation>
     </message>
     <message>
         <source>Mixing</source>
@@ -10783,7 +10783,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Not possible for all that is selected: %1</source>
-        <translation>選択したものすべてには設定できません: %1</translation>
+        <translation>選択したものすべてには設定できません：%1</translation>
     </message>
 </context>
 <context>
@@ -10909,7 +10909,7 @@ Arrow keys work too.</source>
     <message>
         <source>, </source>
         <extracomment>between &quot;3 pieces&quot; and &quot;12 erasures&quot;</extracomment>
-        <translation>, </translation>
+        <translation>、</translation>
     </message>
     <message>
         <source>mixes by itself</source>
@@ -11032,7 +11032,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
-        <translation>一覧の検索中は、行をドラッグできません。表示中の行の間に、ほかの行があるかもしれないためです。先に検索を消してください。</translation>
+        <translation>一覧の検索中は、行をドラッグできません。表示中の行の間に、ほかの行があるかもしれないためです。先に検索を解除してください。</translation>
     </message>
     <message>
         <source>Mi&amp;x by Itself</source>
@@ -11048,11 +11048,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>New layer: %1</source>
-        <translation>新規レイヤー: %1</translation>
+        <translation>新規レイヤー：%1</translation>
     </message>
     <message>
         <source>Painting on: %1</source>
-        <translation>描画先: %1</translation>
+        <translation>描画先：%1</translation>
     </message>
     <message>
         <source>The layer comes into the list with the first stroke that is painted.</source>
@@ -11076,7 +11076,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>New clipped layer: %1</source>
-        <translation>新規クリッピングレイヤー: %1</translation>
+        <translation>新規クリッピングレイヤー：%1</translation>
     </message>
 </context>
 <context>
@@ -11107,7 +11107,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How density becomes coverage.</source>
-        <translation>濃度が被覆率になる仕方。</translation>
+        <translation>濃度から被覆率への変わり方。</translation>
     </message>
     <message>
         <source>Change style</source>
@@ -11123,7 +11123,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Not possible for all that is selected: %1</source>
-        <translation>選択したものすべてには設定できません: %1</translation>
+        <translation>選択したものすべてには設定できません：%1</translation>
     </message>
     <message>
         <source>The style of the wash is seen in place of this one.</source>
@@ -11233,7 +11233,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation>%1 を読み込めません: %2。</translation>
+        <translation>%1 を読み込めません：%2。</translation>
     </message>
     <message>
         <source>Map Colours to Swatches</source>
@@ -11260,7 +11260,7 @@ Arrow keys work too.</source>
     <name>suffuse::TimelapseDialog</name>
     <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
-        <translation>形式は拡張子で決まります。webm と mp4 はビデオ、webp はアニメーション、png、tiff、exr、jpg、pfm は番号付きの画像（例: frame%04d.png）です。</translation>
+        <translation>形式は拡張子で決まります。webm と mp4 はビデオ、webp はアニメーション、png、tiff、exr、jpg、pfm は番号付きの画像（例：frame%04d.png）です。</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -11348,7 +11348,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>“%1” has no ending of a film or a picture. Choose one of: %2.</source>
-        <translation>「%1」に動画または画像の拡張子がありません。次のいずれかを選んでください: %2。</translation>
+        <translation>「%1」に動画または画像の拡張子がありません。次のいずれかを選んでください：%2。</translation>
     </message>
 </context>
 <context>
@@ -11437,7 +11437,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の左端、キャンバス単位</translation>
+        <translation>選択したストロークの曲線の左端（キャンバス単位）</translation>
     </message>
     <message>
         <source>Y</source>
@@ -11445,7 +11445,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の上端、キャンバス単位</translation>
+        <translation>選択したストロークの曲線の上端（キャンバス単位）</translation>
     </message>
     <message>
         <source>W</source>
@@ -11454,7 +11454,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の幅、キャンバス単位</translation>
+        <translation>選択したストロークの曲線の幅（キャンバス単位）</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11471,7 +11471,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の高さ、キャンバス単位</translation>
+        <translation>選択したストロークの曲線の高さ（キャンバス単位）</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11479,7 +11479,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Rotate the selected strokes by this angle</source>
-        <translation>選択したストロークをこの角度だけ回転</translation>
+        <translation>選択したストロークをこの角度だけ回転します</translation>
     </message>
     <message>
         <source>Rotate</source>
@@ -11541,7 +11541,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Left edge of the underlay, canvas units</source>
-        <translation>下絵の左端、キャンバス単位</translation>
+        <translation>下絵の左端（キャンバス単位）</translation>
     </message>
     <message>
         <source>Y</source>
@@ -11549,7 +11549,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Upper edge of the underlay, canvas units</source>
-        <translation>下絵の上端、キャンバス単位</translation>
+        <translation>下絵の上端（キャンバス単位）</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11561,7 +11561,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Width of the underlay, canvas units</source>
-        <translation>下絵の幅、キャンバス単位</translation>
+        <translation>下絵の幅（キャンバス単位）</translation>
     </message>
     <message>
         <source>Height</source>
@@ -11569,7 +11569,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Height of the underlay, canvas units</source>
-        <translation>下絵の高さ、キャンバス単位</translation>
+        <translation>下絵の高さ（キャンバス単位）</translation>
     </message>
     <message>
         <source>Size</source>
@@ -11697,7 +11697,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Radius of the inner corners, as a share of that of the tips</source>
-        <translation>内側の頂点の半径、先端の半径に対する割合</translation>
+        <translation>内側の頂点の半径（先端の半径に対する割合）</translation>
     </message>
     <message>
         <source>Round</source>
@@ -11851,7 +11851,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>What gets a random value of its own; along a stroke values drift smoothly</source>
-        <translation>独自のランダムな値を持つ単位。ストロークに沿う場合、値はなめらかに変わります</translation>
+        <translation>独自のランダムな値を持つ単位。ストロークに沿う場合、値は滑らかに変わります</translation>
     </message>
     <message>
         <source>Of its own</source>
@@ -11982,7 +11982,7 @@ Arrow keys work too.</source>
     <name>suffuse::PenTool</name>
     <message>
         <source>Click: corner. Drag: curve, Alt: one handle alone. First node: close. Return: end. Backspace: one back.</source>
-        <translation>クリック：シャープ。ドラッグ：曲線、Alt：片方のハンドルだけ。最初のノード：閉じる。Enter：終了。Backspace：1 つ戻る。</translation>
+        <translation>クリック：角。ドラッグ：曲線、Alt：片方のハンドルだけ。最初のノード：閉じる。Enter：終了。Backspace：1 つ戻る。</translation>
     </message>
     <message>
         <source>Click or drag to go on with the selected stroke from its end.</source>
@@ -12020,7 +12020,7 @@ Arrow keys work too.</source>
     <name>suffuse::BucketTool</name>
     <message>
         <source>Click: fill what the paint around that place bounds, with the brush in hand.</source>
-        <translation>クリック：その周りの絵の具で囲まれた部分を、使用中のブラシで塗りつぶす。</translation>
+        <translation>クリック：その周りの絵の具で囲まれた部分を、使用中のブラシで塗りつぶします。</translation>
     </message>
     <message>
         <source>Over all strokes</source>
@@ -12113,7 +12113,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Font: it is not installed here, and another one stands in</source>
-        <translation>フォント: ここにインストールされていないため、別のもので代用しています</translation>
+        <translation>フォント：ここにインストールされていないため、別のもので代用しています</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -12157,7 +12157,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The em of the font, canvas units</source>
-        <translation>フォントの em、キャンバス単位</translation>
+        <translation>フォントの em（キャンバス単位）</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12165,7 +12165,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Room that is added between letters, of the size</source>
-        <translation>文字の間に加えるアキ、サイズに対する割合</translation>
+        <translation>文字の間に加えるアキ（サイズに対する割合）</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -12173,7 +12173,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>From one line to the next, of the size</source>
-        <translation>次の行までの距離、サイズに対する割合</translation>
+        <translation>次の行までの距離（サイズに対する割合）</translation>
     </message>
     <message>
         <source>Start</source>
@@ -12477,7 +12477,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>There is nothing beside it to mask.</source>
-        <translation>並んでいるものがないため、マスクできません。</translation>
+        <translation>同じ階層にほかのものがないため、マスクできません。</translation>
     </message>
     <message>
         <source>It is in a wash already.</source>
@@ -12763,7 +12763,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The ending chooses the format: svg, svgz, which is packed, or pdf.</source>
-        <translation>形式は拡張子で決まります: svg、svgz（圧縮）、pdf。</translation>
+        <translation>形式は拡張子で決まります：svg、svgz（圧縮）、pdf。</translation>
     </message>
     <message>
         <source>Bands</source>
@@ -12791,7 +12791,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How many bands full opacity is drawn in. More of them are smoother, and make a larger file.</source>
-        <translation>完全な不透明度を分ける帯の数。多いほどなめらかで、ファイルが大きくなります。</translation>
+        <translation>不透明度 100 % までを分ける帯の数。多いほど滑らかで、ファイルが大きくなります。</translation>
     </message>
     <message>
         <source>Of red, green and blue, over the sheet, with a pixel a unit</source>
@@ -12815,7 +12815,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>“%1” has no ending of a drawing. Choose one of: %2.</source>
-        <translation>「%1」にベクター画像の拡張子がありません。次のいずれかを選んでください: %2。</translation>
+        <translation>「%1」にベクター画像の拡張子がありません。次のいずれかを選んでください：%2。</translation>
     </message>
     <message>
         <source>As large as the sheet</source>
@@ -12827,7 +12827,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where that is not said, has 96 units an inch.</source>
-        <translation>PDF の場合：用紙がページの中央に収まります。用紙自体は紙の上での大きさ、指定がなければ 1 インチあたり 96 単位です。</translation>
+        <translation>PDF の場合：用紙がページの中央に収まります。用紙の大きさは印刷サイズで、指定がなければ 1 インチあたり 96 単位です。</translation>
     </message>
 </context>
 <context>
@@ -12869,7 +12869,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Proof: %1</source>
-        <translation>プルーフ: %1</translation>
+        <translation>プルーフ：%1</translation>
     </message>
 </context>
 <context>
@@ -12883,7 +12883,7 @@ Arrow keys work too.</source>
     <name>suffuse::ColourPage</name>
     <message>
         <source>That of the system</source>
-        <translation>システムのもの</translation>
+        <translation>システムのプロファイル</translation>
     </message>
     <message>
         <source>None (sRGB)</source>
@@ -12895,19 +12895,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Screen profile</source>
-        <translation>画面プロファイル</translation>
+        <translation>モニタープロファイル</translation>
     </message>
     <message>
         <source>What the screen makes of its numbers. The canvas is converted to it, so that colours look as they were meant.</source>
-        <translation>画面が数値をどう表示するか。色が意図どおりに見えるよう、キャンバスをこれに合わせて変換します。</translation>
+        <translation>モニターが数値をどう表示するか。色が意図どおりに見えるよう、キャンバスをこれに合わせて変換します。</translation>
     </message>
     <message>
         <source>Screen profile file</source>
-        <translation>画面プロファイルのファイル</translation>
+        <translation>モニタープロファイルのファイル</translation>
     </message>
     <message>
         <source>Chooses the ICC profile that was measured for this screen</source>
-        <translation>この画面を測定した ICC プロファイルを選びます</translation>
+        <translation>このモニターを測定した ICC プロファイルを選びます</translation>
     </message>
     <message>
         <source>Soft proof</source>
@@ -12951,7 +12951,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Profile of the Screen</source>
-        <translation>画面のプロファイル</translation>
+        <translation>モニターのプロファイル</translation>
     </message>
     <message>
         <source>Profile of the Soft Proof</source>
@@ -13052,15 +13052,15 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Quick</source>
-        <translation>速い</translation>
+        <translation>高速</translation>
     </message>
     <message>
         <source>Good</source>
-        <translation>良い</translation>
+        <translation>高品質</translation>
     </message>
     <message>
         <source>Best</source>
-        <translation>最高</translation>
+        <translation>最高品質</translation>
     </message>
     <message>
         <source>Style</source>
@@ -13108,7 +13108,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>これより細いストロークは作りません、キャンバス単位。0：制限なし</translation>
+        <translation>これより細いストロークは作りません（キャンバス単位）。0：制限なし</translation>
     </message>
     <message>
         <source>Greatest width</source>
@@ -13116,7 +13116,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>これより太いストロークは作りません、キャンバス単位。0：制限なし</translation>
+        <translation>これより太いストロークは作りません（キャンバス単位）。0：制限なし</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13135,19 +13135,19 @@ Arrow keys work too.</source>
     <name>suffuse::FitDialog</name>
     <message>
         <source>far: %1 dB</source>
-        <translation>遠い: %1 dB</translation>
+        <translation>差が大きい：%1 dB</translation>
     </message>
     <message>
         <source>roughly: %1 dB</source>
-        <translation>おおよそ: %1 dB</translation>
+        <translation>おおよそ近い：%1 dB</translation>
     </message>
     <message>
         <source>near: %1 dB</source>
-        <translation>近い: %1 dB</translation>
+        <translation>近い：%1 dB</translation>
     </message>
     <message>
         <source>very near: %1 dB</source>
-        <translation>とても近い: %1 dB</translation>
+        <translation>とても近い：%1 dB</translation>
     </message>
     <message>
         <source>Picture to Strokes</source>
@@ -13359,7 +13359,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>That is farther than before, when it was off by %1; Undo brings the former strokes back.</source>
-        <translation>元の差 %1 より遠くなりました。「元に戻す」で元のストロークに戻せます。</translation>
+        <translation>元の差 %1 より大きくなりました。「元に戻す」で元のストロークに戻せます。</translation>
     </message>
 </context>
 <context>
@@ -13370,7 +13370,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>there is not enough memory for the sheets that are drawn at once</source>
-        <translation>一度に描画するシートにはメモリが足りません</translation>
+        <translation>シートを一度に描画するにはメモリが足りません</translation>
     </message>
     <message>
         <source>a tile cannot be encoded: %1</source>
@@ -13456,7 +13456,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Press B and draw a stroke. Watch it spread after you let go.</source>
-        <translation>B を押して、ストロークを描いてください。離した後に広がる様子を見てください。</translation>
+        <translation>B を押して、ストロークを描いてください。手を離した後に広がる様子を見てください。</translation>
     </message>
     <message>
         <source>Press D: this goes to the moment when everything is dry.</source>
@@ -13648,7 +13648,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The workspace “%1” was saved: View ▸ Workspaces.</source>
-        <translation>ワークスペース「%1」を保存しました: 表示 ▸ ワークスペース。</translation>
+        <translation>ワークスペース「%1」を保存しました（「表示 ▸ ワークスペース」）。</translation>
     </message>
     <message>
         <source>The workspace “%1” is damaged. Save it anew.</source>
@@ -13722,7 +13722,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Arrow keys move a cross, and Return picks the colour there.</source>
-        <translation>矢印キーで十字を動かし、Enter でその色を採取します。</translation>
+        <translation>矢印キーで十字カーソルを動かし、Enter でその色を採取します。</translation>
     </message>
     <message>
         <source>Drop a picture here to look at it while you paint, and to take colours from it.</source>
@@ -13801,7 +13801,7 @@ Arrow keys work too.</source>
     <message numerus="yes">
         <source>It was ended after %n second(s), which is as long as it may take.</source>
         <translation>
-            <numerusform>許される時間の %n 秒が過ぎたため、終了させました。</numerusform>
+            <numerusform>制限時間の %n 秒を超えたため、終了させました。</numerusform>
         </translation>
     </message>
     <message>
@@ -13978,7 +13978,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>It went well.</source>
-        <translation>うまくいきました。</translation>
+        <translation>正常に終了しました。</translation>
     </message>
     <message>
         <source>The result does not fit into memory.</source>
@@ -14091,7 +14091,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>The last run: %1</source>
-        <translation>前回の実行: %1</translation>
+        <translation>前回の実行：%1</translation>
     </message>
     <message>
         <source>Your extensions lie in %1.</source>
@@ -14241,7 +14241,7 @@ Arrow keys work too.</source>
     <name>SpokenNames</name>
     <message>
         <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <translation>%1、%2</translation>
     </message>
     <message>
         <source>More buttons</source>
@@ -14260,7 +14260,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>feathered</source>
-        <translation>フェザー</translation>
+        <translation>ぼかし</translation>
     </message>
     <message>
         <source>dark edge</source>
@@ -14286,7 +14286,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>, </source>
-        <translation>, </translation>
+        <translation>、</translation>
     </message>
     <message>
         <source>hidden</source>
@@ -14313,7 +14313,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>, </source>
-        <translation>, </translation>
+        <translation>、</translation>
     </message>
     <message numerus="yes">
         <source>%Ln selected</source>
@@ -14354,7 +14354,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Pen up at %1: %2.</source>
-        <translation>%1 でペンを上げました: %2。</translation>
+        <translation>%1 でペンを上げました：%2。</translation>
     </message>
     <message>
         <source>Given up.</source>
