@@ -68,7 +68,7 @@
     </message>
     <message>
         <source>Watercolour edge</source>
-        <translation>Aquarelle à bords</translation>
+        <translation>Bord d’aquarelle</translation>
     </message>
     <message>
         <source>Soft airbrush</source>
@@ -104,7 +104,7 @@
     </message>
     <message>
         <source>Flat wash</source>
-        <translation>Lavis plat</translation>
+        <translation>Lavis uniforme</translation>
     </message>
     <message>
         <source>Granulating wash</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>8, 16, half or float (default: the format&apos;s usual one).</source>
-        <translation>8, 16, half ou float (par défaut : l’usuelle du format).</translation>
+        <translation>8, 16, half ou float (par défaut : selon le format).</translation>
     </message>
     <message>
         <source>auto, cpu, cuda or reference.</source>
@@ -577,7 +577,7 @@
     </message>
     <message>
         <source>Full renders of all thirteen sizes of the paper&apos;s Table 2 too.</source>
-        <translation>Aussi des rendus complets dans les treize tailles du tableau 2 de l’article.</translation>
+        <translation>Ajoute les rendus complets dans les treize tailles du tableau 2 de l’article.</translation>
     </message>
     <message>
         <source>Range of the generated strokes&apos; spread, in units (default: 6 20).</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>A growth row of 1000000 segments too.</source>
-        <translation>Aussi une ligne de croissance de 1000000 segments.</translation>
+        <translation>Ajoute une ligne de croissance de 1000000 segments.</translation>
     </message>
     <message>
         <source>Width of the generated painting&apos;s canvas (default: 1024).</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>in use by a running Suffuse</source>
-        <translation>utilisé par un Suffuse en cours</translation>
+        <translation>utilisé par une instance de Suffuse en cours d’exécution</translation>
     </message>
     <message>
         <source>There is nothing to recover.
@@ -798,11 +798,11 @@
     </message>
     <message>
         <source>Lists what was painted and not saved when Suffuse ended unexpectedly, or writes one of it to a file.</source>
-        <translation>Énumère ce qui était peint et non enregistré quand Suffuse s’est arrêté de façon inattendue, ou en écrit un dans un fichier.</translation>
+        <translation>Énumère ce qui a été peint sans être enregistré quand Suffuse s’est arrêté de façon inattendue, ou en écrit un élément dans un fichier.</translation>
     </message>
     <message>
         <source>Lists what there is; the same as no ID.</source>
-        <translation>Énumère ce qu’il y a ; équivaut à aucun ID.</translation>
+        <translation>Énumère ce qu’il y a ; revient à ne donner aucun ID.</translation>
     </message>
     <message>
         <source>The file to write: .suffuse or .json.</source>
@@ -1258,7 +1258,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>--%1 says nothing of a picture that is fitted; leave it out</source>
-        <translation>--%1 ne dit rien d’une image que l’on ajuste ; omettez-le</translation>
+        <translation>--%1 est sans effet sur une image que l’on ajuste ; omettez-le</translation>
     </message>
     <message>
         <source>--fit takes one IN at a time</source>
@@ -1657,7 +1657,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>--format %1: tiles of a Deep Zoom are jpg or png</source>
-        <translation>--format %1 : les tuiles d’un Deep Zoom sont jpg ou png</translation>
+        <translation>--format %1 : les tuiles d’un Deep Zoom sont en jpg ou png</translation>
     </message>
     <message>
         <source>--depth %1: tiles have 8 or 16 bits</source>
@@ -1888,7 +1888,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>What came was painted after the moment that you look at. It was brought back to this moment, so that you see it.</source>
-        <translation>Ce qui est arrivé a été peint après le moment que vous regardez. Cela a été ramené à ce moment pour que vous le voyiez.</translation>
+        <translation>L’élément ajouté a été peint après le moment que vous regardez. Il a été ramené à ce moment pour que vous le voyiez.</translation>
     </message>
 </context>
 <context>
@@ -1900,8 +1900,8 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <message numerus="yes">
         <source>%Ln segment(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%Ln segment supprimé ; Annuler le ramène.</numerusform>
-            <numerusform>%Ln segments supprimés ; Annuler les ramène.</numerusform>
+            <numerusform>%Ln segment supprimé ; Annuler le restaure.</numerusform>
+            <numerusform>%Ln segments supprimés ; Annuler les restaure.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1914,8 +1914,8 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <message numerus="yes">
         <source>%Ln stroke(s) deleted; Undo brings back.</source>
         <translation>
-            <numerusform>%Ln trait supprimé ; Annuler le ramène.</numerusform>
-            <numerusform>%Ln traits supprimés ; Annuler les ramène.</numerusform>
+            <numerusform>%Ln trait supprimé ; Annuler le restaure.</numerusform>
+            <numerusform>%Ln traits supprimés ; Annuler les restaure.</numerusform>
         </translation>
     </message>
     <message>
@@ -2080,11 +2080,11 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Aligning takes two strokes or groups that are not locked. A group counts as one; it can be aligned relative to the canvas.</source>
-        <translation>Aligner demande deux traits ou groupes non verrouillés. Un groupe compte pour un ; on peut l’aligner par rapport au canevas.</translation>
+        <translation>Pour aligner, il faut deux traits ou groupes non verrouillés. Un groupe compte pour un ; on peut l’aligner par rapport au canevas.</translation>
     </message>
     <message>
         <source>Distributing takes three strokes or groups that are not locked. A group counts as one.</source>
-        <translation>Distribuer demande trois traits ou groupes non verrouillés. Un groupe compte pour un.</translation>
+        <translation>Pour distribuer, il faut trois traits ou groupes non verrouillés. Un groupe compte pour un.</translation>
     </message>
     <message>
         <source>Clip group to what lies below</source>
@@ -2132,15 +2132,15 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <message numerus="yes">
         <source>%Ln stroke(s) selected. Delete once more deletes.</source>
         <translation>
-            <numerusform>%Ln trait sélectionné. Supprimer encore une fois le supprime.</numerusform>
-            <numerusform>%Ln traits sélectionnés. Supprimer encore une fois les supprime.</numerusform>
+            <numerusform>%Ln trait sélectionné. Supprimer une seconde fois le supprime.</numerusform>
+            <numerusform>%Ln traits sélectionnés. Supprimer une seconde fois les supprime.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%Ln segment(s) selected. Delete once more deletes.</source>
         <translation>
-            <numerusform>%Ln segment sélectionné. Supprimer encore une fois le supprime.</numerusform>
-            <numerusform>%Ln segments sélectionnés. Supprimer encore une fois les supprime.</numerusform>
+            <numerusform>%Ln segment sélectionné. Supprimer une seconde fois le supprime.</numerusform>
+            <numerusform>%Ln segments sélectionnés. Supprimer une seconde fois les supprime.</numerusform>
         </translation>
     </message>
 </context>
@@ -2368,11 +2368,11 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
-        <translation>Les dernières fois, Suffuse n’a pas démarré ; il a donc démarré avec les réglages habituels. Les vôtres sont conservés dans %1.</translation>
+        <translation>Suffuse n’a pas pu s’ouvrir les dernières fois ; il a donc démarré avec les réglages par défaut. Les vôtres sont conservés dans %1.</translation>
     </message>
     <message>
         <source>Leave out the quotation marks: file dialogs take them for the borders between several names.</source>
-        <translation>Omettez les guillemets : les dialogues de fichiers les prennent pour les limites entre plusieurs noms.</translation>
+        <translation>Omettez les guillemets : les boîtes de dialogue de fichiers y voient la séparation entre plusieurs noms.</translation>
     </message>
     <message>
         <source>“%1” is only an ending. Give a name before it.</source>
@@ -2396,7 +2396,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Overwriting gives up what the other program wrote.</source>
-        <translation>Écraser abandonne ce que l’autre programme a écrit.</translation>
+        <translation>Écraser le fichier fait perdre ce que l’autre programme a écrit.</translation>
     </message>
     <message>
         <source>&amp;Overwrite</source>
@@ -2412,7 +2412,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Reloading takes away what was painted since the last save; Undo brings it back.</source>
-        <translation>Recharger retire ce qui a été peint depuis le dernier enregistrement ; Annuler le ramène.</translation>
+        <translation>Recharger efface ce qui a été peint depuis le dernier enregistrement ; Annuler le restaure.</translation>
     </message>
     <message>
         <source>“%1” exists. Replace it?</source>
@@ -2607,11 +2607,11 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
-        <translation>Maj+Alt+clic : ajouter le trait suivant en dessous ; avec Ctrl, dans son groupe. Maj+Alt+glisser : ajouter ce que le trajet touche.</translation>
+        <translation>Maj+Alt+clic : ajouter le trait suivant en dessous ; avec Ctrl, dans son groupe. Maj+Alt+glisser : ce que le trajet touche.</translation>
     </message>
     <message>
         <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
-        <translation>Alt+clic : sélectionner le trait suivant en dessous ; avec Ctrl, dans son groupe. Alt+glisser : sélectionner ce que le trajet touche.</translation>
+        <translation>Alt+clic : sélectionner le trait suivant en dessous ; avec Ctrl, dans son groupe. Alt+glisser : ce que le trajet touche.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
@@ -2754,7 +2754,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>only beta mixing has a beta</source>
-        <translation>seul le mélange beta a un bêta</translation>
+        <translation>seul le mélange bêta a un bêta</translation>
     </message>
     <message>
         <source>there is no such kind of node</source>
@@ -2818,7 +2818,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2</source>
-        <translation>style.xi[1] : %1 est plus que 2^(1/3) fois xi[0], qui est %2</translation>
+        <translation>style.xi[1] : %1 dépasse 2^(1/3) fois xi[0], qui est %2</translation>
     </message>
     <message>
         <source>there is no such alignment</source>
@@ -2830,11 +2830,11 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>%1: %2 characters are more than %3</source>
-        <translation>%1 : %2 caractères sont plus que %3</translation>
+        <translation>%1 : %2 caractères, c’est plus que %3</translation>
     </message>
     <message>
         <source>%1: %2 curves are more than %3</source>
-        <translation>%1 : %2 courbes sont plus que %3</translation>
+        <translation>%1 : %2 courbes, c’est plus que %3</translation>
     </message>
     <message>
         <source>there is no such blend mode</source>
@@ -2993,11 +2993,11 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Multiplies all of it; what varies along the stroke stays</source>
-        <translation>Multiplie l’ensemble ; ce qui varie le long du trait reste</translation>
+        <translation>Multiplie l’ensemble ; ce qui varie le long du trait est conservé</translation>
     </message>
     <message>
         <source>Is added to all of it; what varies along the stroke stays</source>
-        <translation>S’ajoute à l’ensemble ; ce qui varie le long du trait reste</translation>
+        <translation>S’ajoute à l’ensemble ; ce qui varie le long du trait est conservé</translation>
     </message>
     <message>
         <source>Stroke %1</source>
@@ -3141,7 +3141,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
-        <translation>Une version antérieure de « %1 » prend la place du tableau actuel. Annuler ramène celui-ci, et aucun fichier ne change tant que vous n’enregistrez pas.</translation>
+        <translation>Une version antérieure de « %1 » prend la place du tableau actuel. Annuler restaure celui-ci, et aucun fichier ne change tant que vous n’enregistrez pas.</translation>
     </message>
     <message>
         <source>Backups, the newest first</source>
@@ -3188,7 +3188,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Strays from the colour by</source>
-        <translation>S’écarte de la couleur de</translation>
+        <translation>Écart de couleur</translation>
     </message>
     <message>
         <source>Red</source>
@@ -3196,7 +3196,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>At most so much redder or less red</source>
-        <translation>Au plus d’autant plus ou moins rouge</translation>
+        <translation>Jusqu’à autant de rouge en plus ou en moins</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3204,7 +3204,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>At most so much more or less yellow</source>
-        <translation>Au plus d’autant plus ou moins jaune</translation>
+        <translation>Jusqu’à autant de jaune en plus ou en moins</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -3212,7 +3212,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>At most so much bluer or less blue</source>
-        <translation>Au plus d’autant plus ou moins bleu</translation>
+        <translation>Jusqu’à autant de bleu en plus ou en moins</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -3220,7 +3220,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>At most so much lighter or darker</source>
-        <translation>Au plus d’autant plus clair ou plus foncé</translation>
+        <translation>Jusqu’à autant de clarté en plus ou en moins</translation>
     </message>
     <message>
         <source>Drifts along the stroke</source>
@@ -3278,7 +3278,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>Ce qui change avec quoi : une coche active une courbe, un clic la montre en dessous</translation>
+        <translation>Ce qui change avec quoi : une coche active une courbe, un clic l’affiche en dessous</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -3314,7 +3314,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>Chemin sur lequel ce qui dérive devient autre, en tailles</translation>
+        <translation>Distance sur laquelle ce qui dérive change de valeur, en tailles</translation>
     </message>
 </context>
 <context>
@@ -3337,7 +3337,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Shape and hand</source>
-        <translation>Forme et main</translation>
+        <translation>Forme et geste</translation>
     </message>
     <message>
         <source>Settings of the brush</source>
@@ -3447,7 +3447,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Hand</source>
-        <translation>Main</translation>
+        <translation>Geste</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -3494,7 +3494,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>%1 is a built-in brush; it stays</source>
-        <translation>%1 est un pinceau intégré ; il reste</translation>
+        <translation>%1 est un pinceau intégré ; on ne peut pas le supprimer</translation>
     </message>
     <message>
         <source>%1 could not be removed; check its permissions</source>
@@ -3632,7 +3632,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>How long the paint spreads; the size stays</source>
-        <translation>Combien de temps la peinture s’étale ; la taille reste</translation>
+        <translation>Combien de temps la peinture s’étale ; la taille ne change pas</translation>
     </message>
 </context>
 <context>
@@ -3651,7 +3651,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
-        <translation>Choisissez avec quoi peindre. La couleur reste.</translation>
+        <translation>Choisissez avec quoi peindre. La couleur ne change pas.</translation>
     </message>
     <message>
         <source>Current colour</source>
@@ -3678,7 +3678,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     <name>suffuse::BrushPanel</name>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
-        <translation>Choisissez avec quoi peindre. La couleur reste.</translation>
+        <translation>Choisissez avec quoi peindre. La couleur ne change pas.</translation>
     </message>
     <message>
         <source>Reset brush</source>
@@ -3776,7 +3776,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>How strongly it lags behind, or how long the string is</source>
-        <translation>De combien il reste en arrière, ou longueur du fil</translation>
+        <translation>Retard du trait sur le stylet, ou longueur du fil</translation>
     </message>
     <message>
         <source>Own brush</source>
@@ -3842,7 +3842,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Select S&amp;ame</source>
-        <translation>Sélectionner le &amp;même</translation>
+        <translation>Sélectionner de &amp;même</translation>
     </message>
     <message>
         <source>Under&amp;lay</source>
@@ -3990,7 +3990,7 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
     <message>
         <source>Shows and changes the colour of what is selected; it keeps its opacity</source>
-        <translation>Montre et change la couleur de la sélection ; son opacité reste</translation>
+        <translation>Montre et change la couleur de la sélection, sans changer son opacité</translation>
     </message>
     <message>
         <source>Set</source>
@@ -4016,7 +4016,7 @@ Décaler : toutes changent comme celle affichée, et gardent leurs différences
     </message>
     <message>
         <source>Apply to selection: gives the selected segments the brush&apos;s colour. They keep their opacity.</source>
-        <translation>Appliquer à la sélection : donne aux segments sélectionnés la couleur du pinceau. Leur opacité reste.</translation>
+        <translation>Appliquer à la sélection : donne aux segments sélectionnés la couleur du pinceau, sans changer leur opacité.</translation>
     </message>
     <message>
         <source>Apply colour</source>
@@ -4043,7 +4043,7 @@ Décaler : toutes changent comme celle affichée, et gardent leurs différences
     </message>
     <message>
         <source>The colour painted with last. Click: back to it.</source>
-        <translation>La dernière couleur utilisée avant. Clic : y revenir.</translation>
+        <translation>La couleur utilisée juste avant. Clic : y revenir.</translation>
     </message>
     <message>
         <source>Hex</source>
@@ -4067,7 +4067,7 @@ Décaler : toutes changent comme celle affichée, et gardent leurs différences
     </message>
     <message>
         <source>Colours painted with come here.</source>
-        <translation>Les couleurs utilisées viennent ici.</translation>
+        <translation>Les couleurs utilisées apparaissent ici.</translation>
     </message>
     <message>
         <source>RYB</source>
@@ -4846,7 +4846,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Select Sa&amp;me</source>
-        <translation>Sélectionner le mê&amp;me</translation>
+        <translation>Sélectionner de mê&amp;me</translation>
     </message>
     <message>
         <source>Ctrl+1</source>
@@ -5066,7 +5066,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
-        <translation>Qui ouvre le fichier peut continuer d’annuler. Retirez-le avant de donner un fichier</translation>
+        <translation>Qui ouvre le fichier peut continuer à annuler. Retirez-le avant de transmettre un fichier</translation>
     </message>
     <message>
         <source>Import &amp;Underlay…</source>
@@ -5162,7 +5162,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Back to what the file holds; Undo takes it back</source>
-        <translation>Revenir à ce que contient le fichier ; Annuler ramène l’état d’avant</translation>
+        <translation>Revenir à ce que contient le fichier ; Annuler restaure l’état d’avant</translation>
     </message>
     <message>
         <source>Restore &amp;Backup…</source>
@@ -5294,7 +5294,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Canvas, while held</source>
-        <translation>Canevas, en maintenant</translation>
+        <translation>Canevas, touche maintenue</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -5437,7 +5437,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Wet what the selected strokes enclose; the inspector has its values</source>
-        <translation>Mouiller ce que les traits sélectionnés entourent ; l’inspecteur a ses valeurs</translation>
+        <translation>Mouiller ce que les traits sélectionnés entourent ; l’inspecteur en montre les valeurs</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -5633,7 +5633,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Bring back what was erased softly from the selected strokes, or by the selected segments</source>
-        <translation>Ramener ce qui a été effacé en douceur des traits sélectionnés, ou par les segments sélectionnés</translation>
+        <translation>Restaurer ce qui a été effacé en douceur des traits sélectionnés, ou par les segments sélectionnés</translation>
     </message>
     <message>
         <source>Delete the selected segments, which leaves gaps in strokes</source>
@@ -5841,7 +5841,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Make plain strokes of the letters of the selected texts; they cannot be typed in any more</source>
-        <translation>Faire des traits ordinaires des lettres des textes sélectionnés ; on ne peut plus les saisir</translation>
+        <translation>Convertir les lettres des textes sélectionnés en traits ordinaires ; le texte n’est plus modifiable</translation>
     </message>
     <message>
         <source>Text to strokes</source>
@@ -5873,7 +5873,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The colour of the selected fills fades from left to right; needs a fill of one colour</source>
-        <translation>La couleur des remplissages sélectionnés se fond de gauche à droite ; demande un remplissage d’une seule couleur</translation>
+        <translation>La couleur des remplissages sélectionnés se fond de gauche à droite ; nécessite un remplissage d’une seule couleur</translation>
     </message>
     <message>
         <source>Add gradient</source>
@@ -5885,7 +5885,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The selected fills have their first colour everywhere; needs a fill with a gradient</source>
-        <translation>Les remplissages sélectionnés ont partout leur première couleur ; demande un remplissage à dégradé</translation>
+        <translation>Les remplissages sélectionnés ont partout leur première couleur ; nécessite un remplissage à dégradé</translation>
     </message>
     <message>
         <source>Remove gradient</source>
@@ -5901,7 +5901,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The selected groups are seen only where the next thing below them in the same group is; needs something below</source>
-        <translation>Les groupes sélectionnés ne se voient que là où se trouve l’élément juste en dessous dans le même groupe ; demande quelque chose en dessous</translation>
+        <translation>Les groupes sélectionnés ne sont visibles que là où se trouve l’élément juste en dessous dans le même groupe ; nécessite quelque chose en dessous</translation>
     </message>
     <message>
         <source>Use as Mask</source>
@@ -5909,7 +5909,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is beside the selected groups is seen only where they have paint; needs something beside</source>
-        <translation>Ce qui est à côté des groupes sélectionnés ne se voit que là où ils ont de la peinture ; demande quelque chose à côté</translation>
+        <translation>Ce qui est à côté des groupes sélectionnés n’est visible que là où ils ont de la peinture ; nécessite quelque chose à côté</translation>
     </message>
     <message>
         <source>Wash</source>
@@ -6073,11 +6073,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>So that the picture stays, %1 is a group of its own within %2.</source>
-        <translation>Pour que l’image reste, %1 est un groupe à part dans %2.</translation>
+        <translation>Pour que l’image ne change pas, %1 est un groupe à part dans %2.</translation>
     </message>
     <message>
         <source>Put the layer onto the one just below it; the picture stays</source>
-        <translation>Fusionner le calque avec celui juste en dessous ; l’image reste</translation>
+        <translation>Fusionner le calque avec celui juste en dessous ; l’image ne change pas</translation>
     </message>
     <message>
         <source>La&amp;yer</source>
@@ -6097,7 +6097,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The selected groups are seen here, and left out of what is exported</source>
-        <translation>Les groupes sélectionnés se voient ici, et sont omis de ce qui est exporté</translation>
+        <translation>Les groupes sélectionnés sont visibles ici, et omis de ce qui est exporté</translation>
     </message>
     <message>
         <source>Underlay to Layer</source>
@@ -6161,7 +6161,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Shows the colours that are left on another device, as a press, by its profile</source>
-        <translation>Montre les couleurs qui restent sur un autre périphérique, comme une presse, d’après son profil</translation>
+        <translation>Montre les couleurs qu’il reste sur un autre périphérique, une presse par exemple, d’après son profil</translation>
     </message>
     <message>
         <source>Gamut &amp;Warning</source>
@@ -6225,11 +6225,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>No layer is chosen: click one in the Strokes dock, or begin one with New Layer.</source>
-        <translation>Aucun calque n’est choisi : cliquez-en un dans le panneau Traits, ou commencez-en un avec Nouveau calque.</translation>
+        <translation>Aucun calque n’est choisi : cliquez sur un calque du panneau Traits, ou créez-en un avec Nouveau calque.</translation>
     </message>
     <message>
         <source>The painting has no layers yet: New Layer begins one.</source>
-        <translation>Le tableau n’a pas encore de calques : Nouveau calque en commence un.</translation>
+        <translation>Le tableau n’a pas encore de calques : Nouveau calque en crée un.</translation>
     </message>
     <message>
         <source>Select a group that this can be.</source>
@@ -6393,7 +6393,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is painted on one side of an upright axis comes on the other, too</source>
-        <translation>Ce que l’on peint d’un côté d’un axe vertical vient aussi de l’autre</translation>
+        <translation>Ce que l’on peint d’un côté d’un axe vertical apparaît aussi de l’autre</translation>
     </message>
     <message>
         <source>Mirrored &amp;Top and Bottom</source>
@@ -6401,7 +6401,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is painted above a level axis comes below it, too</source>
-        <translation>Ce que l’on peint au-dessus d’un axe horizontal vient aussi en dessous</translation>
+        <translation>Ce que l’on peint au-dessus d’un axe horizontal apparaît aussi en dessous</translation>
     </message>
     <message>
         <source>Mirrored &amp;Both Ways</source>
@@ -6409,7 +6409,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is painted comes in all four corners of a cross</source>
-        <translation>Ce que l’on peint vient dans les quatre coins d’une croix</translation>
+        <translation>Ce que l’on peint apparaît dans les quatre coins d’une croix</translation>
     </message>
     <message>
         <source>&amp;Rotated around the Centre</source>
@@ -6417,7 +6417,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is painted comes once in each arm around the centre</source>
-        <translation>Ce que l’on peint vient une fois dans chaque branche autour du centre</translation>
+        <translation>Ce que l’on peint apparaît une fois dans chaque branche autour du centre</translation>
     </message>
     <message>
         <source>&amp;Kaleidoscope</source>
@@ -6425,7 +6425,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What is painted comes in each arm around the centre, and mirrored beside it</source>
-        <translation>Ce que l’on peint vient dans chaque branche autour du centre, et en miroir à côté</translation>
+        <translation>Ce que l’on peint apparaît dans chaque branche autour du centre, et en miroir à côté</translation>
     </message>
     <message>
         <source>&amp;Paint in Symmetry</source>
@@ -6437,7 +6437,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Strokes, shapes and outlines come several times, mirrored or rotated, as one undo step</source>
-        <translation>Traits, formes et contours viennent plusieurs fois, en miroir ou tournés, en une seule étape d’annulation</translation>
+        <translation>Traits, formes et contours sont répétés, en miroir ou tournés, en une seule étape d’annulation</translation>
     </message>
     <message>
         <source>Number of &amp;Arms…</source>
@@ -6525,7 +6525,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>A window that shows the painting from elsewhere while you paint; each edit shows in both</source>
-        <translation>Une fenêtre qui montre le tableau d’ailleurs pendant que vous peignez ; chaque modification se voit dans les deux</translation>
+        <translation>Une fenêtre qui montre le tableau sous une autre vue pendant que vous peignez ; chaque modification s’affiche dans les deux</translation>
     </message>
     <message>
         <source>&amp;Repeat Last Extension</source>
@@ -6793,7 +6793,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How far what is taken away spreads, as a share of the radius</source>
-        <translation>Jusqu’où s’étale ce qui est enlevé, en part du rayon</translation>
+        <translation>Jusqu’où s’étale ce qui est enlevé, en proportion du rayon</translation>
     </message>
     <message>
         <source>Selected Strokes</source>
@@ -6818,7 +6818,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
-        <translation>Atténuer : la part de peinture enlevée. Éponger : combien de densité ; la peinture à bords fondus pâlit, celle à bord net rétrécit. La pression du stylet en retire</translation>
+        <translation>Atténuer : la part de peinture enlevée. Éponger : combien de densité ; la peinture à bords fondus pâlit, celle à bord net rétrécit. Un appui léger du stylet en réduit l’effet</translation>
     </message>
 </context>
 <context>
@@ -6868,39 +6868,39 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Fade: drag to make the selected strokes paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atténuer : glisser pour rendre plus pâles les traits sélectionnés, selon l’intensité. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Atténuer : glisser pour rendre plus pâles les traits sélectionnés, selon l’intensité. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Fade: drag to make the strokes of the group paler, by the strength. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atténuer : glisser pour rendre plus pâles les traits du groupe, selon l’intensité. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Atténuer : glisser pour rendre plus pâles les traits du groupe, selon l’intensité. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Fade: drag to make paint paler, by the strength, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Atténuer : glisser pour rendre la peinture plus pâle, selon l’intensité, partout où on la voit. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Atténuer : glisser pour rendre la peinture plus pâle, selon l’intensité, partout où on la voit. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Éponger : glisser pour enlever en douceur la peinture des traits sélectionnés. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Éponger : glisser pour enlever en douceur la peinture des traits sélectionnés. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Éponger : glisser pour enlever en douceur la peinture des traits du groupe. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Éponger : glisser pour enlever en douceur la peinture des traits du groupe. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>Éponger : glisser pour enlever en douceur la peinture, partout où on la voit. Maj : couper. [ et ] changent la taille, { et } l’intensité.</translation>
+        <translation>Éponger : glisser pour enlever en douceur la peinture, partout où on la voit. Maj : couper. [ et ] : taille, { et } : intensité.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes sélectionnées, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
+        <translation>Couper : glisser pour découper la partie des courbes sélectionnées sous le cercle. Maj : effacer en douceur. [ et ] : taille.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes du groupe, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
+        <translation>Couper : glisser pour découper la partie des courbes du groupe sous le cercle. Maj : effacer en douceur. [ et ] : taille.</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the curves lies under the circle. Shift: erase softly. [ and ] change the size.</source>
-        <translation>Couper : glisser pour découper ce qui, des courbes, est sous le cercle. Maj : effacer en douceur. [ et ] changent la taille.</translation>
+        <translation>Couper : glisser pour découper la partie des courbes sous le cercle. Maj : effacer en douceur. [ et ] : taille.</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
@@ -6979,7 +6979,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-        <translation>Pour JPEG et WebP ; 100 est le mieux. WebP est alors sans perte.</translation>
+        <translation>Pour JPEG et WebP ; 100 est la meilleure. WebP est alors sans perte.</translation>
     </message>
     <message>
         <source>Transparent background</source>
@@ -7140,7 +7140,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
-        <translation>Cliquer sur un trait : ceux qui sont sélectionnés prennent son aspect, et ce qui varie sur leur longueur reste. Maj : les mêmes valeurs tout du long.</translation>
+        <translation>Cliquer sur un trait : la sélection prend son aspect et garde ce qui varie sur sa longueur. Maj : les mêmes valeurs tout du long.</translation>
     </message>
     <message>
         <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour. Ctrl: its whole appearance.</source>
@@ -7167,7 +7167,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::FiguresSection</name>
     <message>
         <source>The outline lays no paint: its density φ is 0. What is seen is the fill.</source>
-        <translation>Le contour ne pose pas de peinture : sa densité φ est 0. Ce que l’on voit est le remplissage.</translation>
+        <translation>Le contour ne pose pas de peinture : sa densité φ vaut 0. Ce que l’on voit est le remplissage.</translation>
     </message>
     <message>
         <source>Density function</source>
@@ -7321,7 +7321,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What was painted since the last save goes; Undo brings it back.</source>
-        <translation>Ce qui a été peint depuis le dernier enregistrement s’en va ; Annuler le ramène.</translation>
+        <translation>Ce qui a été peint depuis le dernier enregistrement disparaît ; Annuler le restaure.</translation>
     </message>
     <message>
         <source>&amp;Revert</source>
@@ -7333,7 +7333,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
-        <translation>La sauvegarde de %1 est rétablie. Annuler la retire ; aucun fichier ne change tant que vous n’enregistrez pas.</translation>
+        <translation>La sauvegarde de %1 est restaurée. Annuler la retire ; aucun fichier ne change tant que vous n’enregistrez pas.</translation>
     </message>
     <message>
         <source>The backup of %1 is what you see: nothing has changed.</source>
@@ -7348,7 +7348,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::FileSaving</name>
     <message>
         <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
-        <translation>Ce que vous peignez maintenant ne survivrait pas à un plantage : %1. La peinture continue ; enregistrez de temps en temps.</translation>
+        <translation>Ce que vous peignez maintenant ne survivrait pas à un plantage : %1. Vous pouvez continuer à peindre ; enregistrez de temps en temps.</translation>
     </message>
     <message>
         <source>“%1” is gone from its folder. Save to put it back.</source>
@@ -7381,7 +7381,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>%1 (without what is still being drawn)</source>
-        <translation>%1 (sans ce qui est encore en train d’être dessiné)</translation>
+        <translation>%1 (sans ce qui est en cours de dessin)</translation>
     </message>
     <message>
         <source>Saved “%1”, %2</source>
@@ -7502,7 +7502,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>is a folder; give a file name inside it</source>
-        <translation>est un dossier ; donnez un nom de fichier dedans</translation>
+        <translation>est un dossier ; donnez le nom d’un fichier de ce dossier</translation>
     </message>
     <message>
         <source>is a device or a pipe, not a file; save to a file</source>
@@ -7630,7 +7630,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>is a folder; give a file inside it</source>
-        <translation>est un dossier ; donnez un fichier dedans</translation>
+        <translation>est un dossier ; donnez un fichier de ce dossier</translation>
     </message>
     <message>
         <source>could not be opened: %1; check its permissions</source>
@@ -7814,7 +7814,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>lacks the version or the counts</source>
-        <translation>n’a pas la version ou les nombres</translation>
+        <translation>n’indique pas la version ou les nombres</translation>
     </message>
     <message>
         <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
@@ -7822,15 +7822,15 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
-        <translation>le bloc DOCU manque ; le fichier est endommagé, prenez une copie de sauvegarde</translation>
+        <translation>le bloc DOCU manque ; le fichier est endommagé, utilisez une copie de sauvegarde</translation>
     </message>
     <message>
         <source>should hold %1 strokes and %2 segments, but holds %3 and %4; the file is damaged, take a backup copy</source>
-        <translation>devrait contenir %1 traits et %2 segments, mais en contient %3 et %4 ; le fichier est endommagé, prenez une copie de sauvegarde</translation>
+        <translation>devrait contenir %1 traits et %2 segments, mais en contient %3 et %4 ; le fichier est endommagé, utilisez une copie de sauvegarde</translation>
     </message>
     <message>
         <source>the file is damaged, take a backup copy</source>
-        <translation>le fichier est endommagé, prenez une copie de sauvegarde</translation>
+        <translation>le fichier est endommagé, utilisez une copie de sauvegarde</translation>
     </message>
     <message>
         <source>is not a .suffuse file</source>
@@ -7858,11 +7858,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>its columns are not what the format allows</source>
-        <translation>ses colonnes ne sont pas ce que le format permet</translation>
+        <translation>ses colonnes ne sont pas conformes au format</translation>
     </message>
     <message>
         <source>stroke %1 of it is not what the format allows</source>
-        <translation>le trait %1 n’y est pas ce que le format permet</translation>
+        <translation>son trait %1 n’est pas conforme au format</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -7870,7 +7870,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>“%1” is none of: %2</source>
-        <translation>« %1 » n’est aucun de : %2</translation>
+        <translation>« %1 » ne figure pas parmi : %2</translation>
     </message>
     <message>
         <source>has %1 numbers; the kind %2 has %3</source>
@@ -8042,11 +8042,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>is damaged, and nothing in it is whole (%1); take a backup copy</source>
-        <translation>est endommagé, et rien n’y est intact (%1) ; prenez une copie de sauvegarde</translation>
+        <translation>est endommagé, et rien n’y est intact (%1) ; utilisez une copie de sauvegarde</translation>
     </message>
     <message>
         <source>the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one</source>
-        <translation>canevas, papier, groupes, nuances et modèle manquent ; le canevas est un canevas habituel</translation>
+        <translation>canevas, papier, groupes, nuances et modèle manquent ; le canevas est celui par défaut</translation>
     </message>
     <message>
         <source>the image of the paper is missing; there is no paper now</source>
@@ -8066,7 +8066,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>all %1 strokes are here</source>
-        <translation>tous les %1 traits sont là</translation>
+        <translation>les %1 traits sont tous là</translation>
     </message>
     <message>
         <source>%1 strokes are in no group any more</source>
@@ -8130,7 +8130,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Damaged and left out: %1. All %2 strokes are here.</source>
-        <translation>Endommagé et omis : %1. Tous les %2 traits sont là.</translation>
+        <translation>Endommagé et omis : %1. Les %2 traits sont tous là.</translation>
     </message>
     <message>
         <source>damaged and left out: %1</source>
@@ -8327,8 +8327,8 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message numerus="yes">
         <source>%n text(s) came in as letters: they cannot be typed in again.</source>
         <translation>
-            <numerusform>%n texte est arrivé sous forme de lettres : on ne peut plus le saisir.</numerusform>
-            <numerusform>%n textes sont arrivés sous forme de lettres : on ne peut plus les saisir.</numerusform>
+            <numerusform>%n texte est arrivé sous forme de lettres : il n’est plus modifiable comme texte.</numerusform>
+            <numerusform>%n textes sont arrivés sous forme de lettres : ils ne sont plus modifiables comme textes.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -8352,15 +8352,15 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The linked picture %1 is missing, and is not seen: put its file back, or link another one in the Inspector.</source>
-        <translation>L’image liée %1 manque, et ne se voit pas : remettez son fichier, ou liez-en une autre dans l’inspecteur.</translation>
+        <translation>L’image liée %1 manque, et n’est pas affichée : remettez son fichier, ou liez-en une autre dans l’inspecteur.</translation>
     </message>
     <message>
         <source>The linked picture %1 has more than 64 MB, and is not seen.</source>
-        <translation>L’image liée %1 dépasse 64 Mo, et ne se voit pas.</translation>
+        <translation>L’image liée %1 dépasse 64 Mo, et n’est pas affichée.</translation>
     </message>
     <message>
         <source>The linked picture %1 has changed since it was linked, and is not seen: link it anew in the Inspector.</source>
-        <translation>L’image liée %1 a changé depuis qu’elle a été liée, et ne se voit pas : liez-la de nouveau dans l’inspecteur.</translation>
+        <translation>L’image liée %1 a changé depuis qu’elle a été liée, et n’est pas affichée : liez-la de nouveau dans l’inspecteur.</translation>
     </message>
     <message numerus="yes">
         <source>So it is with %n other picture(s).</source>
@@ -8760,15 +8760,15 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::KeyboardFocus</name>
     <message>
         <source>The %1 dock has the keyboard; Esc gives it back to the canvas.</source>
-        <translation>Le panneau %1 a le clavier ; Échap le rend au canevas.</translation>
+        <translation>Le panneau %1 reçoit le clavier ; Échap le rend au canevas.</translation>
     </message>
     <message>
         <source>The canvas has the keyboard.</source>
-        <translation>Le canevas a le clavier.</translation>
+        <translation>Le canevas reçoit le clavier.</translation>
     </message>
     <message>
         <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
-        <translation>La barre d’outils « %1 » a le clavier ; Échap le rend au canevas.</translation>
+        <translation>La barre d’outils « %1 » reçoit le clavier ; Échap le rend au canevas.</translation>
     </message>
 </context>
 <context>
@@ -8842,7 +8842,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Inserts nodes where a line crosses strokes; with Shift it cuts them apart there.</source>
-        <translation>Insère des nœuds là où une ligne croise des traits ; avec Maj, elle les y coupe en deux</translation>
+        <translation>Insère des nœuds là où une ligne croise des traits ; avec Maj, elle les y coupe en deux.</translation>
     </message>
 </context>
 <context>
@@ -8911,7 +8911,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>At the time</source>
-        <translation>À l’instant</translation>
+        <translation>Moment choisi</translation>
     </message>
     <message>
         <source>The finished painting, the moment that the canvas shows, or any other.</source>
@@ -9043,11 +9043,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::NodeCommands</name>
     <message>
         <source>The joined stroke has the upper one&apos;s fill. Undo brings the other back.</source>
-        <translation>Le trait joint a le remplissage du trait supérieur. Annuler ramène l’autre.</translation>
+        <translation>Le trait joint a le remplissage du trait supérieur. Annuler restaure l’autre.</translation>
     </message>
     <message>
         <source>The joined stroke has no fill, as the upper one had none. Undo brings the lower one&apos;s back.</source>
-        <translation>Le trait joint n’a pas de remplissage, le trait supérieur n’en ayant pas. Annuler ramène celui du trait inférieur.</translation>
+        <translation>Le trait joint n’a pas de remplissage, le trait supérieur n’en ayant pas. Annuler restaure celui du trait inférieur.</translation>
     </message>
     <message>
         <source>Smooth nodes</source>
@@ -9099,7 +9099,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Join needs two ends of strokes: select one, and Shift+click the other or drag around both.</source>
-        <translation>Joindre demande deux extrémités de traits : sélectionnez-en une, puis Maj+clic sur l’autre, ou entourez les deux.</translation>
+        <translation>Pour joindre, il faut deux extrémités de traits : sélectionnez-en une, puis Maj+clic sur l’autre, ou entourez les deux.</translation>
     </message>
     <message>
         <source>These two ends cannot be joined.</source>
@@ -9130,7 +9130,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>
-        <translation>Glisser pour déplacer des nœuds, en douceur dans la portée (molette, Alt+glisser). Ctrl : le long d’un axe, Ctrl+Alt : la poignée. Maj+clic : d’autres.</translation>
+        <translation>Glisser : déplacer des nœuds, en douceur dans la portée (molette, Alt+glisser). Ctrl : le long d’un axe, Ctrl+Alt : la poignée. Maj+clic : d’autres.</translation>
     </message>
     <message>
         <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
@@ -9154,11 +9154,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>An end of a gradient is not deleted alone. Remove, beside Gradient in the Inspector, takes the gradient away; Esc first, and Delete means the stroke.</source>
-        <translation>L’extrémité d’un dégradé ne se supprime pas seule. Supprimer, à côté de Dégradé dans l’inspecteur, enlève le dégradé ; Échap d’abord, et Suppr vaut pour le trait.</translation>
+        <translation>Une extrémité de dégradé ne se supprime pas seule. Supprimer, près de Dégradé dans l’inspecteur, enlève le dégradé ; après Échap, Suppr vaut pour le trait.</translation>
     </message>
     <message>
         <source>What was selected is deleted; its strokes are merely shown. Click what else is to go, or take whole strokes with the Select tool.</source>
-        <translation>La sélection est supprimée ; ses traits sont seulement montrés. Cliquez sur la suite à supprimer, ou prenez des traits entiers avec Sélection.</translation>
+        <translation>La sélection est supprimée ; ses traits sont seulement montrés. Cliquez sur ce qu’il faut encore supprimer, ou prenez des traits entiers avec Sélection.</translation>
     </message>
 </context>
 <context>
@@ -9169,7 +9169,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>%1 is out of range: %2 to %3 is possible.</source>
-        <translation>%1 est hors limites : possible de %2 à %3.</translation>
+        <translation>%1 est hors limites : valeurs possibles de %2 à %3.</translation>
     </message>
     <message>
         <source>“%1” is not possible here: this number has no unit.</source>
@@ -9208,7 +9208,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::PanTool</name>
     <message>
         <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
-        <translation>Glisser pour déplacer le canevas. La molette zoome ; R et glisser le tourne.</translation>
+        <translation>Glisser pour déplacer le canevas. Molette : zoomer ; R+glisser : tourner.</translation>
     </message>
 </context>
 <context>
@@ -9585,7 +9585,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::ProbePanel</name>
     <message>
         <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
-        <translation>Posez le pointeur sur le tableau : ce dont il est fait à cet endroit s’énumère ici, et y reste quand vous venez cliquer dessus.</translation>
+        <translation>Posez le pointeur sur le tableau : ce dont il est fait à cet endroit s’affiche ici, et y reste quand vous venez cliquer dessus.</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -9700,7 +9700,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How much of it one touch does; a pen&apos;s pressure takes from it</source>
-        <translation>L’effet d’une seule touche ; la pression du stylet en retire</translation>
+        <translation>L’effet d’un seul passage ; un appui léger du stylet le réduit</translation>
     </message>
     <message>
         <source>Push strokes</source>
@@ -9802,7 +9802,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Gives the chosen colours back what they were</source>
-        <translation>Rend aux couleurs choisies ce qu’elles étaient</translation>
+        <translation>Rend aux couleurs choisies leur valeur d’origine</translation>
     </message>
     <message>
         <source>All colours</source>
@@ -9822,7 +9822,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>100 %: as it is; 0 %: grey; more: more colourful</source>
-        <translation>100 % : comme elle est ; 0 % : gris ; plus : plus coloré</translation>
+        <translation>100 % : inchangée ; 0 % : gris ; au-delà : plus coloré</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -9889,7 +9889,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Opens the selected paintings, without a file of their own</source>
-        <translation>Ouvre les tableaux sélectionnés, sans fichier à eux</translation>
+        <translation>Ouvre les tableaux sélectionnés, sans fichier associé</translation>
     </message>
     <message>
         <source>Asks again when Suffuse starts the next time</source>
@@ -9910,7 +9910,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message numerus="yes">
         <source>Discard %n paintings?</source>
         <translation>
-            <numerusform>Abandonner %n tableau ?</numerusform>
+            <numerusform>Abandonner %n tableau ?</numerusform>
             <numerusform>Abandonner %n tableaux ?</numerusform>
         </translation>
     </message>
@@ -9955,11 +9955,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The line begins and ends at no stroke that can be changed.</source>
-        <translation>La ligne ne commence et ne finit à aucun trait modifiable.</translation>
+        <translation>La ligne ne commence ni ne finit sur aucun trait modifiable.</translation>
     </message>
     <message>
         <source>The line begins and ends at no selected stroke that can be changed.</source>
-        <translation>La ligne ne commence et ne finit à aucun trait sélectionné modifiable.</translation>
+        <translation>La ligne ne commence ni ne finit sur aucun trait sélectionné modifiable.</translation>
     </message>
 </context>
 <context>
@@ -10022,7 +10022,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>0 %: as it is; 100 %: a straight line</source>
-        <translation>0 % : comme il est ; 100 % : une ligne droite</translation>
+        <translation>0 % : tel quel ; 100 % : une ligne droite</translation>
     </message>
     <message>
         <source>Width</source>
@@ -10213,7 +10213,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How many times D along the angle is D across it; 1 spreads evenly.</source>
-        <translation>Combien de fois D en travers est D le long de l’angle ; à 1, l’étalement est uniforme.</translation>
+        <translation>Rapport entre D le long de l’angle et D en travers ; à 1, l’étalement est uniforme.</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -10273,7 +10273,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How much of the paper&apos;s grain shows: 0 % is smooth, 100 % shows all of it. Files and scripts hold ω, which is 1 where this is 0 %.</source>
-        <translation>Combien du grain du papier se voit : 0 % est lisse, 100 % le montre tout. Fichiers et scripts contiennent ω, qui vaut 1 là où ceci vaut 0 %.</translation>
+        <translation>À quel point le grain du papier apparaît : 0 % est lisse, 100 % le montre en entier. Fichiers et scripts contiennent ω, qui vaut 1 là où ceci vaut 0 %.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10313,11 +10313,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How deep the grain goes.</source>
-        <translation>Jusqu’où va le grain.</translation>
+        <translation>Profondeur du grain.</translation>
     </message>
     <message>
         <source>How far the stroke lags behind</source>
-        <translation>De combien le trait reste en arrière</translation>
+        <translation>Retard du trait sur le stylet</translation>
     </message>
     <message>
         <source>Parameter of the style</source>
@@ -10535,7 +10535,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before. File ▸ Restore Backup brings one back.</source>
-        <translation>Combien de versions antérieures sont gardées quand un tableau est enregistré : « nom.suffuse~ » à côté de lui est la dernière, « ~2 » celle d’avant. Fichier ▸ Restaurer une sauvegarde en ramène une.</translation>
+        <translation>Combien de versions antérieures sont gardées quand un tableau est enregistré : « nom.suffuse~ » à côté de lui est la dernière, « ~2 » celle d’avant. Fichier ▸ Restaurer une sauvegarde permet d’y revenir.</translation>
     </message>
     <message>
         <source>Language of the program</source>
@@ -10649,7 +10649,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>&amp;Take Over</source>
-        <translation>R&amp;eprendre</translation>
+        <translation>Réattribu&amp;er</translation>
     </message>
     <message>
         <source>Keyboard Shortcuts</source>
@@ -10714,7 +10714,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Let the reach follow the view: soft where nodes would crowd, else the node alone</source>
-        <translation>Laisser la portée suivre la vue : douce où les nœuds se presseraient, sinon le nœud seul</translation>
+        <translation>Laisser la portée suivre la vue : douce là où les nœuds seraient trop serrés, sinon le nœud seul</translation>
     </message>
     <message>
         <source>Let the reach follow the view</source>
@@ -10782,7 +10782,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Put stroke back</source>
-        <translation>Ramener le trait</translation>
+        <translation>Restaurer le trait</translation>
     </message>
 </context>
 <context>
@@ -10829,7 +10829,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The mixing of the wash is seen in place of this one.</source>
-        <translation>Le mélange du lavis se voit à la place de celui-ci.</translation>
+        <translation>Le mélange du lavis s’applique à la place de celui-ci.</translation>
     </message>
 </context>
 <context>
@@ -11012,7 +11012,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The topmost stroke comes first. Drag to reorder, double-click to rename; a right click offers more.</source>
-        <translation>Le trait le plus haut vient en premier. Glisser pour réordonner, double-clic pour renommer ; un clic droit en offre plus.</translation>
+        <translation>Le trait le plus haut vient en premier. Glisser pour réordonner, double-clic pour renommer ; clic droit : plus d’options.</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
@@ -11048,7 +11048,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Select &amp;Same</source>
-        <translation>Sélectionner l&amp;e même</translation>
+        <translation>Sélectionner d&amp;e même</translation>
     </message>
     <message>
         <source>&amp;Colour</source>
@@ -11108,7 +11108,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>While the list is searched, rows are not dragged: between those that show there may be others. Clear the search first.</source>
-        <translation>Pendant une recherche dans la liste, on n’y déplace pas de lignes : entre celles qui se voient, il peut y en avoir d’autres. Videz d’abord la recherche.</translation>
+        <translation>Pendant une recherche dans la liste, on n’y déplace pas de lignes : entre celles qui s’affichent, il peut y en avoir d’autres. Effacez d’abord la recherche.</translation>
     </message>
     <message>
         <source>Mi&amp;x by Itself</source>
@@ -11132,11 +11132,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The layer comes into the list with the first stroke that is painted.</source>
-        <translation>Le calque entre dans la liste avec le premier trait peint.</translation>
+        <translation>Le calque apparaît dans la liste avec le premier trait peint.</translation>
     </message>
     <message>
         <source>What is painted goes into this group. A click beside all rows: on top of all again.</source>
-        <translation>Ce que l’on peint va dans ce groupe. Un clic à côté de toutes les lignes : de nouveau par-dessus tout.</translation>
+        <translation>Ce que l’on peint va dans ce groupe. Un clic hors des lignes : de nouveau par-dessus tout.</translation>
     </message>
     <message>
         <source>Painting on top of all</source>
@@ -11203,7 +11203,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The style of the wash is seen in place of this one.</source>
-        <translation>Le style du lavis se voit à la place de celui-ci.</translation>
+        <translation>Le style du lavis s’applique à la place de celui-ci.</translation>
     </message>
 </context>
 <context>
@@ -11360,7 +11360,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How long the film is; the painting&apos;s time is stretched over it.</source>
-        <translation>Combien de temps dure le film ; le temps du tableau est étiré dessus.</translation>
+        <translation>Durée du film ; le temps du tableau est étiré en conséquence.</translation>
     </message>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
@@ -11433,7 +11433,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>suffuse::TimelinePanel</name>
     <message>
         <source>%1 is out of range: 0.1 to 1000 times is possible.</source>
-        <translation>%1 est hors limites : de 0,1 à 1000 fois est possible.</translation>
+        <translation>%1 est hors limites : de 0,1 à 1000 fois.</translation>
     </message>
     <message>
         <source>The moment that is shown, and the end, when all has dried</source>
@@ -11449,11 +11449,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Show all of the time (0). Ctrl+wheel zooms.</source>
-        <translation>Montrer tout le temps (0). Ctrl+molette zoome.</translation>
+        <translation>Afficher toute la durée (0). Ctrl+molette : zoomer.</translation>
     </message>
     <message>
         <source>Show all of the time</source>
-        <translation>Montrer tout le temps</translation>
+        <translation>Afficher toute la durée</translation>
     </message>
     <message>
         <source>Go to Its &amp;Start</source>
@@ -11591,7 +11591,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>A picture to paint over. It shows on the canvas only, never in what is exported.</source>
-        <translation>Une image sur laquelle peindre. Elle se voit seulement sur le canevas, jamais dans ce qui est exporté.</translation>
+        <translation>Une image sur laquelle peindre. Elle n’est visible que sur le canevas, jamais dans ce qui est exporté.</translation>
     </message>
     <message>
         <source>Underlay</source>
@@ -11611,7 +11611,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How strongly the underlay shows.</source>
-        <translation>Avec quelle force le modèle se voit.</translation>
+        <translation>Avec quelle force le modèle apparaît.</translation>
     </message>
     <message>
         <source>X</source>
@@ -11776,7 +11776,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Radius of the inner corners, as a share of that of the tips</source>
-        <translation>Rayon des coins intérieurs, en part de celui des pointes</translation>
+        <translation>Rayon des coins intérieurs, en proportion de celui des pointes</translation>
     </message>
     <message>
         <source>Round</source>
@@ -11886,7 +11886,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>So much more grain, or less</source>
-        <translation>D’autant plus de grain, ou moins</translation>
+        <translation>Jusqu’à autant de grain en plus ou en moins</translation>
     </message>
     <message>
         <source>Hue</source>
@@ -11906,7 +11906,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>So much more opaque, or less</source>
-        <translation>D’autant plus opaque, ou moins</translation>
+        <translation>Jusqu’à autant d’opacité en plus ou en moins</translation>
     </message>
     <message>
         <source>Roll Again</source>
@@ -11942,7 +11942,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Over this length along a stroke values become others</source>
-        <translation>Sur cette longueur le long d’un trait, les valeurs deviennent autres</translation>
+        <translation>Longueur, le long d’un trait, sur laquelle les valeurs changent</translation>
     </message>
 </context>
 <context>
@@ -12043,14 +12043,14 @@ Les touches fléchées fonctionnent aussi.</translation>
     <name>ColourPicker</name>
     <message>
         <source>Beside the canvas there is no paint to take a colour from, unless paint beyond the canvas is shown.</source>
-        <translation>À côté du canevas, il n’y a pas de peinture dont prendre une couleur, sauf si la peinture hors du canevas est affichée.</translation>
+        <translation>À côté du canevas, il n’y a pas de peinture où prélever une couleur, sauf si la peinture hors du canevas est affichée.</translation>
     </message>
 </context>
 <context>
     <name>GradientHandles</name>
     <message>
         <source>Drag an end of the gradient. Ctrl: steps of 15°. Click it, and colours are for it.</source>
-        <translation>Tirer une extrémité du dégradé. Ctrl : pas de 15°. Cliquez dessus, et les couleurs seront pour elle.</translation>
+        <translation>Tirer une extrémité du dégradé. Ctrl : pas de 15°. Cliquer dessus : les couleurs sont pour elle.</translation>
     </message>
     <message>
         <source>Move gradient</source>
@@ -12123,11 +12123,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Gap</source>
-        <translation>Lacunes</translation>
+        <translation>Vides</translation>
     </message>
     <message>
         <source>Openings of the bounds that are narrower are closed</source>
-        <translation>Les ouvertures plus étroites de la limite sont fermées</translation>
+        <translation>Les ouvertures de la limite plus étroites que cela sont fermées</translation>
     </message>
     <message>
         <source>Grow by</source>
@@ -12135,7 +12135,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How far the fill reaches under its bounds</source>
-        <translation>Jusqu’où le remplissage va sous sa limite</translation>
+        <translation>De combien le remplissage déborde sous sa limite</translation>
     </message>
     <message>
         <source>Only what lies on the canvas is filled.</source>
@@ -12173,7 +12173,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The font “%1” is not installed here, so these letters stay as they are. Choose another one above, or type on: new letters are those of a font like it.</source>
-        <translation>La police « %1 » n’est pas installée ici, ces lettres restent donc telles quelles. Choisissez-en une autre ci-dessus, ou continuez à taper : les nouvelles lettres sont d’une police semblable.</translation>
+        <translation>La police « %1 » n’est pas installée ici : ces lettres restent telles quelles. Choisissez-en une autre, ou continuez à taper : les nouvelles lettres auront une police proche.</translation>
     </message>
     <message>
         <source>Type. Return: a new line. Esc or a click elsewhere: done.</source>
@@ -12181,7 +12181,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Click or Return: type a text, or in the text that is there.</source>
-        <translation>Clic ou Entrée : taper un texte, ou dans le texte qui est là.</translation>
+        <translation>Clic ou Entrée : saisir un texte, ou modifier celui qui est là.</translation>
     </message>
 </context>
 <context>
@@ -12456,15 +12456,15 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The group is not seen itself: what lies below stays where the group covers, and goes elsewhere (destination-in).</source>
-        <translation>Le groupe lui-même ne se voit pas : ce qui est dessous reste là où il couvre, et disparaît ailleurs (destination-in).</translation>
+        <translation>Le groupe lui-même n’est pas visible : ce qui est dessous reste là où il couvre, et disparaît ailleurs (destination-in).</translation>
     </message>
     <message>
         <source>The group is not seen itself: it takes away what lies below where it covers (destination-out).</source>
-        <translation>Le groupe lui-même ne se voit pas : il enlève ce qui est dessous là où il couvre (destination-out).</translation>
+        <translation>Le groupe lui-même n’est pas visible : il enlève ce qui est dessous là où il couvre (destination-out).</translation>
     </message>
     <message>
         <source>The group is seen only where paint lies below it: for shading a shape without leaving it (source-atop).</source>
-        <translation>Le groupe ne se voit que là où il y a de la peinture dessous : pour ombrer une forme sans en sortir (source-atop).</translation>
+        <translation>Le groupe n’est visible que là où il y a de la peinture dessous : pour ombrer une forme sans en sortir (source-atop).</translation>
     </message>
 </context>
 <context>
@@ -12483,7 +12483,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>How strongly the group shows. Below 100 % it fades as a whole: strokes that overlap in it do not show through each other.</source>
-        <translation>Avec quelle force le groupe se voit. Au-dessous de 100 %, il pâlit dans son ensemble : les traits qui s’y chevauchent ne transparaissent pas l’un à travers l’autre.</translation>
+        <translation>Avec quelle force le groupe apparaît. Au-dessous de 100 %, il pâlit dans son ensemble : les traits qui s’y chevauchent ne transparaissent pas l’un à travers l’autre.</translation>
     </message>
     <message>
         <source>Change group opacity</source>
@@ -12540,11 +12540,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The group is seen only where the next thing below it in the same group is: for shading a shape without leaving it.</source>
-        <translation>Le groupe ne se voit que là où se trouve l’élément juste en dessous dans le même groupe : pour ombrer une forme sans en sortir.</translation>
+        <translation>Le groupe n’est visible que là où se trouve l’élément juste en dessous dans le même groupe : pour ombrer une forme sans en sortir.</translation>
     </message>
     <message>
         <source>The group is not seen itself; what else is in the same group is seen only where it has paint.</source>
-        <translation>Le groupe lui-même ne se voit pas ; le reste du même groupe ne se voit que là où il a de la peinture.</translation>
+        <translation>Le groupe lui-même n’est pas visible ; le reste du même groupe ne l’est que là où il a de la peinture.</translation>
     </message>
     <message>
         <source>All strokes of the group are one, laid wet into wet: their densities add up, with one style and one mixing. Filled strokes, hidden ones and those of a mask within it stay by themselves.</source>
@@ -12568,7 +12568,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>A colour that marks the group for you, in lists. It is not seen in the picture.</source>
-        <translation>Une couleur qui marque le groupe pour vous, dans les listes. Elle ne se voit pas dans l’image.</translation>
+        <translation>Une couleur qui marque le groupe pour vous, dans les listes. Elle n’apparaît pas dans l’image.</translation>
     </message>
     <message>
         <source>Mark group</source>
@@ -12576,7 +12576,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The group mixes by itself in any case: by its opacity or its mode, or since it is clipped or a mask.</source>
-        <translation>Le groupe se mélange à part de toute façon : par son opacité ou son mode, ou parce qu’il est écrêté ou un masque.</translation>
+        <translation>Le groupe se mélange à part de toute façon : par son opacité ou son mode, ou parce qu’il est écrêté ou sert de masque.</translation>
     </message>
     <message>
         <source>Draft</source>
@@ -12584,7 +12584,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>The group is seen here, and left out of pictures and films that are exported: for sketches and pictures to paint over.</source>
-        <translation>Le groupe se voit ici, et est omis des images et films exportés : pour les esquisses et les images sur lesquelles peindre.</translation>
+        <translation>Le groupe est visible ici, et omis des images et films exportés : pour les esquisses et les images sur lesquelles peindre.</translation>
     </message>
 </context>
 <context>
@@ -12752,7 +12752,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>As high and wide as its pixels ask for: its top left corner, its direction and its width stay.</source>
-        <translation>Aussi haute et large que ses pixels le demandent : son coin supérieur gauche, sa direction et sa largeur restent.</translation>
+        <translation>Aussi haute et large que ses pixels le demandent : son coin supérieur gauche, sa direction et sa largeur ne changent pas.</translation>
     </message>
     <message>
         <source>Link picture</source>
@@ -12771,11 +12771,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>%1 is missing or has changed, and is not seen.</source>
-        <translation>%1 manque ou a changé, et ne se voit pas.</translation>
+        <translation>%1 manque ou a changé, et n’est pas affiché.</translation>
     </message>
     <message>
         <source>A picture is missing, and is not seen.</source>
-        <translation>Une image manque, et ne se voit pas.</translation>
+        <translation>Une image manque, et n’est pas affichée.</translation>
     </message>
 </context>
 <context>
@@ -12983,7 +12983,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>What the screen makes of its numbers. The canvas is converted to it, so that colours look as they were meant.</source>
-        <translation>Ce que l’écran fait de ses nombres. Le canevas y est converti, pour que les couleurs aient l’aspect voulu.</translation>
+        <translation>Ce que l’écran fait de ses valeurs. Le canevas y est converti, pour que les couleurs aient l’aspect voulu.</translation>
     </message>
     <message>
         <source>Screen profile file</source>
@@ -12999,15 +12999,15 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Chooses the ICC profile of a press or a printer. View ▸ Soft Proof shows the colours that are left there.</source>
-        <translation>Choisit le profil ICC d’une presse ou d’une imprimante. Affichage ▸ Épreuve à l’écran montre les couleurs qui y restent.</translation>
+        <translation>Choisit le profil ICC d’une presse ou d’une imprimante. Affichage ▸ Épreuve à l’écran montre les couleurs qu’il y reste.</translation>
     </message>
     <message>
         <source>Perceptual</source>
-        <translation>Perceptif</translation>
+        <translation>Perception</translation>
     </message>
     <message>
         <source>Relative colorimetric</source>
-        <translation>Colorimétrique relatif</translation>
+        <translation>Colorimétrie relative</translation>
     </message>
     <message>
         <source>Saturation</source>
@@ -13015,7 +13015,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Absolute colorimetric</source>
-        <translation>Colorimétrique absolu</translation>
+        <translation>Colorimétrie absolue</translation>
     </message>
     <message>
         <source>Rendering intent</source>
@@ -13097,8 +13097,8 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message numerus="yes">
         <source>%Ln stroke(s) came in, and a ground below them.</source>
         <translation>
-            <numerusform>%Ln trait est entré, et un fond en dessous.</numerusform>
-            <numerusform>%Ln traits sont entrés, et un fond en dessous.</numerusform>
+            <numerusform>%Ln trait a été ajouté, avec un fond en dessous.</numerusform>
+            <numerusform>%Ln traits ont été ajoutés, avec un fond en dessous.</numerusform>
         </translation>
     </message>
 </context>
@@ -13125,7 +13125,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>At most so many. More of them go on with those that are there; fewer begin anew.</source>
-        <translation>Nombre maximal. En augmenter le nombre continue ceux qui sont là ; le réduire recommence.</translation>
+        <translation>Nombre maximal. L’augmenter continue avec les traits présents ; le réduire recommence tout.</translation>
     </message>
     <message>
         <source>Detail</source>
@@ -13145,7 +13145,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Best</source>
-        <translation>Le meilleur</translation>
+        <translation>Optimal</translation>
     </message>
     <message>
         <source>Style</source>
@@ -13153,7 +13153,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Of all strokes. Another one begins anew.</source>
-        <translation>De tous les traits. Un autre recommence.</translation>
+        <translation>De tous les traits. En changer recommence tout.</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -13193,7 +13193,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Aucun trait n’est plus étroit, en unités de canevas ; 0 : aussi étroit qu’il veut</translation>
+        <translation>Aucun trait n’est plus étroit, en unités de canevas ; 0 : sans limite</translation>
     </message>
     <message>
         <source>Greatest width</source>
@@ -13201,7 +13201,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Aucun trait n’est plus large, en unités de canevas ; 0 : aussi large qu’il veut</translation>
+        <translation>Aucun trait n’est plus large, en unités de canevas ; 0 : sans limite</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13400,7 +13400,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>%1: has the shape %2 × %3, and the sheet %4 × %5; crop it to the shape of the sheet</source>
-        <translation>%1 : a la forme %2 × %3, et la feuille %4 × %5 ; recadrez-la à la forme de la feuille</translation>
+        <translation>%1 : a les proportions %2 × %3, et la feuille %4 × %5 ; recadrez-la aux proportions de la feuille</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -13448,7 +13448,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>That is farther than before, when it was off by %1; Undo brings the former strokes back.</source>
-        <translation>C’est plus loin qu’avant, où l’écart était de %1 ; Annuler ramène les anciens traits.</translation>
+        <translation>C’est plus loin qu’avant, où l’écart était de %1 ; Annuler restaure les anciens traits.</translation>
     </message>
 </context>
 <context>
@@ -13506,7 +13506,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Nothing found</source>
-        <translation>Rien trouvé</translation>
+        <translation>Aucun résultat</translation>
     </message>
 </context>
 <context>
@@ -13545,7 +13545,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Press B and draw a stroke. Watch it spread after you let go.</source>
-        <translation>Appuyez sur B et dessinez un trait. Regardez-le s’étaler après l’avoir lâché.</translation>
+        <translation>Appuyez sur B et dessinez un trait. Regardez-le s’étaler après avoir relâché.</translation>
     </message>
     <message>
         <source>Press D: this goes to the moment when everything is dry.</source>
@@ -13557,11 +13557,11 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>Choose Layer ▸ New Layer, or press Ctrl+Shift+N. What you paint next comes into it.</source>
-        <translation>Choisissez Calque ▸ Nouveau calque, ou appuyez sur Ctrl+Maj+N. Ce que vous peignez ensuite y va.</translation>
+        <translation>Choisissez Calque ▸ Nouveau calque, ou appuyez sur Ctrl+Maj+N. Ce que vous peignez ensuite s’y place.</translation>
     </message>
     <message>
         <source>Press B and draw a stroke. The layer comes into the list with it.</source>
-        <translation>Appuyez sur B et dessinez un trait. Le calque entre dans la liste avec lui.</translation>
+        <translation>Appuyez sur B et dessinez un trait. Le calque apparaît dans la liste avec lui.</translation>
     </message>
     <message>
         <source>In the row of the layer, drag its opacity to the left, or click its mode and choose another one.</source>
@@ -13940,7 +13940,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>“%1” is none of %2</source>
-        <translation>« %1 » n’est aucun de %2</translation>
+        <translation>« %1 » ne figure pas parmi %2</translation>
     </message>
     <message>
         <source>give true or false</source>
@@ -14028,7 +14028,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>there are at most 3 submenus within each other</source>
-        <translation>il y a au plus 3 sous-menus l’un dans l’autre</translation>
+        <translation>il y a au plus 3 niveaux de sous-menus</translation>
     </message>
     <message>
         <source>there are at most %1 fields</source>
@@ -14133,7 +14133,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>From</source>
-        <translation>De</translation>
+        <translation>Origine</translation>
     </message>
     <message>
         <source>State</source>
@@ -14335,7 +14335,7 @@ Les touches fléchées fonctionnent aussi.</translation>
     </message>
     <message>
         <source>More buttons</source>
-        <translation>Plus de boutons</translation>
+        <translation>Autres boutons</translation>
     </message>
 </context>
 <context>
