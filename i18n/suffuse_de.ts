@@ -6840,12 +6840,32 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abheben</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Nimmt</translation>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>Der Durchmesser des Radierers, wenn seine Weichheit die übliche war.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>Der Anteil der Farbe, den sie in ihrer Mitte wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Genommene Dichte</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>Die Dichte, die sie in ihrer Mitte wegnimmt: Dünnere Farbe ist dort fort.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7264,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Spread across</source>
         <translation>Ausbreitung quer</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Weichheit</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -10402,22 +10418,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Erasure</source>
         <translation>Radierung</translation>
-    </message>
-    <message>
-        <source>Size D</source>
-        <translation>Größe D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Wie breit und wie weich sie wegnimmt.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Stärke φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Wie viel sie wegnimmt.</translation>
     </message>
     <message>
         <source>Off</source>

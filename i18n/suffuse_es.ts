@@ -6840,12 +6840,32 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Levantar</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Quita</translation>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>El diámetro de la goma, si su suavidad era la habitual.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensidad</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>La parte de la pintura que quita en su medio.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Densidad quitada</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Cambiar tamaño</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>La densidad que quita en su centro: la pintura más delgada desaparece allí.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7264,6 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Spread across</source>
         <translation>Expansión a través</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Suavidad</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -10402,22 +10418,6 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Erasure</source>
         <translation>Borrado</translation>
-    </message>
-    <message>
-        <source>Size D</source>
-        <translation>Tamaño D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Con qué anchura y suavidad quita.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Intensidad φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Cuánto quita.</translation>
     </message>
     <message>
         <source>Off</source>

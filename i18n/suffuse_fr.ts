@@ -6840,12 +6840,32 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Éponger</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Enlève</translation>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>Le diamètre de la gomme, si sa douceur était celle d’usage.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensité</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>La part de peinture qu’il enlève en son milieu.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Densité enlevée</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Modifier la taille</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>La densité qu’il enlève en son milieu : la peinture plus mince y disparaît.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7264,6 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Spread across</source>
         <translation>Étalement en large</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Douceur</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -10402,22 +10418,6 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Erasure</source>
         <translation>Effacement</translation>
-    </message>
-    <message>
-        <source>Size D</source>
-        <translation>Taille D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Sur quelle largeur et avec quelle douceur il enlève.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Intensité φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Combien il enlève.</translation>
     </message>
     <message>
         <source>Off</source>

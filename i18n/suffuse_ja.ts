@@ -6811,12 +6811,32 @@ Arrow keys work too.</source>
         <translation>リフト</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>取り除く量</translation>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>消しゴムの直径（やわらかさが標準の場合）。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>強さ</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>中央で取り除く絵の具の割合。</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>取り除く密度</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>サイズを変更</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>中央で取り除く密度。それより薄い絵具はそこでなくなります。</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7215,10 +7235,6 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>横の広がり</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>やわらかさ</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -10329,22 +10345,6 @@ Arrow keys work too.</source>
     <message>
         <source>Erasure</source>
         <translation>消し跡</translation>
-    </message>
-    <message>
-        <source>Size D</source>
-        <translation>サイズ D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>取り除く幅とやわらかさ。</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>強さ φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>取り除く量。</translation>
     </message>
     <message>
         <source>Off</source>

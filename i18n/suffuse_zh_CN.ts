@@ -6811,12 +6811,32 @@ Arrow keys work too.</source>
         <translation>柔擦</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>擦去</translation>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>橡皮擦的直径（按其通常的柔和度）。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>它在其中央擦去颜料的比例。</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>擦去的密度</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>更改大小</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>在其中间擦去的密度：较稀的颜料在那里会消失。</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7215,10 +7235,6 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>横向扩散</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>柔和度</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -10329,22 +10345,6 @@ Arrow keys work too.</source>
     <message>
         <source>Erasure</source>
         <translation>擦除</translation>
-    </message>
-    <message>
-        <source>Size D</source>
-        <translation>大小 D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>擦除的宽度与柔和程度。</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>强度 φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>擦去的多少。</translation>
     </message>
     <message>
         <source>Off</source>

@@ -83,9 +83,9 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
 void FiguresSection::addFigures(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
-    const std::array<QString, figureCount> names{
-        tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"), tr("Fades away"), tr("Softness"),
-        tr("Takes away")};
+    const std::array<QString, figureCount> names{tr("Spread s"),   tr("Spread along"), tr("Peak density"),
+                                                 tr("Half-width"), tr("Fades away"),   tr("Spread s"),
+                                                 tr("Takes away")};
     const std::array<QString, figureCount> tips{
         tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
         tr("How far it has spread along the curve."),
