@@ -5600,8 +5600,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Umschalt+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Gestrichelte Linien entlang dessen, was von den ausgewählten Strichen weich radiert wurde, ohne Auswahl von allen</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Gestrichelte Linien entlang dem, was aus allen Strichen weich radiert wurde; nicht Ausgewähltes ist blasser</translation>
     </message>
     <message>
         <source>&amp;Combine</source>

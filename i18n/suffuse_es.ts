@@ -5600,8 +5600,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Líneas discontinuas a lo largo de lo que se borró suavemente de los trazos seleccionados, o de todos si no hay selección</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Líneas discontinuas a lo largo de lo que se borró con suavidad de todos los trazos; lo no seleccionado es más pálido</translation>
     </message>
     <message>
         <source>&amp;Combine</source>

@@ -5600,8 +5600,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Tirets le long de ce qui a été effacé en douceur des traits sélectionnés, ou de tous sans sélection</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Lignes en pointillé le long de ce qui a été gommé en douceur de tous les traits ; ce qui n’est pas sélectionné est plus pâle</translation>
     </message>
     <message>
         <source>&amp;Combine</source>

@@ -5571,8 +5571,8 @@ Arrow keys work too.</source>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>選択したストロークからやわらかく消した跡を破線で表示。選択がなければすべて</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>すべてのストロークからやわらかく消した所を破線で示します。選択されていないものは薄くなります</translation>
     </message>
     <message>
         <source>&amp;Combine</source>

@@ -5571,8 +5571,8 @@ Arrow keys work too.</source>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>沿从所选笔画(未选择时为全部笔画)柔和擦去之处显示虚线</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>用虚线标出从所有笔画柔和擦去之处；未选择的较淡</translation>
     </message>
     <message>
         <source>&amp;Combine</source>

@@ -199,7 +199,8 @@ void addPenRow(Commands &table, CanvasWidget &canvas)
     table
         .add(Command::PaintWithKeys, "paintWithKeys", Commands::tr("Paint with Ke&ys"), "",
              {QKeySequence(Commands::tr("Ctrl+Alt+P"))},
-             Commands::tr("Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it"))
+             Commands::tr(
+                 "Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it"))
         .checkedWhen([&canvas] { return canvas.keyboardPen().isOn(); })
         .runs([&canvas] {
             canvas.setFocus(Qt::OtherFocusReason);
@@ -234,8 +235,7 @@ void addAidRows(Commands &table, CanvasWidget &canvas)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showOutlines, on); });
     table
         .add(ShowErasures, "showErasures", Commands::tr("Show Erasures"), "", {QKeySequence(Commands::tr("Shift+E"))},
-             Commands::tr("Dashed lines along what was erased softly from the selected strokes, or from all without a "
-                          "selection"))
+             Commands::tr("Dashed lines along what was erased softly from all strokes; what is not selected is paler"))
         .checkable(aids.showErasures)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showErasures, on); });
     table

@@ -18,7 +18,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int besideChosen = 110; ///< how opaque lines of erasures are where some segments are selected
+constexpr int besideChosen = 110; ///< how opaque lines of erasures are that are not selected, where others are
 
 } // namespace
 
@@ -77,23 +77,29 @@ void CanvasOverlay::paintSelection(QPainter &painter, double dpr)
                   m_editor.isDragging() || m_editor.isStepping());
 }
 
+/// The command shows those of all strokes. Where something is selected, what is not is paler.
 void CanvasOverlay::paintErasures(QPainter &painter, double dpr)
 {
-    const bool selected = !m_selected.selection().isEmpty(); // else they are those of all strokes
-    const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
-    const bool ofSelected = selected && !showsAllErasures();
-    OverlayColours colours = m_colours;
-    if (!m_selected.selection().segments.empty())
-        colours.accent.setAlpha(besideChosen);
-    if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
-        m_erasures.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(),
-                         ofSelected ? &m_selected.selection().strokes : nullptr, colours, dpr);
+    const Selection &selection = m_selected.selection();
+    const bool byTool = showsOutlines() && tool() && tool()->showsErasures();
+    if (isBare() || m_lift.isFloating())
+        return;
+    const auto paint = [&](ErasureLines &lines, const std::set<StrokeId> *only, bool isPale) {
+        OverlayColours colours = m_colours;
+        if (isPale)
+            colours.accent.setAlpha(besideChosen);
+        lines.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(), only, colours,
+                    dpr);
+    };
+    if (m_aids.showErasures)
+        paint(m_erasures, nullptr, !selection.isEmpty());
+    if (!selection.isEmpty() && (m_aids.showErasures || byTool))
+        paint(m_selectedErasures, &selection.strokes, !selection.segments.empty());
 }
 
-bool CanvasOverlay::showsAllErasures() const
+bool CanvasOverlay::showsErasures() const
 {
-    return m_aids.showErasures && !isBare() &&
-           (m_selected.selection().isEmpty() || (tool() && tool()->showsErasures()));
+    return m_aids.showErasures && !isBare();
 }
 
 bool CanvasOverlay::isBare() const
