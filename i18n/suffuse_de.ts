@@ -6820,6 +6820,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Verblassen: der Anteil der Farbe, der weggenommen wird. Abheben: wie viel Dichte, sodass auslaufende Farbe blasser wird und scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Scharfe Ränder weichen zurück.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>

@@ -6820,6 +6820,10 @@ Las teclas de flecha también funcionan.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Atenuar: la parte de la pintura que se quita. Levantar: cuánta densidad; la pintura difuminada se vuelve más pálida, y la de borde nítido, más estrecha. La presión del lápiz la reduce</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Los bordes nítidos se retraen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>

@@ -6820,6 +6820,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Atténuer : la part de peinture enlevée. Éponger : combien de densité ; la peinture à bords fondus pâlit, celle à bord net rétrécit. La pression du stylet en retire</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Les bords nets se retirent.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>

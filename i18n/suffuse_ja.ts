@@ -6791,6 +6791,10 @@ Arrow keys work too.</source>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>薄くする：取り除く絵の具の割合。リフト：取り除く濃度の量。フェザーの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧で弱まります</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>くっきりした縁は後退します。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>

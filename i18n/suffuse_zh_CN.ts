@@ -6791,6 +6791,10 @@ Arrow keys work too.</source>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>淡化：擦去颜料的比例。柔擦：减去多少密度，使羽化的颜料变淡、边缘清晰的颜料变窄。画笔压力会减弱它</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>清晰的边缘会内缩。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
