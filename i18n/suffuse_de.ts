@@ -3054,32 +3054,32 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Linker Rand, Leinwandeinheiten</translation>
+        <source>Left edge</source>
+        <translation>Linker Rand</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Oberer Rand, Leinwandeinheiten</translation>
+        <source>Upper edge</source>
+        <translation>Oberer Rand</translation>
     </message>
     <message>
         <source>W</source>
         <translation>B</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Breite, Leinwandeinheiten</translation>
+        <source>Width</source>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>H</source>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Höhe, Leinwandeinheiten</translation>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5285,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Gitter</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Weite in Leinwandeinheiten</translation>
+        <source>Step</source>
+        <translation>Weite</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -6336,12 +6336,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Hilfslinie</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Waagrechte Lage in Leinwand-Einheiten</translation>
+        <source>Horizontal place</source>
+        <translation>Waagrechte Lage</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Senkrechte Lage in Leinwand-Einheiten</translation>
+        <source>Vertical place</source>
+        <translation>Senkrechte Lage</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -8965,14 +8965,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Neues Bild</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Blatt</translation>
     </message>
@@ -9021,8 +9013,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Wo der nächste Knoten gesetzt wird, von links, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von links. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9030,16 +9022,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Wo der nächste Knoten gesetzt wird, von oben, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von oben. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Vom letzten Knoten bis zum nächsten, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Vom letzten Knoten bis zum nächsten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9202,6 +9194,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source> u</source>
         <translation> E</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -10017,8 +10017,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>Wie weit Kurven wandern dürfen, in Leinwandeinheiten</translation>
+        <source>How far curves may move</source>
+        <translation>Wie weit Kurven wandern dürfen</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10033,8 +10033,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Wellen dieser Länge und kürzere verschwinden, in Leinwandeinheiten</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Wellen dieser Länge und kürzere verschwinden</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10053,8 +10053,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Der Farbe; unter 100 % wird sie schmaler</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>Nach rechts von der Richtung des Strichs, in Leinwandeinheiten; unter 0 nach links</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>Nach rechts von der Richtung des Strichs; unter 0 nach links</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10675,8 +10675,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Durchmesser des Kreises in Leinwandeinheiten ([ und ] ändern ihn)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Durchmesser des Kreises ([ und ] ändern ihn)</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Wie weit entlang des Strichs ein gezogener Knoten oder Bogen seine Umgebung mitnimmt, in Leinwandeinheiten; 0: nichts (Mausrad oder [ und ] beim Ziehen oder Alt+Ziehen ändern es)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Wie weit entlang des Strichs ein gezogener Knoten oder Bogen seine Umgebung mitnimmt; 0: nichts (Mausrad oder [ und ] beim Ziehen oder Alt+Ziehen ändern es)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10728,8 +10728,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Position des Zeigers in Leinwandeinheiten</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Position des Zeigers, in der Einheit der Lineale</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11518,16 +11518,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Linke Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Linke Kante der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Obere Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Obere Kante der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>W</source>
@@ -11535,8 +11535,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Breite der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Breite der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11552,8 +11552,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Höhe der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Höhe der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11622,16 +11622,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Linker Rand der Vorlage, Leinwandeinheiten</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Linker Rand der Vorlage</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Oberer Rand der Vorlage, Leinwandeinheiten</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Oberer Rand der Vorlage</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11642,16 +11642,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Breite</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Breite der Vorlage, Leinwandeinheiten</translation>
+        <source>Width of the underlay</source>
+        <translation>Breite der Vorlage</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Höhe der Vorlage, Leinwandeinheiten</translation>
+        <source>Height of the underlay</source>
+        <translation>Höhe der Vorlage</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12239,8 +12239,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>Das Geviert der Schrift, in Einheiten</translation>
+        <source>The em of the font</source>
+        <translation>Das Geviert der Schrift</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -13196,16 +13196,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Kleinste Breite</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Kein Strich ist schmaler, in Einheiten der Leinwand; 0: beliebig schmal</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Kein Strich ist schmaler; 0: beliebig schmal</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Größte Breite</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Kein Strich ist breiter, in Einheiten der Leinwand; 0: beliebig breit</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Kein Strich ist breiter; 0: beliebig breit</translation>
     </message>
     <message>
         <source>Seed</source>

@@ -3054,32 +3054,32 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Borde izquierdo, unidades del lienzo</translation>
+        <source>Left edge</source>
+        <translation>Borde izquierdo</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Borde superior, unidades del lienzo</translation>
+        <source>Upper edge</source>
+        <translation>Borde superior</translation>
     </message>
     <message>
         <source>W</source>
         <translation>An</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Anchura, unidades del lienzo</translation>
+        <source>Width</source>
+        <translation>Anchura</translation>
     </message>
     <message>
         <source>H</source>
         <translation>Al</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Altura, unidades del lienzo</translation>
+        <source>Height</source>
+        <translation>Altura</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5285,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Cuadrícula</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Paso en unidades del lienzo</translation>
+        <source>Step</source>
+        <translation>Paso</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -6336,12 +6336,12 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Guía</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Posición horizontal, en unidades del lienzo</translation>
+        <source>Horizontal place</source>
+        <translation>Posición horizontal</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Posición vertical, en unidades del lienzo</translation>
+        <source>Vertical place</source>
+        <translation>Posición vertical</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -8965,14 +8965,6 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Nueva obra</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Hoja</translation>
     </message>
@@ -9021,8 +9013,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Dónde se pone el siguiente nodo, desde la izquierda, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Dónde se pone el siguiente nodo, desde la izquierda. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9030,16 +9022,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Dónde se pone el siguiente nodo, desde arriba, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Dónde se pone el siguiente nodo, desde arriba. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Del último nodo al siguiente, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Del último nodo al siguiente. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9202,6 +9194,14 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -10017,8 +10017,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>Cuánto se pueden mover las curvas, en unidades del lienzo</translation>
+        <source>How far curves may move</source>
+        <translation>Cuánto se pueden mover las curvas</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10033,8 +10033,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Las ondulaciones de esta longitud y más cortas desaparecen, en unidades del lienzo</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Las ondulaciones de esta longitud y más cortas desaparecen</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10053,8 +10053,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>De la pintura; por debajo de 100 % se estrecha</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>A la derecha del sentido del trazo, en unidades del lienzo; por debajo de 0, a la izquierda</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>A la derecha del sentido del trazo; por debajo de 0, a la izquierda</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10675,8 +10675,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Diámetro del círculo en unidades del lienzo ([ y ] lo cambian)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Diámetro del círculo ([ y ] lo cambian)</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Alcance</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Hasta dónde, a lo largo del trazo, un nodo o curva que se arrastra lleva consigo lo cercano, unidades del lienzo; 0: nada (la rueda o [ y ] al arrastrar, o Alt+arrastrar, lo cambian)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Hasta dónde, a lo largo del trazo, un nodo o curva que se arrastra lleva consigo lo cercano; 0: nada (la rueda o [ y ] al arrastrar, o Alt+arrastrar, lo cambian)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10728,8 +10728,8 @@ Las teclas de flecha también funcionan.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Posición del puntero en unidades del lienzo</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Posición del puntero, en la unidad de las reglas</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11518,16 +11518,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Borde izquierdo de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Borde izquierdo de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Borde superior de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Borde superior de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>W</source>
@@ -11535,8 +11535,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>An</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Anchura de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Anchura de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11552,8 +11552,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Al</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Altura de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Altura de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11622,16 +11622,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Borde izquierdo del calco, unidades del lienzo</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Borde izquierdo del calco</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Borde superior del calco, unidades del lienzo</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Borde superior del calco</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11642,16 +11642,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Anchura</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Anchura del calco, unidades del lienzo</translation>
+        <source>Width of the underlay</source>
+        <translation>Anchura del calco</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Altura</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Altura del calco, unidades del lienzo</translation>
+        <source>Height of the underlay</source>
+        <translation>Altura del calco</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12239,8 +12239,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>El cuadratín de la fuente, unidades del lienzo</translation>
+        <source>The em of the font</source>
+        <translation>El cuadratín de la fuente</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -13196,16 +13196,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Anchura mínima</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Ningún trazo es más estrecho, en unidades del lienzo; 0: tan estrecho como se quiera</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Ningún trazo es más estrecho; 0: tan estrecho como se quiera</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Anchura máxima</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Ningún trazo es más ancho, en unidades del lienzo; 0: tan ancho como se quiera</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Ningún trazo es más ancho; 0: tan ancho como se quiera</translation>
     </message>
     <message>
         <source>Seed</source>

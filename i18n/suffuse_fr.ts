@@ -3054,32 +3054,32 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Bord gauche, unités de canevas</translation>
+        <source>Left edge</source>
+        <translation>Bord gauche</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Bord supérieur, unités de canevas</translation>
+        <source>Upper edge</source>
+        <translation>Bord supérieur</translation>
     </message>
     <message>
         <source>W</source>
         <translation>L</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Largeur, unités de canevas</translation>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>H</source>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Hauteur, unités de canevas</translation>
+        <source>Height</source>
+        <translation>Hauteur</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5285,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Grille</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Pas en unités de canevas</translation>
+        <source>Step</source>
+        <translation>Pas</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -6336,12 +6336,12 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Guide</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Position horizontale, en unités de canevas</translation>
+        <source>Horizontal place</source>
+        <translation>Position horizontale</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Position verticale, en unités de canevas</translation>
+        <source>Vertical place</source>
+        <translation>Position verticale</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -8965,14 +8965,6 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Nouveau tableau</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> po</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Feuille</translation>
     </message>
@@ -9021,8 +9013,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Où se place le nœud suivant, depuis la gauche, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Où se place le nœud suivant, depuis la gauche. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9030,16 +9022,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Où se place le nœud suivant, depuis le haut, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Où se place le nœud suivant, depuis le haut. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Du dernier nœud au suivant, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Du dernier nœud au suivant. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9202,6 +9194,14 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> po</translation>
     </message>
     <message>
         <source> s</source>
@@ -10017,8 +10017,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Distance</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>De combien les courbes peuvent bouger, en unités de canevas</translation>
+        <source>How far curves may move</source>
+        <translation>De combien les courbes peuvent bouger</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10033,8 +10033,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Les ondulations de cette longueur, et les plus courtes, disparaissent, en unités de canevas</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Les ondulations de cette longueur, et les plus courtes, disparaissent</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10053,8 +10053,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>De la peinture ; au-dessous de 100 %, elle rétrécit</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>À droite du sens du trait, en unités de canevas ; au-dessous de 0, à gauche</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>À droite du sens du trait ; au-dessous de 0, à gauche</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10675,8 +10675,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Diamètre du cercle en unités de canevas ([ et ] le changent)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Diamètre du cercle ([ et ] le changent)</translation>
     </message>
 </context>
 <context>
@@ -10709,8 +10709,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Portée</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Jusqu’où, le long du trait, un nœud ou une courbe que l’on tire entraîne ce qui est proche, en unités de canevas ; 0 : rien (la molette ou [ et ] en glissant, ou Alt+glisser, la changent)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Jusqu’où, le long du trait, un nœud ou une courbe que l’on tire entraîne ce qui est proche ; 0 : rien (la molette ou [ et ] en glissant, ou Alt+glisser, la changent)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10728,8 +10728,8 @@ Les touches fléchées fonctionnent aussi.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Position du pointeur en unités de canevas</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Position du pointeur, dans l’unité des règles</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11518,16 +11518,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Bord gauche des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Bord gauche des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Bord supérieur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Bord supérieur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>W</source>
@@ -11535,8 +11535,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>L</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Largeur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Largeur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11552,8 +11552,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Hauteur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Hauteur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11622,16 +11622,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Bord gauche du modèle, en unités de canevas</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Bord gauche du modèle</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Bord supérieur du modèle, en unités de canevas</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Bord supérieur du modèle</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11642,16 +11642,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Largeur</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Largeur du modèle, en unités de canevas</translation>
+        <source>Width of the underlay</source>
+        <translation>Largeur du modèle</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Hauteur du modèle, en unités de canevas</translation>
+        <source>Height of the underlay</source>
+        <translation>Hauteur du modèle</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12239,8 +12239,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>Le cadratin de la police, en unités de canevas</translation>
+        <source>The em of the font</source>
+        <translation>Le cadratin de la police</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -13196,16 +13196,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Largeur minimale</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Aucun trait n’est plus étroit, en unités de canevas ; 0 : aussi étroit qu’il veut</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Aucun trait n’est plus étroit ; 0 : aussi étroit qu’il veut</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Largeur maximale</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Aucun trait n’est plus large, en unités de canevas ; 0 : aussi large qu’il veut</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Aucun trait n’est plus large ; 0 : aussi large qu’il veut</translation>
     </message>
     <message>
         <source>Seed</source>

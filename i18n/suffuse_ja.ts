@@ -3030,32 +3030,32 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>左端、キャンバス単位</translation>
+        <source>Left edge</source>
+        <translation>左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>上端、キャンバス単位</translation>
+        <source>Upper edge</source>
+        <translation>上端</translation>
     </message>
     <message>
         <source>W</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>幅、キャンバス単位</translation>
+        <source>Width</source>
+        <translation>幅</translation>
     </message>
     <message>
         <source>H</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>高さ、キャンバス単位</translation>
+        <source>Height</source>
+        <translation>高さ</translation>
     </message>
 </context>
 <context>
@@ -5257,8 +5257,8 @@ Arrow keys work too.</source>
         <translation>グリッド</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>間隔、キャンバス単位</translation>
+        <source>Step</source>
+        <translation>間隔</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -6307,12 +6307,12 @@ Arrow keys work too.</source>
         <translation>ガイド</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>水平位置、キャンバス単位</translation>
+        <source>Horizontal place</source>
+        <translation>水平位置</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>垂直位置、キャンバス単位</translation>
+        <source>Vertical place</source>
+        <translation>垂直位置</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -8894,14 +8894,6 @@ Arrow keys work too.</source>
         <translation>新しい絵</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>用紙</translation>
     </message>
@@ -8950,8 +8942,8 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの位置、左から、キャンバス単位。Enter またはクリックで置きます</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>次のノードの位置、左から。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8959,16 +8951,16 @@ Arrow keys work too.</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの位置、上から、キャンバス単位。Enter またはクリックで置きます</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>次のノードの位置、上から。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>最後のノードから次のノードまで、キャンバス単位。Enter またはクリックで置きます</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>最後のノードから次のノードまで。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9131,6 +9123,14 @@ Arrow keys work too.</source>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9944,8 +9944,8 @@ Arrow keys work too.</source>
         <translation>距離</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>曲線が動いてよい距離、キャンバス単位</translation>
+        <source>How far curves may move</source>
+        <translation>曲線が動いてよい距離</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9960,8 +9960,8 @@ Arrow keys work too.</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>この長さ以下の波打ちをなくします、キャンバス単位</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>この長さ以下の波打ちをなくします</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9980,8 +9980,8 @@ Arrow keys work too.</source>
         <translation>絵の具の幅。100 % 未満で細くなります</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>ストロークの方向に対して右へ、キャンバス単位。0 未満で左へ</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>ストロークの方向に対して右へ。0 未満で左へ</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10602,8 +10602,8 @@ Arrow keys work too.</source>
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>円の直径、キャンバス単位（[ と ] で変更）</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>円の直径（[ と ] で変更）</translation>
     </message>
 </context>
 <context>
@@ -10636,8 +10636,8 @@ Arrow keys work too.</source>
         <translation>影響範囲</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで動くか、キャンバス単位。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで動くか。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10655,8 +10655,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>ポインターの位置、キャンバス単位</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>ポインターの位置、単位はルーラーと同じ</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11440,16 +11440,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の左端、キャンバス単位</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の上端、キャンバス単位</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の上端</translation>
     </message>
     <message>
         <source>W</source>
@@ -11457,8 +11457,8 @@ Arrow keys work too.</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の幅、キャンバス単位</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の幅</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11474,8 +11474,8 @@ Arrow keys work too.</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の高さ、キャンバス単位</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の高さ</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11544,16 +11544,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>下絵の左端、キャンバス単位</translation>
+        <source>Left edge of the underlay</source>
+        <translation>下絵の左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>下絵の上端、キャンバス単位</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>下絵の上端</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11564,16 +11564,16 @@ Arrow keys work too.</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>下絵の幅、キャンバス単位</translation>
+        <source>Width of the underlay</source>
+        <translation>下絵の幅</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>下絵の高さ、キャンバス単位</translation>
+        <source>Height of the underlay</source>
+        <translation>下絵の高さ</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12160,8 +12160,8 @@ Arrow keys work too.</source>
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>フォントの em、キャンバス単位</translation>
+        <source>The em of the font</source>
+        <translation>フォントの em</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -13111,16 +13111,16 @@ Arrow keys work too.</source>
         <translation>最小幅</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>これより細いストロークは作りません、キャンバス単位。0：制限なし</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>これより細いストロークは作りません。0：制限なし</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>最大幅</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>これより太いストロークは作りません、キャンバス単位。0：制限なし</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>これより太いストロークは作りません。0：制限なし</translation>
     </message>
     <message>
         <source>Seed</source>

@@ -3030,32 +3030,32 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>左边缘，画布单位</translation>
+        <source>Left edge</source>
+        <translation>左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>上边缘，画布单位</translation>
+        <source>Upper edge</source>
+        <translation>上边缘</translation>
     </message>
     <message>
         <source>W</source>
         <translation>宽</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>宽度，画布单位</translation>
+        <source>Width</source>
+        <translation>宽度</translation>
     </message>
     <message>
         <source>H</source>
         <translation>高</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>高度，画布单位</translation>
+        <source>Height</source>
+        <translation>高度</translation>
     </message>
 </context>
 <context>
@@ -5257,8 +5257,8 @@ Arrow keys work too.</source>
         <translation>网格</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>间距（画布单位）</translation>
+        <source>Step</source>
+        <translation>间距</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -6307,12 +6307,12 @@ Arrow keys work too.</source>
         <translation>参考线</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>水平位置（画布单位）</translation>
+        <source>Horizontal place</source>
+        <translation>水平位置</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>垂直位置（画布单位）</translation>
+        <source>Vertical place</source>
+        <translation>垂直位置</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -8894,14 +8894,6 @@ Arrow keys work too.</source>
         <translation>新建画作</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>画纸</translation>
     </message>
@@ -8950,8 +8942,8 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从左边起，画布单位。回车或点击放置节点</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从左边起。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8959,16 +8951,16 @@ Arrow keys work too.</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从上边起，画布单位。回车或点击放置节点</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从上边起。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>从上一个节点到下一个节点，画布单位。回车或点击放置节点</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>从上一个节点到下一个节点。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9131,6 +9123,14 @@ Arrow keys work too.</source>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9944,8 +9944,8 @@ Arrow keys work too.</source>
         <translation>距离</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>曲线可移动的距离，以画布单位计</translation>
+        <source>How far curves may move</source>
+        <translation>曲线可移动的距离</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9960,8 +9960,8 @@ Arrow keys work too.</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>此长度及更短的抖动会消失，以画布单位计</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>此长度及更短的抖动会消失</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9980,8 +9980,8 @@ Arrow keys work too.</source>
         <translation>颜料的宽度；低于 100 % 则缩窄</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>向笔画方向的右侧，以画布单位计；负值向左</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>向笔画方向的右侧；负值向左</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10602,8 +10602,8 @@ Arrow keys work too.</source>
         <translation>大小</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>圆圈的直径，以画布单位计（[ 和 ] 可更改）</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>圆圈的直径（[ 和 ] 可更改）</translation>
     </message>
 </context>
 <context>
@@ -10636,8 +10636,8 @@ Arrow keys work too.</source>
         <translation>影响范围</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>拖动节点或曲线时沿笔画带动邻近部分的距离，画布单位；0：不带动（拖动时用滚轮或 [ 和 ]，或按住 Alt 拖动可更改）</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>拖动节点或曲线时沿笔画带动邻近部分的距离；0：不带动（拖动时用滚轮或 [ 和 ]，或按住 Alt 拖动可更改）</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10655,8 +10655,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>指针位置（画布单位）</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>指针位置，单位与标尺相同</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11440,16 +11440,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的左边缘，画布单位</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的上边缘，画布单位</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的上边缘</translation>
     </message>
     <message>
         <source>W</source>
@@ -11457,8 +11457,8 @@ Arrow keys work too.</source>
         <translation>宽</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的宽度，画布单位</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的宽度</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11474,8 +11474,8 @@ Arrow keys work too.</source>
         <translation>高</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的高度，画布单位</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的高度</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11544,16 +11544,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>底图的左边缘，画布单位</translation>
+        <source>Left edge of the underlay</source>
+        <translation>底图的左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>底图的上边缘，画布单位</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>底图的上边缘</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11564,16 +11564,16 @@ Arrow keys work too.</source>
         <translation>宽度</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>底图的宽度，画布单位</translation>
+        <source>Width of the underlay</source>
+        <translation>底图的宽度</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>高度</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>底图的高度，画布单位</translation>
+        <source>Height of the underlay</source>
+        <translation>底图的高度</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12160,8 +12160,8 @@ Arrow keys work too.</source>
         <translation>字号</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>字体的全身尺寸，画布单位</translation>
+        <source>The em of the font</source>
+        <translation>字体的全身尺寸</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -13111,16 +13111,16 @@ Arrow keys work too.</source>
         <translation>最小宽度</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>没有更窄的笔画，以画布单位计；0：不限</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>没有更窄的笔画；0：不限</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>最大宽度</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>没有更宽的笔画，以画布单位计；0：不限</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>没有更宽的笔画；0：不限</translation>
     </message>
     <message>
         <source>Seed</source>

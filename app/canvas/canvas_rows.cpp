@@ -56,8 +56,8 @@ void changeAid(CanvasWidget &canvas, bool CanvasAids::*aid, bool on)
 void askForGridStep(CanvasWidget &canvas)
 {
     const std::optional<double> step =
-        askNumber(canvas.window(), {Commands::tr("Grid"), Commands::tr("Step in canvas units"), canvas.aids().gridStep,
-                                    0.001, maxGridStep});
+        askNumber(canvas.window(),
+                  {Commands::tr("Grid"), Commands::tr("Step"), canvas.aids().gridStep, 0.001, maxGridStep, 3, true});
     if (!step)
         return;
     CanvasAids aids = canvas.aids();

@@ -80,7 +80,7 @@ TextRow::TextRow(QWidget *parent) : QWidget(parent)
         field->setObjectName(QLatin1String(name));
         return field;
     };
-    m_size = add("size", {tr("Size"), tr("The em of the font, canvas units"), lengthDisplay(), 0.01, 1e6}, &Text::size);
+    m_size = add("size", {tr("Size"), tr("The em of the font"), lengthDisplay(), 0.01, 1e6}, &Text::size);
     FieldSpec spacing = shareSpec(tr("Spacing"), tr("Room that is added between letters, of the size"));
     spacing.minimum = -1;
     spacing.maximum = 10;
