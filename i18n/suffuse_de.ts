@@ -12893,6 +12893,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wird mit dem Bild verglichen …</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>Exportiert wird, sobald mit dem Bild verglichen ist.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Unbekannt</translation>
     </message>

@@ -12893,6 +12893,10 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Comparando con la imagen…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>Se exporta en cuanto se haya comparado con la imagen.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Desconocido</translation>
     </message>

@@ -12893,6 +12893,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Comparaison avec l’image…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>L’exportation se fait dès que la comparaison avec l’image est finie.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Inconnue</translation>
     </message>

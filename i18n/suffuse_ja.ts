@@ -12810,6 +12810,10 @@ Arrow keys work too.</source>
         <translation>画像と比較中…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>画像との比較が終わりしだい書き出します。</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>不明</translation>
     </message>

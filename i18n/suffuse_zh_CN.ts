@@ -12810,6 +12810,10 @@ Arrow keys work too.</source>
         <translation>正在与图像比较…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>与画面比较完后立即导出。</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>未知</translation>
     </message>

@@ -11,10 +11,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+
+#include <utility>
 
 namespace suffuse {
 
@@ -62,7 +65,10 @@ DrawingDialog::DrawingDialog(Editor &editor, QWidget *parent)
     restore();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &DrawingDialog::kindChanged);
     connect(m_bands, &QSpinBox::valueChanged, this, &DrawingDialog::prepareSoon);
-    connect(m_moment->box(), &QComboBox::currentIndexChanged, this, &DrawingDialog::prepare);
+    connect(m_moment->box(), &QComboBox::currentIndexChanged, this, [this] {
+        forgetReturn();
+        prepare();
+    });
     connect(m_moment->clock(), &ClockBox::valueChanged, this, &DrawingDialog::prepareSoon);
     begin();
     kindChanged();
@@ -132,11 +138,35 @@ void DrawingDialog::kindChanged()
 {
     m_purpose->setText(purposeOf(chosenKind()));
     m_bands->setEnabled(chosenKind() == DrawingKind::Bands);
+    forgetReturn();
     prepare();
+}
+
+void DrawingDialog::forgetReturn()
+{
+    m_returned = false;
+    m_hint->showHint({});
+}
+
+void DrawingDialog::sayWhyItWaits()
+{
+    m_hint->showHint(m_returned ? tr("It is exported as soon as it is compared with the picture.") : QString());
+}
+
+void DrawingDialog::keyPressEvent(QKeyEvent *event)
+{
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isReturn || exportButton()->isEnabled() || isExporting() || (!m_soon.isActive() && !m_job.isPreparing())) {
+        ExportingDialog::keyPressEvent(event);
+        return;
+    }
+    m_returned = true;
+    sayWhyItWaits();
 }
 
 void DrawingDialog::prepareSoon()
 {
+    forgetReturn();
     m_soon.start(typingPause);
     m_difference->setText(tr("Comparing with the picture…"));
     setBusy(false);
@@ -153,7 +183,7 @@ void DrawingDialog::prepare()
     options.threads = settings::threads();
     m_job.prepare(m_editor.document().painting(), options);
     m_difference->setText(tr("Comparing with the picture…"));
-    m_hint->showHint({});
+    sayWhyItWaits();
     setBusy(false);
 }
 
@@ -163,6 +193,7 @@ void DrawingDialog::showPrepared(const QString &error)
     m_progress->hide();
     if (!error.isEmpty()) {
         m_difference->setText(tr("Unknown"));
+        m_returned = false;
         m_hint->showHint(error);
         return;
     }
@@ -170,6 +201,10 @@ void DrawingDialog::showPrepared(const QString &error)
     if (const QString leftOut = leftOutOf(*m_job.ready()); !leftOut.isEmpty())
         said << leftOut;
     m_difference->setText(said.join(QLatin1Char(' ')));
+    if (std::exchange(m_returned, false)) {
+        m_hint->showHint({});
+        startExport();
+    }
 }
 
 void DrawingDialog::browse()
@@ -184,7 +219,7 @@ void DrawingDialog::browse()
 /// What one format has nothing for, another one may have.
 void DrawingDialog::pathChanged()
 {
-    m_hint->showHint({});
+    forgetReturn();
     const std::optional<DrawingFormat> format = drawingFormatFor(m_path->text());
     m_page->setEnabled(format == DrawingFormat::Pdf);
     if (!format || std::exchange(m_format, format) == format)
