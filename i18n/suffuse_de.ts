@@ -9395,6 +9395,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message>
+        <source>As large as the sheet</source>
+        <translation>So groß wie das Blatt</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>Hochformat</translation>
     </message>
@@ -13650,6 +13654,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>US Letter</translation>
     </message>
     <message>
+        <source>Legal</source>
+        <translation>US Legal</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>US Tabloid</translation>
+    </message>
+    <message>
         <source>Postcard</source>
         <translation>Postkarte</translation>
     </message>
@@ -14469,6 +14481,33 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>Hafen</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Tuschelandschaft</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Laternen</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Mondaufgang</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Blatt mit Strichen</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Stillleben</translation>
     </message>
 </context>
 </TS>

@@ -9395,6 +9395,10 @@ Las teclas de flecha también funcionan.</translation>
         <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message>
+        <source>As large as the sheet</source>
+        <translation>Tan grande como la hoja</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>Vertical</translation>
     </message>
@@ -13650,6 +13654,14 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Carta</translation>
     </message>
     <message>
+        <source>Legal</source>
+        <translation>Legal (EE. UU.)</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>Tabloide</translation>
+    </message>
+    <message>
         <source>Postcard</source>
         <translation>Postal</translation>
     </message>
@@ -14469,6 +14481,33 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>El puerto</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Paisaje a tinta</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Farolillos</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Salida de la luna</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Hoja de trazos</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Bodegón</translation>
     </message>
 </context>
 </TS>

@@ -9395,6 +9395,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message>
+        <source>As large as the sheet</source>
+        <translation>Aussi grand que la feuille</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>Portrait</translation>
     </message>
@@ -13650,6 +13654,14 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Lettre US</translation>
     </message>
     <message>
+        <source>Legal</source>
+        <translation>Légal US</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>Tabloïd US</translation>
+    </message>
+    <message>
         <source>Postcard</source>
         <translation>Carte postale</translation>
     </message>
@@ -14469,6 +14481,33 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>Le port</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Paysage à l’encre</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Lanternes</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Lever de lune</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Planche de traits</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Nature morte</translation>
     </message>
 </context>
 </TS>

@@ -9324,6 +9324,10 @@ Arrow keys work too.</source>
         <translation>%1 – %2 × %3 mm</translation>
     </message>
     <message>
+        <source>As large as the sheet</source>
+        <translation>用紙と同じ大きさ</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>縦</translation>
     </message>
@@ -13561,6 +13565,14 @@ Arrow keys work too.</source>
         <translation>レター</translation>
     </message>
     <message>
+        <source>Legal</source>
+        <translation>リーガル</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>タブロイド</translation>
+    </message>
+    <message>
         <source>Postcard</source>
         <translation>はがき</translation>
     </message>
@@ -14375,6 +14387,33 @@ Arrow keys work too.</source>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>港</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>水墨の風景</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>灯籠</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>月の出</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>ストローク見本</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>静物</translation>
     </message>
 </context>
 </TS>

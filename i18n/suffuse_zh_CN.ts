@@ -9324,6 +9324,10 @@ Arrow keys work too.</source>
         <translation>%1 – %2 × %3 毫米</translation>
     </message>
     <message>
+        <source>As large as the sheet</source>
+        <translation>与画面一样大</translation>
+    </message>
+    <message>
         <source>Upright</source>
         <translation>纵向</translation>
     </message>
@@ -13561,6 +13565,14 @@ Arrow keys work too.</source>
         <translation>美式信纸</translation>
     </message>
     <message>
+        <source>Legal</source>
+        <translation>美式法律用纸</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>美式小报</translation>
+    </message>
+    <message>
         <source>Postcard</source>
         <translation>明信片</translation>
     </message>
@@ -14375,6 +14387,33 @@ Arrow keys work too.</source>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>海港</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>水墨山水</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>灯笼</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>月出</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>笔画样张</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>静物</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@
 #include "app/session/current_layer.h"
 #include "app/session/drawing_aids.h"
 #include "app/session/files/opened_file.h"
+#include "app/session/files/samples.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
 #include "model/formats/messages.h"
@@ -357,7 +358,7 @@ std::vector<QString> Editor::open(OpenedFile file)
     if (damaged)
         origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, said, true, true};
     else if (file.isSample)
-        origin = {{}, QFileInfo(file.path).completeBaseName(), {}, {}, said};
+        origin = {{}, sampleTitle(file.path), {}, {}, said};
     else if (canBeSavedAs(document.format))
         origin = {file.path, {}, file.path, file.hash, said};
     else { // A drawing or a recording: the painting of it has its name, and would lie beside it.

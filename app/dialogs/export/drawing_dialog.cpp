@@ -1,6 +1,7 @@
 #include "app/dialogs/export/drawing_dialog.h"
 
 #include "app/dialogs/export/clock_box.h"
+#include "app/dialogs/sheet_presets.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
@@ -92,7 +93,7 @@ void DrawingDialog::addFields(QGridLayout &grid)
     m_page = new QComboBox(m_form);
     m_page->addItem(tr("As large as the sheet"), QString());
     for (const char *name : {"A3", "A4", "A5", "Letter"})
-        m_page->addItem(QLatin1String(name), QLatin1String(name));
+        m_page->addItem(paperTitle(QLatin1String(name)), QLatin1String(name));
     addField(4, tr("Page"), m_page,
              tr("Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where "
                 "that is not said, has 96 units an inch."));
