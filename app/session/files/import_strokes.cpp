@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "model/formats/messages.h"
 #include "model/formats/picture_links.h"
+#include "model/painting/resolution.h"
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/edits.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace suffuse {
 
@@ -194,6 +196,24 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
              : QString()});
 }
 
+Painting atRealSize(Painting painting, double from, double to)
+{
+    if (!isResolution(from) || !isResolution(to) || from == to)
+        return painting;
+    const Affine map = Affine::scaling({}, to / from, to / from);
+    StrokeList strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        strokes.push_back(std::make_shared<const Stroke>(transformed(*stroke, map, SpreadRule::Scales)));
+    painting.strokes = std::move(strokes);
+    for (Group &group : painting.groups)
+        if (group.text) {
+            Text text = *group.text;
+            text.place = map * text.place;
+            group.text = std::move(text);
+        }
+    return painting;
+}
+
 Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre)
 {
     const Result<LoadedDocument> file = loadDocument(path, &editor.brush());
@@ -201,7 +221,8 @@ Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point ce
         return Error{file.error()};
     if (file->painting.strokes.empty() && file->losses.empty())
         return fileError(path, QCoreApplication::translate("Import", "there are no strokes in it"));
-    const Painting painting = withAbsoluteLinks(file->painting, QFileInfo(path).absolutePath());
+    const Painting painting = atRealSize(withAbsoluteLinks(file->painting, QFileInfo(path).absolutePath()),
+                                         file->extras.resolution, std::as_const(editor).extras().resolution);
     const QString refused = addStrokes(editor, inOneGroup(painting, QFileInfo(path).completeBaseName()), centre,
                                        QCoreApplication::translate("Import", "Import strokes"));
     return ImportReport{file->losses, joinedSentences({refused, file->leftOut, file->missing})};
