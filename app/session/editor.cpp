@@ -408,9 +408,10 @@ void Editor::setKeepsHistory(bool keeps)
     tellFileChanged();
 }
 
-void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
+void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath, double resolution)
 {
     m_extras = {};
+    m_extras.resolution = resolution;
     const QString added = recoveredPattern().section(QStringLiteral("%1"), 1); // journals of earlier versions have it
     const QString own = name.endsWith(added) ? name.chopped(added.size()) : name;
     const QString folder = QFileInfo(suggestedPath).absolutePath();

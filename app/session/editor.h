@@ -143,7 +143,7 @@ public:
     /// Reads it first; one that cannot be read changes nothing.
     Result<std::vector<QString>> open(const QString &path);
     /// A painting that is in no file: untitled but for its name, modified.
-    void openRecovered(Painting painting, const QString &name, const QString &suggestedPath);
+    void openRecovered(Painting painting, const QString &name, const QString &suggestedPath, double resolution = 0);
 
     /// Writes the painting as it is now, on a thread of its own; it can be painted on. `saved` tells how it went.
     /// Unless `whatever` is there may be replaced, the document's own file must be as it was last read or written.
