@@ -264,8 +264,9 @@ std::optional<double> evaluateArithmetic(const QString &text, std::optional<doub
     const double worth = isShare ? *current / 100 : worthOf(whole.mid(end), unit, resolution);
     if (worth == 0 && !isShare)
         return std::nullopt;
-    plain = withPlainLengths(
-        *plain, [&](const QString &name) { return worth == 0 ? 0 : worthOf(name, unit, resolution) / worth; });
+    plain = withPlainLengths(*plain, [&](const QString &name) {
+        return isShare ? 0 : worthOf(name, unit, resolution) / worth; // Per cent of what is there go with no length.
+    });
     if (!plain)
         return std::nullopt;
     QString t = *plain;

@@ -15,12 +15,12 @@ float spreadKey(const Segment &segment)
     return segment.diffusion * segment.maxAge;
 }
 
-double spreadAcross(const Segment &segment)
+} // namespace
+
+double erasureSpread(const Segment &segment)
 {
     return spreadAt(curveDiffusion(segment).across, segment.maxAge);
 }
-
-} // namespace
 
 void ErasureSizes::add(const Stroke &stroke)
 {
@@ -33,7 +33,7 @@ void ErasureSizes::add(const Segment &segment)
     if (!segment.fade)
         return;
     double &most = m_peaks[spreadKey(segment)];
-    most = std::max(most, peakDensity(segment.density, spreadAcross(segment)));
+    most = std::max(most, peakDensity(segment.density, erasureSpread(segment)));
 }
 
 double ErasureSizes::of(const Segment &segment) const
@@ -41,7 +41,7 @@ double ErasureSizes::of(const Segment &segment) const
     SoftTip tip{.radius = 1, .way = segment.fade ? SoftWay::Fade : SoftWay::Lift};
     const auto most = m_peaks.find(spreadKey(segment));
     tip.strength = segment.fade && most != m_peaks.end() ? -std::expm1(-most->second) : 0;
-    return 2 * spreadAcross(segment) / tip.spread();
+    return 2 * erasureSpread(segment) / tip.spread();
 }
 
 void widenErasure(Segment &segment, double factor)

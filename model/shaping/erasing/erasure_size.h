@@ -13,14 +13,17 @@ class ErasureSizes {
 public:
     void add(const Stroke &stroke);
     void add(const Segment &segment);
-    /// The diameter of the eraser that left a segment, canvas units. Erasures do not keep how soft it was, so it is that
-    /// of one of the usual softness: 2s/0.6, or s(1 + ln 11) where it has faded all of the paint (`SoftTip::spread`).
+    /// The diameter of the eraser that left a segment, canvas units. Erasures do not keep how soft it was, so it is
+    /// that of one of the usual softness: 2s/0.6, or s(1 + ln 11) where it has faded all of the paint
+    /// (`SoftTip::spread`).
     double of(const Segment &segment) const;
 
 private:
     std::map<float, double> m_peaks; ///< for each D·t_max, the greatest peak of what fades
 };
 
+/// How far an erasure spreads beside its curve, s, canvas units.
+double erasureSpread(const Segment &segment);
 /// Makes an erasure wider by a factor. What it takes in its middle stays.
 void widenErasure(Segment &segment, double factor);
 

@@ -76,7 +76,7 @@ private slots:
         const StrokePtr wide = line(1, {100, 200}, {300, 200});
         Editor from;
         paintingOf(from, 300);
-        from.push(addStrokes(from.document(), {*wide}, true), "line");
+        from.push(addStrokes(from.document(), {wide}, true), "line");
         clipboard::copy(from);
         const QMimeData &data = *QGuiApplication::clipboard()->mimeData();
         const struct {

@@ -25,13 +25,8 @@ float shownShare(const Segment &segment)
     return float(std::round(takenShare(segment) * steps) / steps);
 }
 
-double spreadOf(const Segment &segment)
-{
-    return spreadAt(curveDiffusion(segment).across, segment.maxAge);
-}
-
 /// To as many digits as float32 has room for.
-double rounded(double value)
+double toFiveDigits(double value)
 {
     const double unit = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-30))) - 4);
     return std::round(value / unit) * unit;
@@ -52,7 +47,7 @@ ErasureSizes sizesIn(const Painting &painting, const std::vector<SegmentRef> &re
     return sizes;
 }
 
-FieldSpec sizeSpec()
+FieldSpec erasureSizeSpec()
 {
     return {.name = ErasureRows::tr("Size"),
             .toolTip = ErasureRows::tr("The diameter of the eraser, if its softness was the usual one."),
@@ -65,7 +60,7 @@ FieldSpec sizeSpec()
             .defaultValue = 20};
 }
 
-FieldSpec takenSpec()
+FieldSpec takenDensitySpec()
 {
     return {.name = ErasureRows::tr("Density taken"),
             .toolTip = ErasureRows::tr("The density that it takes away in its middle: paint that is thinner is gone "
@@ -85,10 +80,10 @@ ErasureRows::ErasureRows(Editor &editor, QGridLayout &grid, QWidget *parent) : Q
                            tr("Fade makes paint paler; Lift takes its density away, so that edges draw in."),
                            {tr("Fade"), tr("Lift")}, parent);
     connect(m_kind.box, &QComboBox::activated, this, [this](int index) { setFade(index == Fades); });
-    m_size = addRow(sizeSpec(), grid, &ErasureRows::setSizes, tr("Change size"), parent);
+    m_size = addRow(erasureSizeSpec(), grid, &ErasureRows::setSizes, tr("Change size"), parent);
     const FieldSpec share = shareSpec(tr("Strength"), tr("The share of the paint that it takes in its middle."), 0.5);
     m_share = addRow(share, grid, &ErasureRows::setShares, tr("Change strength"), parent);
-    m_taken = addRow(takenSpec(), grid, &ErasureRows::setTaken, tr("Change strength"), parent);
+    m_taken = addRow(takenDensitySpec(), grid, &ErasureRows::setTaken, tr("Change strength"), parent);
 }
 
 SliderField *ErasureRows::addRow(const FieldSpec &spec, QGridLayout &grid, Setter set, const QString &undoText,
@@ -168,7 +163,7 @@ Edit ErasureRows::setTaken(const Painting &from, const ValueMap &map)
 {
     const Document &document = m_editor.document();
     return changeSegmentsSince(document, from, targetSegments(document), [&map](Segment &now, const Segment &then) {
-        const double spread = spreadOf(then);
+        const double spread = erasureSpread(then);
         if (const std::optional<double> peak = map(peakDensity(then.density, spread)))
             now.density = float(std::min(densityOfPeak(*peak, spread), 1e12));
     });
@@ -205,10 +200,11 @@ void ErasureRows::refresh(const Inspected &inspected)
     keep(
         *m_taken, [](const Segment &segment) { return segment.density; }, same);
     const ErasureSizes sizes = sizesIn(*inspected.painting, inspected.refs);
-    m_size->setValue(commonNumber(segments, [&](const InspectedSegment &s) { return rounded(sizes.of(*s.segment)); }));
+    m_size->setValue(
+        commonNumber(segments, [&](const InspectedSegment &s) { return toFiveDigits(sizes.of(*s.segment)); }));
     m_share->setValue(commonNumber(segments, [](const InspectedSegment &s) { return shownShare(*s.segment); }));
     m_taken->setValue(commonNumber(segments, [](const InspectedSegment &s) {
-        return rounded(peakDensity(s.segment->density, spreadOf(*s.segment)));
+        return toFiveDigits(peakDensity(s.segment->density, erasureSpread(*s.segment)));
     }));
 }
 
