@@ -1,6 +1,7 @@
 #include "app/window/layout/status_line.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/rulers.h"
 #include "app/session/commands/commands.h"
 #include "app/session/open_painting.h"
 #include "app/widgets/asking/messages.h"
