@@ -196,7 +196,7 @@ private slots:
         dialog.show();
         dialog.margins()[2]->setValue(17);
         choose(dialog.paper(), "Sheet");
-        QVERIFY2(dialog.paper()->currentText().contains("68"), qPrintable(dialog.paper()->currentText()));
+        QVERIFY2(dialog.paper()->currentText().contains("102 × 67.7"), qPrintable(dialog.paper()->currentText()));
         QVERIFY(!dialog.orientation()->isEnabled());
         const PagePlan plan = dialog.plan();
         QCOMPARE(plan.paper, QSizeF(600 / 150.0 * 25.4, 400 / 150.0 * 25.4));

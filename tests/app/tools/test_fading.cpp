@@ -297,18 +297,19 @@ private slots:
                 s.use(Command::Segments);
                 ErasureRows &rows = *s.window.findChild<InspectorPanel *>()->findChild<SegmentSection *>()->erasure();
                 s.selectErasing();
-                QTRY_COMPARE(rows.size()->number()->text(), QString("24"));
+                QTRY_COMPARE(rows.size()->number()->text(), QString("24 u"));
                 const int steps = s.steps();
-                rows.size()->number()->setText("36");
+                rows.size()->number()->selectAll();
+                QTest::keyClicks(rows.size()->number(), "36");
                 QTest::keyClick(rows.size()->number(), Qt::Key_Return);
                 QCOMPARE(s.steps(), steps + 1);
-                QTRY_COMPARE(rows.size()->number()->text(), QString("36"));
+                QTRY_COMPARE(rows.size()->number()->text(), QString("36 u"));
                 s.use(Command::EditHere);
                 auto *card = s.window.findChild<ValueCard *>();
                 QVERIFY(card && card->segments()->diffusion()->label()->isHidden());
                 QVERIFY(card->segments()->density()->label()->isHidden());
-                QCOMPARE(card->segments()->erasure()->size()->number()->text(), QString("36"));
-                QCOMPARE(QApplication::focusWidget(), card->segments()->erasure()->size()->number());
+                QCOMPARE(card->segments()->erasure()->size()->number()->text(), QString("36 u"));
+                QTRY_COMPARE(QApplication::focusWidget(), card->segments()->erasure()->size()->number());
                 card->close();
                 for (const Segment &segment : s.stroke().segments)
                     if (segment.takesPaint())
@@ -320,7 +321,7 @@ private slots:
                 QCOMPARE(rows.share()->number()->text(), strength == 1 ? QString("100 %") : QString("40 %"));
                 emit rows.share()->edited(0.5, nullptr);
                 QTRY_COMPARE(rows.share()->number()->text(), QString("50 %"));
-                QCOMPARE(rows.size()->number()->text(), QString("36"));
+                QCOMPARE(rows.size()->number()->text(), QString("36 u"));
             }
     }
 
