@@ -84,9 +84,7 @@ private slots:
         QVERIFY(lost.window.saveTo(m_folder->filePath("sheet.suffuse"))); // The journal says it again then.
         lost.paintLine({200, 400}, {700, 450});
         crash(lost);
-        const Journals journals = findJournals(crashed());
-        QCOMPARE(journals.lost.size(), std::size_t(1));
-        QCOMPARE(journals.lost[0].content.head.resolution, 300.0);
+        QCOMPARE(findJournals(crashed()).lost.at(0).content.head.resolution, 300.0);
         Session s;
         answer(&RecoveryDialog::recoverButton, [](RecoveryDialog &) {});
         offerRecovery(s.window, crashed());
