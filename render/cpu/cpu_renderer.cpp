@@ -199,7 +199,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
 
     const PictureGrid whole = PictureGrid::ofDocument(request.view);
     const PictureGrid grid = request.part.isEmpty() ? whole : whole.part(request.part, request.near);
-    const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads);
+    const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads, cancel);
     const DirtyRegion &region = m_history.region();
     m_paper.begin(cpu::kernels(), grid, request.painting->canvas.paper, *paper,
                   std::size_t(region.columns()) * std::size_t(region.rows()));
