@@ -5848,6 +5848,22 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Text in Striche</translation>
     </message>
     <message>
+        <source>Release Text from Stroke</source>
+        <translation>Text vom Strich lösen</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Die gewählten Texte behalten ihre Kurven, was auch immer aus den Strichen wird, denen sie folgen</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Wählen Sie einen Text aus, der einem Strich folgt.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Text vom Strich lösen</translation>
+    </message>
+    <message>
         <source>Te&amp;xt</source>
         <translation>Te&amp;xt</translation>
     </message>
@@ -12283,8 +12299,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Auf gewähltem Strich</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Den Text entlang dem gewählten Strich setzen</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Den Text entlang dem gewählten Strich setzen, dem er fortan folgt</translation>
     </message>
     <message>
         <source>Straight</source>

@@ -5848,6 +5848,22 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Texto a trazos</translation>
     </message>
     <message>
+        <source>Release Text from Stroke</source>
+        <translation>Soltar el texto del trazo</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Los textos seleccionados conservan sus curvas, pase lo que pase con los trazos que siguen</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Seleccione un texto que siga un trazo.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Soltar el texto del trazo</translation>
+    </message>
+    <message>
         <source>Te&amp;xt</source>
         <translation>&amp;Texto</translation>
     </message>
@@ -12283,8 +12299,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>En el trazo seleccionado</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Poner el texto a lo largo del trazo seleccionado</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Poner el texto a lo largo del trazo seleccionado, al que seguirá desde entonces</translation>
     </message>
     <message>
         <source>Straight</source>

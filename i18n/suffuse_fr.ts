@@ -5848,6 +5848,22 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Texte en traits</translation>
     </message>
     <message>
+        <source>Release Text from Stroke</source>
+        <translation>Détacher le texte du trait</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Les textes sélectionnés gardent leurs courbes, quoi qu’il advienne des traits qu’ils suivent</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Sélectionnez un texte qui suit un trait.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Détacher le texte du trait</translation>
+    </message>
+    <message>
         <source>Te&amp;xt</source>
         <translation>Te&amp;xte</translation>
     </message>
@@ -12283,8 +12299,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Sur le trait sélectionné</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Placer le texte le long du trait sélectionné</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Placer le texte le long du trait sélectionné, qu’il suit dès lors</translation>
     </message>
     <message>
         <source>Straight</source>

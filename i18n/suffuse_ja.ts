@@ -5819,6 +5819,22 @@ Arrow keys work too.</source>
         <translation>テキストをストロークに変換</translation>
     </message>
     <message>
+        <source>Release Text from Stroke</source>
+        <translation>テキストをストロークから切り離す</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>選択したテキストは、追従するストロークがどう変わっても今の曲線を保ちます</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>ストロークに追従するテキストを選択してください。</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>テキストをストロークから切り離す</translation>
+    </message>
+    <message>
         <source>Te&amp;xt</source>
         <translation>テキスト(&amp;X)</translation>
     </message>
@@ -12204,8 +12220,8 @@ Arrow keys work too.</source>
         <translation>選択したストローク上に</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>選択したストロークに沿ってテキストを配置します</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>選択したストロークに沿ってテキストを配置し、以後そのストロークに追従させます</translation>
     </message>
     <message>
         <source>Straight</source>

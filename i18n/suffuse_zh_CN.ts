@@ -5819,6 +5819,22 @@ Arrow keys work too.</source>
         <translation>文字转为笔画</translation>
     </message>
     <message>
+        <source>Release Text from Stroke</source>
+        <translation>让文字脱离笔画</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>所选文字保留自己的曲线，不再随所跟随的笔画改变</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>请选择一段跟随笔画的文字。</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>让文字脱离笔画</translation>
+    </message>
+    <message>
         <source>Te&amp;xt</source>
         <translation>文字(&amp;X)</translation>
     </message>
@@ -12204,8 +12220,8 @@ Arrow keys work too.</source>
         <translation>沿所选笔画</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>让文字沿所选笔画排列</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>让文字沿所选笔画排列，此后跟随该笔画</translation>
     </message>
     <message>
         <source>Straight</source>

@@ -12,7 +12,9 @@
 #include "model/painting/resolution.h"
 #include "undo/history/kept_history.h"
 #include "undo/history/restore_edit.h"
+#include "undo/lettering/text_layout.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 #include "undo/time_edits.h"
 
 #include <QDir>
@@ -69,6 +71,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     m_colourTarget = std::make_unique<ColourTarget>(*this);
     m_layer = std::make_unique<CurrentLayer>(m_document, m_clock);
     m_aids = std::make_unique<DrawingAids>();
+    m_layout = std::make_unique<TextLayout>();
     connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 
@@ -132,6 +135,7 @@ bool Editor::isStepping() const
 Edit Editor::placed(Edit edit)
 {
     followTexts(*m_document.painting(), edit);
+    followCurves(*m_document.painting(), edit, [this](const Text &text) { return m_layout->lay(text); });
     m_layer->takeEmptied(edit);
     if (!m_clock.isInPast())
         return edit;

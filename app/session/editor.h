@@ -27,6 +27,7 @@ namespace suffuse {
 class ColourTarget;
 class CurrentLayer;
 class DrawingAids;
+class TextLayout;
 struct OpenedFile;
 
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
@@ -224,6 +225,7 @@ private:
     std::unique_ptr<ColourTarget> m_colourTarget;
     std::unique_ptr<CurrentLayer> m_layer;
     std::unique_ptr<DrawingAids> m_aids;
+    std::unique_ptr<TextLayout> m_layout; ///< for texts that follow strokes
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
     bool m_isRecovered = false;

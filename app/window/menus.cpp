@@ -107,7 +107,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
     QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
                             {{Raise, Lower, Top, Bottom},
                              {FillStrokes, RemoveFills, AddGradients, RemoveGradients},
-                             {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
+                             {GroupStrokes, UngroupStrokes, TextToStrokes, ReleaseTexts, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
     addMenu(*object, Commands::tr("Group as a Whole"), table, {{ClipGroups, MaskGroups, WashGroups, DraftGroups}});

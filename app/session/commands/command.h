@@ -89,6 +89,7 @@ enum class Command {
     WashGroups,
     DraftGroups,
     TextToStrokes,
+    ReleaseTexts,
     FillStrokes,
     RemoveFills,
     AddGradients,

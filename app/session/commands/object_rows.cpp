@@ -7,6 +7,7 @@
 #include "app/session/settings/settings.h"
 #include "undo/fill_edits.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 
 #include <algorithm>
 #include <array>
@@ -172,6 +173,12 @@ void addGroupRows(Commands &table, Editor &editor)
              Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))
         .when([&editor] { return canTurnTexts(editor.unsettled()); }, Commands::tr("Select a text."))
         .runs([&editor] { editor.push(textsToStrokes(editor.document()), Commands::tr("Text to strokes")); });
+    table
+        .add(ReleaseTexts, "releaseTexts", Commands::tr("Release Text from Stroke"), "", {},
+             Commands::tr("Let the selected texts keep their curves, whatever becomes of the strokes that they follow"))
+        .when([&editor] { return canReleaseTexts(editor.unsettled()); },
+              Commands::tr("Select a text that follows a stroke."))
+        .runs([&editor] { editor.push(releaseTexts(editor.document()), Commands::tr("Release text from stroke")); });
     table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
         .when(selected)
         .runs([&editor] { commands::lockSelected(editor); });

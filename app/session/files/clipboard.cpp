@@ -243,6 +243,7 @@ Painting asPainting(const Painting &painting, const Selection &selection)
         placed.push_back(std::make_shared<const Stroke>(std::move(plain)));
     }
     result.strokes = std::move(placed);
+    forgetLostCurves(result);
     return result;
 }
 

@@ -7,11 +7,13 @@
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/edits.h"
+#include "undo/text_links.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 namespace suffuse {
 
@@ -158,19 +160,23 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
         group.solo = false; // Where it hid what comes, it will not.
     const Visibility isSeen(groups);
     int refused = 0;
+    std::unordered_map<StrokeId, StrokeId> ids;
     for (Stroke &stroke : strokes) {
-        stroke.id = document.takeStrokeId();
+        const StrokeId original = std::exchange(stroke.id, document.takeStrokeId());
         stroke.group = fresh.contains(stroke.group) ? fresh[stroke.group] : 0;
         stroke.origin = stroke.origin + by;
         if (!problemOf(stroke).isEmpty()) {
             ++refused;
             continue;
         }
+        ids.emplace(original, stroke.id);
         edit.order->push_back(stroke.id);
         if (landing.selects && isSeen(stroke))
             edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
+    if (edit.groups)
+        linkCopies(std::span(*edit.groups).subspan(document.painting()->groups.size()), ids, by);
     const bool comes = !edit.strokes.empty();
     if (comes) {
         if (!paints.empty())

@@ -99,7 +99,8 @@ TextRow::TextRow(QWidget *parent) : QWidget(parent)
     connect(m_vertical, &QCheckBox::clicked, this,
             [this](bool on) { emitChange([on](Text &text) { text.vertical = on; }); });
     row->addSpacing(10);
-    m_bend = addButton(*row, "bend", tr("On Selected Stroke"), tr("Set the text along the selected stroke"));
+    m_bend = addButton(*row, "bend", tr("On Selected Stroke"),
+                       tr("Set the text along the selected stroke, which it follows from then on"));
     connect(m_bend, &QAbstractButton::clicked, this, &TextRow::bendWanted);
     m_straighten = addButton(*row, "straighten", tr("Straight"), tr("Take the text off its curve"));
     connect(m_straighten, &QAbstractButton::clicked, this, &TextRow::straightenWanted);

@@ -139,7 +139,7 @@ private slots:
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
                 "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork "
                 "mapToSwatches lasso touchPath "
-                "group ungroup clipGroups maskGroups washGroups draftGroups textToStrokes fill removeFill addGradient "
+                "group ungroup clipGroups maskGroups washGroups draftGroups textToStrokes releaseTexts fill removeFill addGradient "
                 "removeGradient union difference intersection "
                 "exclusion division inset "
                 "outset "
