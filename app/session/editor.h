@@ -100,7 +100,7 @@ public:
     CurrentLayer &layer() { return *m_layer; }
     const CurrentLayer &layer() const { return *m_layer; }
 
-    /// Symmetry and guides.
+    /// Symmetry, guides and assistants.
     DrawingAids &aids() { return *m_aids; }
     const DrawingAids &aids() const { return *m_aids; }
 

@@ -5,8 +5,10 @@
 #include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/handles/rulers.h"
 #include "app/canvas/input/canvas_input.h"
+#include "app/canvas/overlay/assistant_lines.h"
 #include "app/canvas/overlay/shown_selection.h"
 #include "app/canvas/tool.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 
 #include <QPainter>
@@ -49,6 +51,8 @@ void CanvasOverlay::paint(QPainter &painter, double dpr)
     if (m_aids.showGrid)
         paintGrid(painter, m_view.view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (m_aids.showAssistants && !isBare())
+        paintAssistants(painter, m_editor.aids().assistants(), m_view.view(), m_colours, dpr);
     m_handles.paint(painter, m_view.view(), m_colours, dpr);
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
@@ -125,6 +129,7 @@ void CanvasOverlay::readPalette(const QPalette &palette)
     m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
     m_colours.accent = QColor(4, 46, 124);
     m_colours.guide = QColor(0, 92, 92);
+    m_colours.assistant = QColor(112, 18, 88);
 }
 
 bool CanvasOverlay::reveal(bool revealed)

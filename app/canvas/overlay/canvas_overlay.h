@@ -20,8 +20,8 @@ class ShownSelection;
 class Tool;
 struct RulerUnit;
 
-/// Paints pasteboard, grid, handles, selection, erasures and rulers, and what the tool in use shows. It keeps what
-/// people have chosen to see, and the colours of all that, which follow the palette.
+/// Paints pasteboard, grid, assistants, handles, selection, erasures and rulers, and what the tool in use shows. It
+/// keeps what people have chosen to see, and the colours of all that, which follow the palette.
 class CanvasOverlay {
 public:
     CanvasOverlay(Editor &editor, const CanvasView &view, CanvasInput &input, CanvasHandles &handles,

@@ -31,6 +31,8 @@ struct CanvasAids {
     bool showGuides = true;    ///< nothing snaps to those that are not seen
     bool snapToGuides = true;
     bool lockGuides = false;   ///< no press takes hold of one
+    bool showAssistants = true; ///< no stroke follows those that are not seen
+    bool snapToAssistants = true;
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 
