@@ -3083,6 +3083,97 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Parallele Linien</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Fluchtpunkt</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Konzentrische Ellipsen</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Was als Nächstes entsteht</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Waagerechte Lage des gewählten Punktes, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Senkrechte Lage des gewählten Punktes, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Winkel der Linie oder der ersten Halbachse, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Erste Halbachse der Ellipse, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Zweite Halbachse der Ellipse, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Eine neue in der Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Neue Zeichenhilfe</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Ziehen: neue Zeichenhilfe; ihre Punkte oder Linien ziehen ändert sie. Umschalt: in Schritten. Tab: nächster Punkt. Eingabe: eine neue.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, Punkt %2 von %3: x %4, y %5</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
         <source>How fast it is laid down</source>
@@ -6386,6 +6477,42 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>Zeichen&amp;hilfen zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Was nicht zu sehen ist, führt auch keine Striche</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>An Zeichenhilfen &amp;einrasten</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Ein Pinselstrich folgt der Zeichenhilfe, in deren Richtung er beginnt</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>&amp;Alle Zeichenhilfen entfernen</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>Es gibt keine Zeichenhilfen.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Zeichenhilfen</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Linien, Fluchtpunkte und Ellipsen, die Striche führen</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>

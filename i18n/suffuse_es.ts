@@ -3083,6 +3083,97 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
 </context>
 <context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Líneas paralelas</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Punto de fuga</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspectiva</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Elipses concéntricas</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Qué se crea a continuación</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Posición horizontal del punto elegido, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Posición vertical del punto elegido, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Ángulo de la línea o del primer semieje, en sentido horario</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Primer semieje de la elipse, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Segundo semieje de la elipse, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Uno nuevo en el centro de la vista</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Nuevo asistente</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Arrastrar: nuevo asistente; arrastrar sus puntos o líneas lo cambia. Mayús: por pasos. Tab: punto siguiente. Intro: uno nuevo.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, punto %2 de %3: x %4, y %5</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
         <source>How fast it is laid down</source>
@@ -6386,6 +6477,42 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>Quitar &amp;todas las guías</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>&amp;Mostrar los asistentes</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Los que no se ven no guían ningún trazo</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>&amp;Ajustar a los asistentes</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Un trazo del pincel sigue al asistente en cuya dirección empieza</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>Quitar &amp;todos los asistentes</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>No hay asistentes.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Asistentes</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Líneas, puntos de fuga y elipses que guían los trazos</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>

@@ -3083,6 +3083,97 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
     </message>
 </context>
 <context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Lignes parallèles</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Point de fuite</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspective</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Ellipses concentriques</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Ce qui est créé ensuite</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Position horizontale du point choisi, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Position verticale du point choisi, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Angle de la ligne ou du premier demi-axe, dans le sens horaire</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Premier demi-axe de l’ellipse, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Second demi-axe de l’ellipse, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Un nouveau au milieu de la vue</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Nouvel assistant</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Glisser : nouvel assistant ; glisser ses points ou lignes le modifie. Maj : par pas. Tab : point suivant. Entrée : un nouveau.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, point %2 sur %3 : x %4, y %5</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
         <source>How fast it is laid down</source>
@@ -6386,6 +6477,42 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>&amp;Supprimer tous les guides</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>A&amp;fficher les assistants</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Ceux que l’on ne voit pas ne guident aucun trait</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>&amp;Magnétiser aux assistants</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Un trait du pinceau suit l’assistant dans la direction duquel il commence</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>&amp;Supprimer tous les assistants</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>Il n’y a pas d’assistants.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Assistants</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Lignes, points de fuite et ellipses qui guident les traits</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>

@@ -3059,6 +3059,97 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>平行線</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>消失点</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>パース</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>楕円</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>同心楕円</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>直線定規</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>次に作るもの</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>選んだ点の水平位置、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>選んだ点の垂直位置、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>線または第1半軸の角度、時計回り</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>楕円の第1半軸、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>楕円の第2半軸、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>ビューの中央に新しく作成</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>新しい補助定規</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>ドラッグで新しい補助定規。点や線をドラッグして変更。Shift：段階的に。Tab：次の点。Enter：新しく作成。</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1、点 %2/%3：x %4、y %5</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
         <source>How fast it is laid down</source>
@@ -6357,6 +6448,42 @@ Arrow keys work too.</source>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>すべてのガイドを削除(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>補助定規を表示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>見えていない補助定規はストロークを導きません</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>補助定規にスナップ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>ブラシのストロークは、描き始めの向きが合う補助定規に沿います</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>すべての補助定規を削除(&amp;A)</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>補助定規がありません。</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>補助定規</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>ストロークを導く直線、消失点、楕円</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>

@@ -3059,6 +3059,97 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>平行线</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>灭点</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>同心椭圆</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>直尺</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>接下来创建的类型</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>所选点的水平位置，画布单位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>所选点的垂直位置，画布单位</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>直线或第一半轴的角度，顺时针</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>椭圆的第一半轴，画布单位</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>椭圆的第二半轴，画布单位</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>在视图中央新建一个</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>新建辅助尺</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>拖动新建辅助尺；拖动其点或线来修改。Shift：分步。Tab：下一点。回车：新建一个。</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1，点 %2/%3：x %4，y %5</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
         <source>How fast it is laid down</source>
@@ -6357,6 +6448,42 @@ Arrow keys work too.</source>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>移除所有参考线(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>显示辅助尺(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>看不见的辅助尺不会引导笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>吸附到辅助尺(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>画笔的笔画会跟随与其起笔方向一致的辅助尺</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>移除所有辅助尺(&amp;A)</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>没有辅助尺。</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>辅助尺</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>引导笔画的直线、灭点和椭圆</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>

@@ -1,6 +1,7 @@
 #include "app/canvas/canvas_rows.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/assistant_rows.h"
 #include "app/canvas/handles/guide_rows.h"
 #include "app/canvas/handles/symmetry_rows.h"
 #include "app/canvas/reading/canvas_reading.h"
@@ -23,6 +24,11 @@ constexpr double turnStep = 15; ///< degrees
 bool isBusy(const CanvasWidget &canvas)
 {
     return canvas.tool() && canvas.tool()->isBusy();
+}
+
+bool hasChosen(const CanvasWidget &canvas)
+{
+    return canvas.tool() && canvas.tool()->hasChosen();
 }
 
 /// Undo gives up what is in hand first, as in Krita. Returns false if nothing was in hand.
@@ -94,7 +100,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
         .runs([&editor] { editor.redo(); });
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
-        .when([&canvas, &editor] { return isBusy(canvas) || commands::canDelete(editor); },
+        .when([&canvas, &editor] { return isBusy(canvas) || hasChosen(canvas) || commands::canDelete(editor); },
               Commands::tr("Nothing is selected: click paint with Select first."))
         .runs([&canvas, &editor, &table] {
             if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
@@ -263,6 +269,7 @@ void addCanvasRows(Commands &table, CanvasWidget &canvas)
     addAidRows(table, canvas);
     addSymmetryRows(table, canvas);
     addGuideRows(table, canvas);
+    addAssistantRows(table, canvas);
     QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
     QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
         if (!canvas.editor().laterChanges().isWaiting()) // Otherwise the table is updated with the changes that wait.
