@@ -131,8 +131,8 @@ private slots:
         const Assistant ring = Assistant::between(AssistantKind::Ellipse, {300, 250}, {700, 550});
         setAssistants(s, {ring});
         std::vector<Point> places;
-        for (int i = 0; i <= 60; ++i) {
-            const double t = -1.5 + 0.1 * i, r = 1 + 0.03 * std::sin(5 * t);
+        for (int i = 0; i <= 240; ++i) {
+            const double t = -1.5 + 0.025 * i, r = 1 + 0.03 * std::sin(5 * t);
             places.push_back({500 + 200 * r * std::cos(t), 400 + 150 * r * std::sin(t)});
         }
         dragThrough(s, places);
