@@ -10,14 +10,15 @@ namespace suffuse {
 
 namespace {
 
-constexpr double bodyWeight = 0.9; ///< of the lines by which one takes hold of an assistant
-constexpr double fanWeight = 0.4;  ///< of those that only show where strokes go
-constexpr double parallelGap = 72; ///< least distance of parallels, logical pixels
-constexpr int gridParts = 4;       ///< of a perspective's sides
-constexpr int leastRays = 7;       ///< of a vanishing point that are seen in a view beside it
-constexpr int raysAround = 24;     ///< of one in the view
-constexpr int mostHalvings = 45;   ///< of the angle between rays
-constexpr double markRoom = 13;    ///< around a vanishing point, where rays would meet; logical pixels
+constexpr double bodyWeight = 0.9;  ///< of the lines by which one takes hold of an assistant
+constexpr double fanWeight = 0.4;   ///< of those that only show where strokes go
+constexpr double trackWeight = 0.6; ///< of the one that a stroke follows
+constexpr double parallelGap = 72;  ///< least distance of parallels, logical pixels
+constexpr int gridParts = 4;        ///< of a perspective's sides
+constexpr int leastRays = 7;        ///< of a vanishing point that are seen in a view beside it
+constexpr int raysAround = 24;      ///< of one in the view
+constexpr int mostHalvings = 45;    ///< of the angle between rays
+constexpr double markRoom = 13;     ///< around a vanishing point, where rays would meet; logical pixels
 constexpr int arcsOfEllipse = 8;
 
 /// Collects lines in device pixels, clipped to what is seen.
@@ -246,7 +247,7 @@ void paintTrack(QPainter &painter, const AssistantTrack &track, const View &view
 {
     AssistantPaths paths(view, dpr);
     paths.addTrack(track);
-    strokeTwoTone(painter, paths.body, colours.assistant, 1.4 * dpr);
+    strokeTwoTone(painter, paths.body, colours.assistant, dpr, Qt::SolidLine, trackWeight); // What is painted shows.
 }
 
 QPainterPath bodyOf(const Assistant &assistant, const View &view)
