@@ -6220,6 +6220,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Noch ist nichts gemalt.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>Nichts ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>Nichts ist ausgeblendet.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Wählen Sie zwei Striche oder mehr aus; an der Leinwand lässt sich auch einer ausrichten.</translation>
     </message>

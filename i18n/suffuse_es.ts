@@ -6220,6 +6220,14 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Aún no hay nada pintado.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>No hay nada bloqueado.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>No hay nada oculto.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Seleccione dos trazos o más; respecto al lienzo también se puede alinear uno solo.</translation>
     </message>

@@ -6220,6 +6220,14 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Rien n’est encore peint.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>Rien n’est verrouillé.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>Rien n’est masqué.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Sélectionnez deux traits ou plus ; sur le canevas, on peut aussi en aligner un seul.</translation>
     </message>

@@ -6191,6 +6191,14 @@ Arrow keys work too.</source>
         <translation>まだ何も描かれていません。</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>ロックされたものはありません。</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>非表示のものはありません。</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>ストロークを 2 本以上選択してください。キャンバスに対しては 1 本でも整列できます。</translation>
     </message>

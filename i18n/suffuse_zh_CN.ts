@@ -6191,6 +6191,14 @@ Arrow keys work too.</source>
         <translation>还没有画任何内容。</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>没有锁定的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>没有隐藏的内容。</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>请选择两条或更多笔画；对齐到画布时一条也可以。</translation>
     </message>
