@@ -3054,32 +3054,123 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Linker Rand, Leinwandeinheiten</translation>
+        <source>Left edge</source>
+        <translation>Linker Rand</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Oberer Rand, Leinwandeinheiten</translation>
+        <source>Upper edge</source>
+        <translation>Oberer Rand</translation>
     </message>
     <message>
         <source>W</source>
         <translation>B</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Breite, Leinwandeinheiten</translation>
+        <source>Width</source>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>H</source>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Höhe, Leinwandeinheiten</translation>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Parallele Linien</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Fluchtpunkt</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Konzentrische Ellipsen</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Was als Nächstes entsteht</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Waagerechte Lage des gewählten Punktes, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Senkrechte Lage des gewählten Punktes, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Winkel der Linie oder der ersten Halbachse, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Erste Halbachse der Ellipse, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Zweite Halbachse der Ellipse, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Eine neue in der Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Neue Zeichenhilfe</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Ziehen: neue Zeichenhilfe; ihre Punkte oder Linien ziehen ändert sie. Umschalt: in Schritten. Tab: nächster Punkt. Eingabe: eine neue.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, Punkt %2 von %3: x %4, y %5</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5376,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Gitter</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Weite in Leinwandeinheiten</translation>
+        <source>Step</source>
+        <translation>Weite</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5600,8 +5691,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Umschalt+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Gestrichelte Linien entlang dessen, was von den ausgewählten Strichen weich radiert wurde, ohne Auswahl von allen</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Gestrichelte Linien entlang dem, was aus allen Strichen weich radiert wurde; nicht Ausgewähltes ist blasser</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5846,6 +5937,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Text to strokes</source>
         <translation>Text in Striche</translation>
+    </message>
+    <message>
+        <source>Release Text from Stroke</source>
+        <translation>Text vom Strich lösen</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Die gewählten Texte behalten ihre Kurven, was auch immer aus den Strichen wird, denen sie folgen</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Wählen Sie einen Text aus, der einem Strich folgt.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Text vom Strich lösen</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
@@ -6220,6 +6327,14 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Noch ist nichts gemalt.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>Nichts ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>Nichts ist ausgeblendet.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Wählen Sie zwei Striche oder mehr aus; an der Leinwand lässt sich auch einer ausrichten.</translation>
     </message>
@@ -6336,12 +6451,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Hilfslinie</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Waagrechte Lage in Leinwand-Einheiten</translation>
+        <source>Horizontal place</source>
+        <translation>Waagrechte Lage</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Senkrechte Lage in Leinwand-Einheiten</translation>
+        <source>Vertical place</source>
+        <translation>Senkrechte Lage</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6386,6 +6501,42 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>&amp;Alle Hilfslinien entfernen</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>Zeichen&amp;hilfen zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Was nicht zu sehen ist, führt auch keine Striche</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>An Zeichenhilfen &amp;einrasten</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Ein Pinselstrich folgt der Zeichenhilfe, in deren Richtung er beginnt</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>&amp;Alle Zeichenhilfen entfernen</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>Es gibt keine Zeichenhilfen.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Zeichenhilfen</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Linien, Fluchtpunkte und Ellipsen, die Striche führen</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>
@@ -6820,6 +6971,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Verblassen: der Anteil der Farbe, der weggenommen wird. Abheben: wie viel Dichte, sodass auslaufende Farbe blasser wird und scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Scharfe Ränder weichen zurück.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
@@ -6840,12 +6995,32 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abheben</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Nimmt</translation>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>Der Durchmesser des Radierers, wenn seine Weichheit die übliche war.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>Der Anteil der Farbe, den sie in ihrer Mitte wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Genommene Dichte</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>Die Dichte, die sie in ihrer Mitte wegnimmt: Dünnere Farbe ist dort fort.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7419,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Spread across</source>
         <translation>Ausbreitung quer</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Weichheit</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -8945,14 +9116,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Neues Bild</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Blatt</translation>
     </message>
@@ -9001,8 +9164,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Wo der nächste Knoten gesetzt wird, von links, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von links. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9010,16 +9173,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Wo der nächste Knoten gesetzt wird, von oben, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Wo der nächste Knoten gesetzt wird, von oben. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Vom letzten Knoten bis zum nächsten, in Leinwandeinheiten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Vom letzten Knoten bis zum nächsten. Die Eingabetaste setzt ihn, ein Klick ebenso</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9182,6 +9345,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source> u</source>
         <translation> E</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9373,6 +9544,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 – %2 × %3 mm</source>
         <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>So groß wie das Blatt</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -9997,8 +10172,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>Wie weit Kurven wandern dürfen, in Leinwandeinheiten</translation>
+        <source>How far curves may move</source>
+        <translation>Wie weit Kurven wandern dürfen</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10013,8 +10188,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Wellen dieser Länge und kürzere verschwinden, in Leinwandeinheiten</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Wellen dieser Länge und kürzere verschwinden</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10033,8 +10208,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Der Farbe; unter 100 % wird sie schmaler</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>Nach rechts von der Richtung des Strichs, in Leinwandeinheiten; unter 0 nach links</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>Nach rechts von der Richtung des Strichs; unter 0 nach links</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10404,22 +10579,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Radierung</translation>
     </message>
     <message>
-        <source>Size D</source>
-        <translation>Größe D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Wie breit und wie weich sie wegnimmt.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Stärke φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Wie viel sie wegnimmt.</translation>
-    </message>
-    <message>
         <source>Off</source>
         <translation>Aus</translation>
     </message>
@@ -10671,8 +10830,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Durchmesser des Kreises in Leinwandeinheiten ([ und ] ändern ihn)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Durchmesser des Kreises ([ und ] ändern ihn)</translation>
     </message>
 </context>
 <context>
@@ -10705,8 +10864,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Wie weit entlang des Strichs ein gezogener Knoten oder Bogen seine Umgebung mitnimmt, in Leinwandeinheiten; 0: nichts (Mausrad oder [ und ] beim Ziehen oder Alt+Ziehen ändern es)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Wie weit entlang des Strichs ein gezogener Knoten oder Bogen seine Umgebung mitnimmt; 0: nichts (Mausrad oder [ und ] beim Ziehen oder Alt+Ziehen ändern es)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10724,8 +10883,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Position des Zeigers in Leinwandeinheiten</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Position des Zeigers, in der Einheit der Lineale</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11514,16 +11673,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Linke Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Linke Kante der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Obere Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Obere Kante der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>W</source>
@@ -11531,8 +11690,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Breite der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Breite der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11548,8 +11707,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Höhe der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Höhe der Kurven der ausgewählten Striche</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11618,16 +11777,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Linker Rand der Vorlage, Leinwandeinheiten</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Linker Rand der Vorlage</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Oberer Rand der Vorlage, Leinwandeinheiten</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Oberer Rand der Vorlage</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11638,16 +11797,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Breite</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Breite der Vorlage, Leinwandeinheiten</translation>
+        <source>Width of the underlay</source>
+        <translation>Breite der Vorlage</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Höhe der Vorlage, Leinwandeinheiten</translation>
+        <source>Height of the underlay</source>
+        <translation>Höhe der Vorlage</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12235,8 +12394,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>Das Geviert der Schrift, in Einheiten</translation>
+        <source>The em of the font</source>
+        <translation>Das Geviert der Schrift</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12283,8 +12442,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Auf gewähltem Strich</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Den Text entlang dem gewählten Strich setzen</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Den Text entlang dem gewählten Strich setzen, dem er fortan folgt</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -12889,6 +13048,10 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wird mit dem Bild verglichen …</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>Exportiert wird, sobald mit dem Bild verglichen ist.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Unbekannt</translation>
     </message>
@@ -13192,16 +13355,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Kleinste Breite</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Kein Strich ist schmaler, in Einheiten der Leinwand; 0: beliebig schmal</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Kein Strich ist schmaler; 0: beliebig schmal</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Größte Breite</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Kein Strich ist breiter, in Einheiten der Leinwand; 0: beliebig breit</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Kein Strich ist breiter; 0: beliebig breit</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13640,6 +13803,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Letter</source>
         <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Legal</source>
+        <translation>US Legal</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>US Tabloid</translation>
     </message>
     <message>
         <source>Postcard</source>
@@ -14461,6 +14632,33 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>Hafen</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Tuschelandschaft</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Laternen</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Mondaufgang</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Blatt mit Strichen</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Stillleben</translation>
     </message>
 </context>
 </TS>

@@ -3054,32 +3054,123 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Borde izquierdo, unidades del lienzo</translation>
+        <source>Left edge</source>
+        <translation>Borde izquierdo</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Borde superior, unidades del lienzo</translation>
+        <source>Upper edge</source>
+        <translation>Borde superior</translation>
     </message>
     <message>
         <source>W</source>
         <translation>An</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Anchura, unidades del lienzo</translation>
+        <source>Width</source>
+        <translation>Anchura</translation>
     </message>
     <message>
         <source>H</source>
         <translation>Al</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Altura, unidades del lienzo</translation>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Líneas paralelas</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Punto de fuga</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspectiva</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Elipses concéntricas</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Qué se crea a continuación</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Posición horizontal del punto elegido, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Posición vertical del punto elegido, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Ángulo de la línea o del primer semieje, en sentido horario</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Primer semieje de la elipse, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Segundo semieje de la elipse, unidades del lienzo</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Uno nuevo en el centro de la vista</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Nuevo asistente</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Arrastrar: nuevo asistente; arrastrar sus puntos o líneas lo cambia. Mayús: por pasos. Tab: punto siguiente. Intro: uno nuevo.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, punto %2 de %3: x %4, y %5</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5376,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Cuadrícula</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Paso en unidades del lienzo</translation>
+        <source>Step</source>
+        <translation>Paso</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5600,8 +5691,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Líneas discontinuas a lo largo de lo que se borró suavemente de los trazos seleccionados, o de todos si no hay selección</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Líneas discontinuas a lo largo de lo que se borró con suavidad de todos los trazos; lo no seleccionado es más pálido</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5846,6 +5937,22 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Text to strokes</source>
         <translation>Texto a trazos</translation>
+    </message>
+    <message>
+        <source>Release Text from Stroke</source>
+        <translation>Soltar el texto del trazo</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Los textos seleccionados conservan sus curvas, pase lo que pase con los trazos que siguen</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Seleccione un texto que siga un trazo.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Soltar el texto del trazo</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
@@ -6220,6 +6327,14 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Aún no hay nada pintado.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>No hay nada bloqueado.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>No hay nada oculto.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Seleccione dos trazos o más; respecto al lienzo también se puede alinear uno solo.</translation>
     </message>
@@ -6336,12 +6451,12 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Guía</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Posición horizontal, en unidades del lienzo</translation>
+        <source>Horizontal place</source>
+        <translation>Posición horizontal</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Posición vertical, en unidades del lienzo</translation>
+        <source>Vertical place</source>
+        <translation>Posición vertical</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6386,6 +6501,42 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>Quitar &amp;todas las guías</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>&amp;Mostrar los asistentes</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Los que no se ven no guían ningún trazo</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>&amp;Ajustar a los asistentes</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Un trazo del pincel sigue al asistente en cuya dirección empieza</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>Quitar &amp;todos los asistentes</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>No hay asistentes.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Asistentes</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Líneas, puntos de fuga y elipses que guían los trazos</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>
@@ -6820,6 +6971,10 @@ Las teclas de flecha también funcionan.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Atenuar: la parte de la pintura que se quita. Levantar: cuánta densidad; la pintura difuminada se vuelve más pálida, y la de borde nítido, más estrecha. La presión del lápiz la reduce</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Los bordes nítidos se retraen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
@@ -6840,12 +6995,32 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Levantar</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Quita</translation>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>El diámetro de la goma, si su suavidad era la habitual.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensidad</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>La parte de la pintura que quita en su centro.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Densidad quitada</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Cambiar tamaño</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>La densidad que quita en su centro: la pintura más delgada desaparece allí.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7419,6 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Spread across</source>
         <translation>Expansión a través</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Suavidad</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -8945,14 +9116,6 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Nueva obra</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Hoja</translation>
     </message>
@@ -9001,8 +9164,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Dónde se pone el siguiente nodo, desde la izquierda, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Dónde se pone el siguiente nodo, desde la izquierda. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9010,16 +9173,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Dónde se pone el siguiente nodo, desde arriba, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Dónde se pone el siguiente nodo, desde arriba. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Del último nodo al siguiente, en unidades del lienzo. Intro lo pone, y también un clic</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Del último nodo al siguiente. Intro lo pone, y también un clic</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9182,6 +9345,14 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9373,6 +9544,10 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>%1 – %2 × %3 mm</source>
         <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>Tan grande como la hoja</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -9997,8 +10172,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>Cuánto se pueden mover las curvas, en unidades del lienzo</translation>
+        <source>How far curves may move</source>
+        <translation>Cuánto se pueden mover las curvas</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10013,8 +10188,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Las ondulaciones de esta longitud y más cortas desaparecen, en unidades del lienzo</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Las ondulaciones de esta longitud y más cortas desaparecen</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10033,8 +10208,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>De la pintura; por debajo de 100 % se estrecha</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>A la derecha del sentido del trazo, en unidades del lienzo; por debajo de 0, a la izquierda</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>A la derecha del sentido del trazo; por debajo de 0, a la izquierda</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10404,22 +10579,6 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Borrado</translation>
     </message>
     <message>
-        <source>Size D</source>
-        <translation>Tamaño D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Con qué anchura y suavidad quita.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Intensidad φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Cuánto quita.</translation>
-    </message>
-    <message>
         <source>Off</source>
         <translation>Desactivado</translation>
     </message>
@@ -10671,8 +10830,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Diámetro del círculo en unidades del lienzo ([ y ] lo cambian)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Diámetro del círculo ([ y ] lo cambian)</translation>
     </message>
 </context>
 <context>
@@ -10705,8 +10864,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Alcance</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Hasta dónde, a lo largo del trazo, un nodo o curva que se arrastra lleva consigo lo cercano, unidades del lienzo; 0: nada (la rueda o [ y ] al arrastrar, o Alt+arrastrar, lo cambian)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Hasta dónde, a lo largo del trazo, un nodo o curva que se arrastra lleva consigo lo cercano; 0: nada (la rueda o [ y ] al arrastrar, o Alt+arrastrar, lo cambian)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10724,8 +10883,8 @@ Las teclas de flecha también funcionan.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Posición del puntero en unidades del lienzo</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Posición del puntero, en la unidad de las reglas</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11514,16 +11673,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Borde izquierdo de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Borde izquierdo de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Borde superior de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Borde superior de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>W</source>
@@ -11531,8 +11690,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>An</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Anchura de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Anchura de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11548,8 +11707,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Al</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Altura de las curvas de los trazos seleccionados, unidades del lienzo</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Altura de las curvas de los trazos seleccionados</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11618,16 +11777,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Borde izquierdo del calco, unidades del lienzo</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Borde izquierdo del calco</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Borde superior del calco, unidades del lienzo</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Borde superior del calco</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11638,16 +11797,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Anchura</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Anchura del calco, unidades del lienzo</translation>
+        <source>Width of the underlay</source>
+        <translation>Anchura del calco</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Altura</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Altura del calco, unidades del lienzo</translation>
+        <source>Height of the underlay</source>
+        <translation>Altura del calco</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12235,8 +12394,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>El cuadratín de la fuente, unidades del lienzo</translation>
+        <source>The em of the font</source>
+        <translation>El cuadratín de la fuente</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12283,8 +12442,8 @@ Las teclas de flecha también funcionan.</translation>
         <translation>En el trazo seleccionado</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Poner el texto a lo largo del trazo seleccionado</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Poner el texto a lo largo del trazo seleccionado, al que seguirá desde entonces</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -12889,6 +13048,10 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Comparando con la imagen…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>Se exporta en cuanto se haya comparado con la imagen.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Desconocido</translation>
     </message>
@@ -13192,16 +13355,16 @@ Las teclas de flecha también funcionan.</translation>
         <translation>Anchura mínima</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Ningún trazo es más estrecho, en unidades del lienzo; 0: tan estrecho como se quiera</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Ningún trazo es más estrecho; 0: tan estrecho como se quiera</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Anchura máxima</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Ningún trazo es más ancho, en unidades del lienzo; 0: tan ancho como se quiera</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Ningún trazo es más ancho; 0: tan ancho como se quiera</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13640,6 +13803,14 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>Letter</source>
         <translation>Carta</translation>
+    </message>
+    <message>
+        <source>Legal</source>
+        <translation>Legal (EE. UU.)</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>Tabloide</translation>
     </message>
     <message>
         <source>Postcard</source>
@@ -14461,6 +14632,33 @@ Las teclas de flecha también funcionan.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>El puerto</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Paisaje a tinta</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Farolillos</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Salida de la luna</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Hoja de trazos</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Bodegón</translation>
     </message>
 </context>
 </TS>

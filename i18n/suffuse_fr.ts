@@ -3054,32 +3054,123 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>Bord gauche, unités de canevas</translation>
+        <source>Left edge</source>
+        <translation>Bord gauche</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Bord supérieur, unités de canevas</translation>
+        <source>Upper edge</source>
+        <translation>Bord supérieur</translation>
     </message>
     <message>
         <source>W</source>
         <translation>L</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>Largeur, unités de canevas</translation>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>H</source>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>Hauteur, unités de canevas</translation>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>Lignes parallèles</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>Point de fuite</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspective</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>Ellipses concentriques</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>Ce qui est créé ensuite</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>Position horizontale du point choisi, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>Position verticale du point choisi, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>Angle de la ligne ou du premier demi-axe, dans le sens horaire</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>Premier demi-axe de l’ellipse, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>Second demi-axe de l’ellipse, en unités de canevas</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>Un nouveau au milieu de la vue</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>Nouvel assistant</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>Glisser : nouvel assistant ; glisser ses points ou lignes le modifie. Maj : par pas. Tab : point suivant. Entrée : un nouveau.</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1, point %2 sur %3 : x %4, y %5</translation>
     </message>
 </context>
 <context>
@@ -5285,8 +5376,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Grille</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>Pas en unités de canevas</translation>
+        <source>Step</source>
+        <translation>Pas</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5600,8 +5691,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>Tirets le long de ce qui a été effacé en douceur des traits sélectionnés, ou de tous sans sélection</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>Lignes en pointillé le long de ce qui a été gommé en douceur de tous les traits ; ce qui n’est pas sélectionné est plus pâle</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5846,6 +5937,22 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Text to strokes</source>
         <translation>Texte en traits</translation>
+    </message>
+    <message>
+        <source>Release Text from Stroke</source>
+        <translation>Détacher le texte du trait</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>Les textes sélectionnés gardent leurs courbes, quoi qu’il advienne des traits qu’ils suivent</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>Sélectionnez un texte qui suit un trait.</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>Détacher le texte du trait</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
@@ -6220,6 +6327,14 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Rien n’est encore peint.</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>Rien n’est verrouillé.</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>Rien n’est masqué.</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>Sélectionnez deux traits ou plus ; sur le canevas, on peut aussi en aligner un seul.</translation>
     </message>
@@ -6336,12 +6451,12 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Guide</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>Position horizontale, en unités de canevas</translation>
+        <source>Horizontal place</source>
+        <translation>Position horizontale</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>Position verticale, en unités de canevas</translation>
+        <source>Vertical place</source>
+        <translation>Position verticale</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6386,6 +6501,42 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>&amp;Supprimer tous les guides</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>A&amp;fficher les assistants</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>Ceux que l’on ne voit pas ne guident aucun trait</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>&amp;Magnétiser aux assistants</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>Un trait du pinceau suit l’assistant dans la direction duquel il commence</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>&amp;Supprimer tous les assistants</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>Il n’y a pas d’assistants.</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>Assistants</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>Lignes, points de fuite et ellipses qui guident les traits</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>
@@ -6820,6 +6971,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>Atténuer : la part de peinture enlevée. Éponger : combien de densité ; la peinture à bords fondus pâlit, celle à bord net rétrécit. Un appui léger du stylet en réduit l’effet</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>Les bords nets se retirent.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
@@ -6840,12 +6995,32 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Éponger</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Enlève</translation>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>Le diamètre de la gomme, si sa douceur était celle d’usage.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensité</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>La part de peinture qu’il enlève en son milieu.</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>Densité enlevée</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>Modifier la taille</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>La densité qu’il enlève en son milieu : la peinture plus mince y disparaît.</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7244,10 +7419,6 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Spread across</source>
         <translation>Étalement en large</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>Douceur</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -8945,14 +9116,6 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Nouveau tableau</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> po</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>Feuille</translation>
     </message>
@@ -9001,8 +9164,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>Où se place le nœud suivant, depuis la gauche, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>Où se place le nœud suivant, depuis la gauche. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Y</source>
@@ -9010,16 +9173,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>Où se place le nœud suivant, depuis le haut, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>Où se place le nœud suivant, depuis le haut. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>Du dernier nœud au suivant, en unités de canevas. Entrée le place, tout comme un clic</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>Du dernier nœud au suivant. Entrée le place, tout comme un clic</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9182,6 +9345,14 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> po</translation>
     </message>
     <message>
         <source> s</source>
@@ -9373,6 +9544,10 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>%1 – %2 × %3 mm</source>
         <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>Aussi grand que la feuille</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -9997,8 +10172,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Distance</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>De combien les courbes peuvent bouger, en unités de canevas</translation>
+        <source>How far curves may move</source>
+        <translation>De combien les courbes peuvent bouger</translation>
     </message>
     <message>
         <source>Values</source>
@@ -10013,8 +10188,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>Les ondulations de cette longueur, et les plus courtes, disparaissent, en unités de canevas</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>Les ondulations de cette longueur, et les plus courtes, disparaissent</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -10033,8 +10208,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>De la peinture ; au-dessous de 100 %, elle rétrécit</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>À droite du sens du trait, en unités de canevas ; au-dessous de 0, à gauche</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>À droite du sens du trait ; au-dessous de 0, à gauche</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10404,22 +10579,6 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Effacement</translation>
     </message>
     <message>
-        <source>Size D</source>
-        <translation>Taille D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>Sur quelle largeur et avec quelle douceur il enlève.</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>Intensité φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>Combien il enlève.</translation>
-    </message>
-    <message>
         <source>Off</source>
         <translation>Aucun</translation>
     </message>
@@ -10671,8 +10830,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>Diamètre du cercle en unités de canevas ([ et ] le changent)</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>Diamètre du cercle ([ et ] le changent)</translation>
     </message>
 </context>
 <context>
@@ -10705,8 +10864,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Portée</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>Jusqu’où, le long du trait, un nœud ou une courbe que l’on tire entraîne ce qui est proche, en unités de canevas ; 0 : rien (la molette ou [ et ] en glissant, ou Alt+glisser, la changent)</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Jusqu’où, le long du trait, un nœud ou une courbe que l’on tire entraîne ce qui est proche ; 0 : rien (la molette ou [ et ] en glissant, ou Alt+glisser, la changent)</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10724,8 +10883,8 @@ Les touches fléchées fonctionnent aussi.</translation>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Position du pointeur en unités de canevas</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>Position du pointeur, dans l’unité des règles</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11514,16 +11673,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Bord gauche des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>Bord gauche des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>Bord supérieur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>Bord supérieur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>W</source>
@@ -11531,8 +11690,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>L</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>Largeur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>Largeur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11548,8 +11707,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>H</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>Hauteur des courbes des traits sélectionnés, en unités de canevas</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>Hauteur des courbes des traits sélectionnés</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11618,16 +11777,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>Bord gauche du modèle, en unités de canevas</translation>
+        <source>Left edge of the underlay</source>
+        <translation>Bord gauche du modèle</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>Bord supérieur du modèle, en unités de canevas</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>Bord supérieur du modèle</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11638,16 +11797,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Largeur</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>Largeur du modèle, en unités de canevas</translation>
+        <source>Width of the underlay</source>
+        <translation>Largeur du modèle</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>Hauteur du modèle, en unités de canevas</translation>
+        <source>Height of the underlay</source>
+        <translation>Hauteur du modèle</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12235,8 +12394,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>Le cadratin de la police, en unités de canevas</translation>
+        <source>The em of the font</source>
+        <translation>Le cadratin de la police</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12283,8 +12442,8 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Sur le trait sélectionné</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>Placer le texte le long du trait sélectionné</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>Placer le texte le long du trait sélectionné, qu’il suit dès lors</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -12889,6 +13048,10 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Comparaison avec l’image…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>L’exportation se fait dès que la comparaison avec l’image est finie.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Inconnue</translation>
     </message>
@@ -13192,16 +13355,16 @@ Les touches fléchées fonctionnent aussi.</translation>
         <translation>Largeur minimale</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>Aucun trait n’est plus étroit, en unités de canevas ; 0 : sans limite</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>Aucun trait n’est plus étroit ; 0 : sans limite</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>Largeur maximale</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>Aucun trait n’est plus large, en unités de canevas ; 0 : sans limite</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>Aucun trait n’est plus large ; 0 : sans limite</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13640,6 +13803,14 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>Letter</source>
         <translation>Lettre US</translation>
+    </message>
+    <message>
+        <source>Legal</source>
+        <translation>Légal US</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>Tabloïd US</translation>
     </message>
     <message>
         <source>Postcard</source>
@@ -14461,6 +14632,33 @@ Les touches fléchées fonctionnent aussi.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>Le port</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>Paysage à l’encre</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>Lanternes</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>Lever de lune</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>Planche de traits</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>Nature morte</translation>
     </message>
 </context>
 </TS>

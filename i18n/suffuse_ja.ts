@@ -3030,32 +3030,123 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>左端（キャンバス単位）</translation>
+        <source>Left edge</source>
+        <translation>左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>上端（キャンバス単位）</translation>
+        <source>Upper edge</source>
+        <translation>上端</translation>
     </message>
     <message>
         <source>W</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>幅（キャンバス単位）</translation>
+        <source>Width</source>
+        <translation>幅</translation>
     </message>
     <message>
         <source>H</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>高さ（キャンバス単位）</translation>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>平行線</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>消失点</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>パース</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>楕円</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>同心楕円</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>直線定規</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>次に作るもの</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>選んだ点の水平位置、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>選んだ点の垂直位置、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>線または第1半軸の角度、時計回り</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>楕円の第1半軸、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>楕円の第2半軸、キャンバス単位</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>ビューの中央に新しく作成</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>新しい補助定規</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>ドラッグで新しい補助定規。点や線をドラッグして変更。Shift：段階的に。Tab：次の点。Enter：新しく作成。</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1、点 %2/%3：x %4、y %5</translation>
     </message>
 </context>
 <context>
@@ -5257,8 +5348,8 @@ Arrow keys work too.</source>
         <translation>グリッド</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>間隔（キャンバス単位）</translation>
+        <source>Step</source>
+        <translation>間隔</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5571,8 +5662,8 @@ Arrow keys work too.</source>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>選択したストロークからやわらかく消した跡を破線で表示します。選択がなければすべてが対象です</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>すべてのストロークからやわらかく消した所を破線で示します。選択されていないものは薄くなります</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5817,6 +5908,22 @@ Arrow keys work too.</source>
     <message>
         <source>Text to strokes</source>
         <translation>テキストをストロークに変換</translation>
+    </message>
+    <message>
+        <source>Release Text from Stroke</source>
+        <translation>テキストをストロークから切り離す</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>選択したテキストは、追従するストロークがどう変わっても今の曲線を保ちます</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>ストロークに追従するテキストを選択してください。</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>テキストをストロークから切り離す</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
@@ -6191,6 +6298,14 @@ Arrow keys work too.</source>
         <translation>まだ何も描かれていません。</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>ロックされたものはありません。</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>非表示のものはありません。</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>ストロークを 2 本以上選択してください。キャンバスに対しては 1 本でも整列できます。</translation>
     </message>
@@ -6307,12 +6422,12 @@ Arrow keys work too.</source>
         <translation>ガイド</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>水平位置（キャンバス単位）</translation>
+        <source>Horizontal place</source>
+        <translation>水平位置</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>垂直位置（キャンバス単位）</translation>
+        <source>Vertical place</source>
+        <translation>垂直位置</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6357,6 +6472,42 @@ Arrow keys work too.</source>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>すべてのガイドを削除(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>補助定規を表示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>見えていない補助定規はストロークを導きません</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>補助定規にスナップ(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>ブラシのストロークは、描き始めの向きが合う補助定規に沿います</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>すべての補助定規を削除(&amp;A)</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>補助定規がありません。</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>補助定規</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>ストロークを導く直線、消失点、楕円</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>
@@ -6791,6 +6942,10 @@ Arrow keys work too.</source>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>薄くする：取り除く絵の具の割合。吸い取る：取り除く濃度の量。ぼかしの絵の具は薄くなり、縁のはっきりした絵の具は細くなります。筆圧が弱いほど小さくなります</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>くっきりした縁は後退します。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
@@ -6811,12 +6966,32 @@ Arrow keys work too.</source>
         <translation>吸い取る</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>取り除く量</translation>
+        <source>Size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>消しゴムの直径（やわらかさが標準の場合）。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>強さ</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>中央で取り除く絵の具の割合。</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>取り除く密度</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>サイズを変更</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>中央で取り除く密度。それより薄い絵具はそこでなくなります。</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7215,10 +7390,6 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>幅方向の広がり</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>やわらかさ</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -8874,14 +9045,6 @@ Arrow keys work too.</source>
         <translation>新しい絵</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>用紙</translation>
     </message>
@@ -8930,8 +9093,8 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの左からの位置（キャンバス単位）。Enter またはクリックで置きます</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>次のノードの位置、左から。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8939,16 +9102,16 @@ Arrow keys work too.</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>次のノードの上からの位置（キャンバス単位）。Enter またはクリックで置きます</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>次のノードの位置、上から。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>最後のノードから次のノードまでの長さ（キャンバス単位）。Enter またはクリックで置きます</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>最後のノードから次のノードまで。Enter またはクリックで置きます</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9111,6 +9274,14 @@ Arrow keys work too.</source>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9302,6 +9473,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 – %2 × %3 mm</source>
         <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>用紙と同じ大きさ</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -9924,8 +10099,8 @@ Arrow keys work too.</source>
         <translation>距離</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>曲線が動いてよい距離（キャンバス単位）</translation>
+        <source>How far curves may move</source>
+        <translation>曲線が動いてよい距離</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9940,8 +10115,8 @@ Arrow keys work too.</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>この長さ（キャンバス単位）以下の波打ちをなくします</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>この長さ以下の波打ちをなくします</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9960,8 +10135,8 @@ Arrow keys work too.</source>
         <translation>絵の具の幅。100 % 未満で細くなります</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>ストロークの方向に対して右への距離（キャンバス単位）。0 未満で左へ</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>ストロークの方向に対して右へ。0 未満で左へ</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10331,22 +10506,6 @@ Arrow keys work too.</source>
         <translation>消し跡</translation>
     </message>
     <message>
-        <source>Size D</source>
-        <translation>サイズ D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>取り除く幅とやわらかさ。</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>強さ φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>取り除く量。</translation>
-    </message>
-    <message>
         <source>Off</source>
         <translation>オフ</translation>
     </message>
@@ -10598,8 +10757,8 @@ Arrow keys work too.</source>
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>円の直径（キャンバス単位、[ と ] で変更）</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>円の直径（[ と ] で変更）</translation>
     </message>
 </context>
 <context>
@@ -10632,8 +10791,8 @@ Arrow keys work too.</source>
         <translation>影響範囲</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで一緒に動くか（キャンバス単位）。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>ノードや曲線をドラッグしたときに、近くの部分がストロークに沿ってどこまで動くか。0：なし（ドラッグ中のホイールか [ と ]、または Alt+ドラッグで変更）</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10651,8 +10810,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>ポインターの位置（キャンバス単位）</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>ポインターの位置、単位はルーラーと同じ</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11436,16 +11595,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の左端（キャンバス単位）</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の上端（キャンバス単位）</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の上端</translation>
     </message>
     <message>
         <source>W</source>
@@ -11453,8 +11612,8 @@ Arrow keys work too.</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の幅（キャンバス単位）</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の幅</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11470,8 +11629,8 @@ Arrow keys work too.</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>選択したストロークの曲線の高さ（キャンバス単位）</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>選択したストロークの曲線の高さ</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11540,16 +11699,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>下絵の左端（キャンバス単位）</translation>
+        <source>Left edge of the underlay</source>
+        <translation>下絵の左端</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>下絵の上端（キャンバス単位）</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>下絵の上端</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11560,16 +11719,16 @@ Arrow keys work too.</source>
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>下絵の幅（キャンバス単位）</translation>
+        <source>Width of the underlay</source>
+        <translation>下絵の幅</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>高さ</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>下絵の高さ（キャンバス単位）</translation>
+        <source>Height of the underlay</source>
+        <translation>下絵の高さ</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12156,8 +12315,8 @@ Arrow keys work too.</source>
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>フォントの em（キャンバス単位）</translation>
+        <source>The em of the font</source>
+        <translation>フォントの em</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12204,8 +12363,8 @@ Arrow keys work too.</source>
         <translation>選択したストローク上に</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>選択したストロークに沿ってテキストを配置します</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>選択したストロークに沿ってテキストを配置し、以後そのストロークに追従させます</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -12806,6 +12965,10 @@ Arrow keys work too.</source>
         <translation>画像と比較中…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>画像との比較が終わりしだい書き出します。</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>不明</translation>
     </message>
@@ -13107,16 +13270,16 @@ Arrow keys work too.</source>
         <translation>最小幅</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>これより細いストロークは作りません（キャンバス単位）。0：制限なし</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>これより細いストロークは作りません。0：制限なし</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>最大幅</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>これより太いストロークは作りません（キャンバス単位）。0：制限なし</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>これより太いストロークは作りません。0：制限なし</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13551,6 +13714,14 @@ Arrow keys work too.</source>
     <message>
         <source>Letter</source>
         <translation>レター</translation>
+    </message>
+    <message>
+        <source>Legal</source>
+        <translation>リーガル</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>タブロイド</translation>
     </message>
     <message>
         <source>Postcard</source>
@@ -14367,6 +14538,33 @@ Arrow keys work too.</source>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>港</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>水墨の風景</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>灯籠</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>月の出</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>ストローク見本</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>静物</translation>
     </message>
 </context>
 </TS>

@@ -3030,32 +3030,123 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge, canvas units</source>
-        <translation>左边缘，画布单位</translation>
+        <source>Left edge</source>
+        <translation>左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge, canvas units</source>
-        <translation>上边缘，画布单位</translation>
+        <source>Upper edge</source>
+        <translation>上边缘</translation>
     </message>
     <message>
         <source>W</source>
         <translation>宽</translation>
     </message>
     <message>
-        <source>Width, canvas units</source>
-        <translation>宽度，画布单位</translation>
+        <source>Width</source>
+        <translation>宽度</translation>
     </message>
     <message>
         <source>H</source>
         <translation>高</translation>
     </message>
     <message>
-        <source>Height, canvas units</source>
-        <translation>高度，画布单位</translation>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantRow</name>
+    <message>
+        <source>Parallel Lines</source>
+        <translation>平行线</translation>
+    </message>
+    <message>
+        <source>Vanishing Point</source>
+        <translation>灭点</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>Concentric Ellipses</source>
+        <translation>同心椭圆</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>直尺</translation>
+    </message>
+    <message>
+        <source>What is made next</source>
+        <translation>接下来创建的类型</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Horizontal place of the chosen point, canvas units</source>
+        <translation>所选点的水平位置，画布单位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Vertical place of the chosen point, canvas units</source>
+        <translation>所选点的垂直位置，画布单位</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Angle of the line or of the first half axis, clockwise</source>
+        <translation>直线或第一半轴的角度，顺时针</translation>
+    </message>
+    <message>
+        <source>a</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>First half axis of the ellipse, canvas units</source>
+        <translation>椭圆的第一半轴，画布单位</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
+    </message>
+    <message>
+        <source>Second half axis of the ellipse, canvas units</source>
+        <translation>椭圆的第二半轴，画布单位</translation>
+    </message>
+    <message>
+        <source>A new one in the middle of the view</source>
+        <translation>在视图中央新建一个</translation>
+    </message>
+    <message>
+        <source>New assistant</source>
+        <translation>新建辅助尺</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AssistantTool</name>
+    <message>
+        <source>Drag for a new assistant; drag its points or lines to change it. Shift: in steps. Tab: next point. Return: a new one.</source>
+        <translation>拖动新建辅助尺；拖动其点或线来修改。Shift：分步。Tab：下一点。回车：新建一个。</translation>
+    </message>
+    <message>
+        <source>%1, point %2 of %3: x %4, y %5</source>
+        <extracomment>%1: an assistant, as &quot;Vanishing Point&quot;</extracomment>
+        <translation>%1，点 %2/%3：x %4，y %5</translation>
     </message>
 </context>
 <context>
@@ -5257,8 +5348,8 @@ Arrow keys work too.</source>
         <translation>网格</translation>
     </message>
     <message>
-        <source>Step in canvas units</source>
-        <translation>间距（画布单位）</translation>
+        <source>Step</source>
+        <translation>间距</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
@@ -5571,8 +5662,8 @@ Arrow keys work too.</source>
         <translation>Shift+E</translation>
     </message>
     <message>
-        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
-        <translation>沿从所选笔画(未选择时为全部笔画)柔和擦去之处显示虚线</translation>
+        <source>Dashed lines along what was erased softly from all strokes; what is not selected is paler</source>
+        <translation>用虚线标出从所有笔画柔和擦去之处；未选择的较淡</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
@@ -5817,6 +5908,22 @@ Arrow keys work too.</source>
     <message>
         <source>Text to strokes</source>
         <translation>文字转为笔画</translation>
+    </message>
+    <message>
+        <source>Release Text from Stroke</source>
+        <translation>让文字脱离笔画</translation>
+    </message>
+    <message>
+        <source>Let the selected texts keep their curves, whatever becomes of the strokes that they follow</source>
+        <translation>所选文字保留自己的曲线，不再随所跟随的笔画改变</translation>
+    </message>
+    <message>
+        <source>Select a text that follows a stroke.</source>
+        <translation>请选择一段跟随笔画的文字。</translation>
+    </message>
+    <message>
+        <source>Release text from stroke</source>
+        <translation>让文字脱离笔画</translation>
     </message>
     <message>
         <source>Te&amp;xt</source>
@@ -6191,6 +6298,14 @@ Arrow keys work too.</source>
         <translation>还没有画任何内容。</translation>
     </message>
     <message>
+        <source>Nothing is locked.</source>
+        <translation>没有锁定的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>没有隐藏的内容。</translation>
+    </message>
+    <message>
         <source>Select two strokes or more; to the canvas one can be aligned, too.</source>
         <translation>请选择两条或更多笔画；对齐到画布时一条也可以。</translation>
     </message>
@@ -6307,12 +6422,12 @@ Arrow keys work too.</source>
         <translation>参考线</translation>
     </message>
     <message>
-        <source>Horizontal place, in canvas units</source>
-        <translation>水平位置（画布单位）</translation>
+        <source>Horizontal place</source>
+        <translation>水平位置</translation>
     </message>
     <message>
-        <source>Vertical place, in canvas units</source>
-        <translation>垂直位置（画布单位）</translation>
+        <source>Vertical place</source>
+        <translation>垂直位置</translation>
     </message>
     <message>
         <source>Show the &amp;Rulers</source>
@@ -6357,6 +6472,42 @@ Arrow keys work too.</source>
     <message>
         <source>Remove &amp;All Guides</source>
         <translation>移除所有参考线(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;how the Assistants</source>
+        <translation>显示辅助尺(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Nothing is led by those that are not seen</source>
+        <translation>看不见的辅助尺不会引导笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Assistants</source>
+        <translation>吸附到辅助尺(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>A stroke of the Brush follows the assistant whose direction it begins with</source>
+        <translation>画笔的笔画会跟随与其起笔方向一致的辅助尺</translation>
+    </message>
+    <message>
+        <source>Remove &amp;All Assistants</source>
+        <translation>移除所有辅助尺(&amp;A)</translation>
+    </message>
+    <message>
+        <source>There are no assistants.</source>
+        <translation>没有辅助尺。</translation>
+    </message>
+    <message>
+        <source>Assistants</source>
+        <translation>辅助尺</translation>
+    </message>
+    <message>
+        <source>Lines, vanishing points and ellipses that lead strokes</source>
+        <translation>引导笔画的直线、灭点和椭圆</translation>
     </message>
     <message>
         <source>Mirrored &amp;Left and Right</source>
@@ -6791,6 +6942,10 @@ Arrow keys work too.</source>
         <source>Fade: the share of the paint that is taken. Lift: how much density, so that feathered paint gets paler and paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
         <translation>淡化：擦去颜料的比例。柔擦：减去多少密度，使羽化的颜料变淡、边缘清晰的颜料变窄。画笔压力会减弱它</translation>
     </message>
+    <message>
+        <source>Sharp edges draw in.</source>
+        <translation>清晰的边缘会内缩。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ErasureRows</name>
@@ -6811,12 +6966,32 @@ Arrow keys work too.</source>
         <translation>柔擦</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>擦去</translation>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The diameter of the eraser, if its softness was the usual one.</source>
+        <translation>橡皮擦的直径（按其通常的柔和度）。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
     </message>
     <message>
         <source>The share of the paint that it takes in its middle.</source>
         <translation>它在其中央擦去颜料的比例。</translation>
+    </message>
+    <message>
+        <source>Density taken</source>
+        <translation>擦去的密度</translation>
+    </message>
+    <message>
+        <source>Change size</source>
+        <translation>更改大小</translation>
+    </message>
+    <message>
+        <source>The density that it takes away in its middle: paint that is thinner is gone there.</source>
+        <translation>在其中间擦去的密度：较稀的颜料在那里会消失。</translation>
     </message>
     <message>
         <source>Change strength</source>
@@ -7215,10 +7390,6 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>横向扩散</translation>
-    </message>
-    <message>
-        <source>Softness</source>
-        <translation>柔和度</translation>
     </message>
     <message>
         <source>Takes away</source>
@@ -8874,14 +9045,6 @@ Arrow keys work too.</source>
         <translation>新建画作</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> in</source>
-        <translation> in</translation>
-    </message>
-    <message>
         <source>Sheet</source>
         <translation>画纸</translation>
     </message>
@@ -8930,8 +9093,8 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the left, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从左边起，画布单位。回车或点击放置节点</translation>
+        <source>Where the next node is set, from the left. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从左边起。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8939,16 +9102,16 @@ Arrow keys work too.</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Where the next node is set, from the top, canvas units. Return sets it, and so does a click</source>
-        <translation>下一个节点的位置，从上边起，画布单位。回车或点击放置节点</translation>
+        <source>Where the next node is set, from the top. Return sets it, and so does a click</source>
+        <translation>下一个节点的位置，从上边起。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>From the last node to the next one, canvas units. Return sets it, and so does a click</source>
-        <translation>从上一个节点到下一个节点，画布单位。回车或点击放置节点</translation>
+        <source>From the last node to the next one. Return sets it, and so does a click</source>
+        <translation>从上一个节点到下一个节点。回车或点击放置节点</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -9111,6 +9274,14 @@ Arrow keys work too.</source>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> in</source>
+        <translation> in</translation>
     </message>
     <message>
         <source> s</source>
@@ -9302,6 +9473,10 @@ Arrow keys work too.</source>
     <message>
         <source>%1 – %2 × %3 mm</source>
         <translation>%1 – %2 × %3 毫米</translation>
+    </message>
+    <message>
+        <source>As large as the sheet</source>
+        <translation>与画面一样大</translation>
     </message>
     <message>
         <source>Upright</source>
@@ -9924,8 +10099,8 @@ Arrow keys work too.</source>
         <translation>距离</translation>
     </message>
     <message>
-        <source>How far curves may move, in canvas units</source>
-        <translation>曲线可移动的距离，以画布单位计</translation>
+        <source>How far curves may move</source>
+        <translation>曲线可移动的距离</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9940,8 +10115,8 @@ Arrow keys work too.</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>Wiggles of this length and shorter ones go, in canvas units</source>
-        <translation>此长度及更短的抖动会消失，以画布单位计</translation>
+        <source>Wiggles of this length and shorter ones go</source>
+        <translation>此长度及更短的抖动会消失</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9960,8 +10135,8 @@ Arrow keys work too.</source>
         <translation>颜料的宽度；低于 100 % 则缩窄</translation>
     </message>
     <message>
-        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
-        <translation>向笔画方向的右侧，以画布单位计；负值向左</translation>
+        <source>To the right of the stroke&apos;s direction; below 0 to the left</source>
+        <translation>向笔画方向的右侧；负值向左</translation>
     </message>
     <message>
         <source>%1 → %2 segments</source>
@@ -10331,22 +10506,6 @@ Arrow keys work too.</source>
         <translation>擦除</translation>
     </message>
     <message>
-        <source>Size D</source>
-        <translation>大小 D</translation>
-    </message>
-    <message>
-        <source>How wide and how softly it takes away.</source>
-        <translation>擦除的宽度与柔和程度。</translation>
-    </message>
-    <message>
-        <source>Strength φ</source>
-        <translation>强度 φ</translation>
-    </message>
-    <message>
-        <source>How much it takes away.</source>
-        <translation>擦去的多少。</translation>
-    </message>
-    <message>
         <source>Off</source>
         <translation>关</translation>
     </message>
@@ -10598,8 +10757,8 @@ Arrow keys work too.</source>
         <translation>大小</translation>
     </message>
     <message>
-        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
-        <translation>圆圈的直径，以画布单位计（[ 和 ] 可更改）</translation>
+        <source>Diameter of the circle ([ and ] change it)</source>
+        <translation>圆圈的直径（[ 和 ] 可更改）</translation>
     </message>
 </context>
 <context>
@@ -10632,8 +10791,8 @@ Arrow keys work too.</source>
         <translation>影响范围</translation>
     </message>
     <message>
-        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
-        <translation>拖动节点或曲线时沿笔画带动邻近部分的距离，画布单位；0：不带动（拖动时用滚轮或 [ 和 ]，或按住 Alt 拖动可更改）</translation>
+        <source>How far along the stroke a dragged node or curve takes along what lies near; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>拖动节点或曲线时沿笔画带动邻近部分的距离；0：不带动（拖动时用滚轮或 [ 和 ]，或按住 Alt 拖动可更改）</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -10651,8 +10810,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::StatusLine</name>
     <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>指针位置（画布单位）</translation>
+        <source>Position of the pointer, in what the rulers count</source>
+        <translation>指针位置，单位与标尺相同</translation>
     </message>
     <message>
         <source>Zoom, and the angle by which the canvas is turned</source>
@@ -11436,16 +11595,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的左边缘，画布单位</translation>
+        <source>Left edge of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的上边缘，画布单位</translation>
+        <source>Upper edge of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的上边缘</translation>
     </message>
     <message>
         <source>W</source>
@@ -11453,8 +11612,8 @@ Arrow keys work too.</source>
         <translation>宽</translation>
     </message>
     <message>
-        <source>Width of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的宽度，画布单位</translation>
+        <source>Width of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的宽度</translation>
     </message>
     <message>
         <source>Keep the proportions of width and height</source>
@@ -11470,8 +11629,8 @@ Arrow keys work too.</source>
         <translation>高</translation>
     </message>
     <message>
-        <source>Height of the selected strokes&apos; curves, canvas units</source>
-        <translation>所选笔画曲线的高度，画布单位</translation>
+        <source>Height of the selected strokes&apos; curves</source>
+        <translation>所选笔画曲线的高度</translation>
     </message>
     <message>
         <source>∠</source>
@@ -11540,16 +11699,16 @@ Arrow keys work too.</source>
         <translation>X</translation>
     </message>
     <message>
-        <source>Left edge of the underlay, canvas units</source>
-        <translation>底图的左边缘，画布单位</translation>
+        <source>Left edge of the underlay</source>
+        <translation>底图的左边缘</translation>
     </message>
     <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
     <message>
-        <source>Upper edge of the underlay, canvas units</source>
-        <translation>底图的上边缘，画布单位</translation>
+        <source>Upper edge of the underlay</source>
+        <translation>底图的上边缘</translation>
     </message>
     <message>
         <source>Position</source>
@@ -11560,16 +11719,16 @@ Arrow keys work too.</source>
         <translation>宽度</translation>
     </message>
     <message>
-        <source>Width of the underlay, canvas units</source>
-        <translation>底图的宽度，画布单位</translation>
+        <source>Width of the underlay</source>
+        <translation>底图的宽度</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>高度</translation>
     </message>
     <message>
-        <source>Height of the underlay, canvas units</source>
-        <translation>底图的高度，画布单位</translation>
+        <source>Height of the underlay</source>
+        <translation>底图的高度</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12156,8 +12315,8 @@ Arrow keys work too.</source>
         <translation>字号</translation>
     </message>
     <message>
-        <source>The em of the font, canvas units</source>
-        <translation>字体的全身尺寸，画布单位</translation>
+        <source>The em of the font</source>
+        <translation>字体的全身尺寸</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -12204,8 +12363,8 @@ Arrow keys work too.</source>
         <translation>沿所选笔画</translation>
     </message>
     <message>
-        <source>Set the text along the selected stroke</source>
-        <translation>让文字沿所选笔画排列</translation>
+        <source>Set the text along the selected stroke, which it follows from then on</source>
+        <translation>让文字沿所选笔画排列，此后跟随该笔画</translation>
     </message>
     <message>
         <source>Straight</source>
@@ -12806,6 +12965,10 @@ Arrow keys work too.</source>
         <translation>正在与图像比较…</translation>
     </message>
     <message>
+        <source>It is exported as soon as it is compared with the picture.</source>
+        <translation>与画面比较完后立即导出。</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>未知</translation>
     </message>
@@ -13107,16 +13270,16 @@ Arrow keys work too.</source>
         <translation>最小宽度</translation>
     </message>
     <message>
-        <source>No stroke is narrower, in canvas units; 0: as narrow as it likes</source>
-        <translation>没有更窄的笔画，以画布单位计；0：不限</translation>
+        <source>No stroke is narrower; 0: as narrow as it likes</source>
+        <translation>没有更窄的笔画；0：不限</translation>
     </message>
     <message>
         <source>Greatest width</source>
         <translation>最大宽度</translation>
     </message>
     <message>
-        <source>No stroke is wider, in canvas units; 0: as wide as it likes</source>
-        <translation>没有更宽的笔画，以画布单位计；0：不限</translation>
+        <source>No stroke is wider; 0: as wide as it likes</source>
+        <translation>没有更宽的笔画；0：不限</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13551,6 +13714,14 @@ Arrow keys work too.</source>
     <message>
         <source>Letter</source>
         <translation>美式信纸</translation>
+    </message>
+    <message>
+        <source>Legal</source>
+        <translation>美式法律用纸</translation>
+    </message>
+    <message>
+        <source>Tabloid</source>
+        <translation>美式小报</translation>
     </message>
     <message>
         <source>Postcard</source>
@@ -14367,6 +14538,33 @@ Arrow keys work too.</source>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Samples</name>
+    <message>
+        <source>Harbour</source>
+        <translation>海港</translation>
+    </message>
+    <message>
+        <source>Ink Landscape</source>
+        <translation>水墨山水</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <translation>灯笼</translation>
+    </message>
+    <message>
+        <source>Moonrise</source>
+        <translation>月出</translation>
+    </message>
+    <message>
+        <source>Sheet of Strokes</source>
+        <translation>笔画样张</translation>
+    </message>
+    <message>
+        <source>Still Life</source>
+        <translation>静物</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@
 #include "model/shaping/erasing/erase.h"
 #include "undo/edits.h"
 #include "undo/history/order_tree.h"
+#include "undo/text_links.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -30,6 +31,7 @@ struct Copies {
     std::unordered_map<StrokeId, StrokePtr> originals;
     std::vector<StrokePtr> strokes; ///< from bottom to top
     std::vector<Group> groups;
+    std::unordered_map<StrokeId, StrokeId> ids; ///< of the copies, by those of the originals
 
     void add(const Sibling &sibling, GroupId around)
     {
@@ -49,6 +51,7 @@ struct Copies {
         if (!problemOf(*copy).isEmpty())
             return;
         copy->id = document.takeStrokeId();
+        ids.emplace(sibling.stroke, copy->id);
         strokes.push_back(std::move(copy));
     }
 };
@@ -156,7 +159,7 @@ Edit copiesOf(Document &document, const std::set<StrokeId> &selected, std::unord
     if (units.empty())
         return {};
     const Sibling &topmost = *units.back();
-    Copies copies{document, *painting, offset, std::move(originals), {}, {}};
+    Copies copies{document, *painting, offset, std::move(originals), {}, {}, {}};
     for (const Sibling *unit : units)
         copies.add(*unit, aroundOf(*painting, topmost));
     if (copies.strokes.empty())
@@ -171,6 +174,7 @@ Edit copiesOf(Document &document, const std::set<StrokeId> &selected, std::unord
     edit.order->insert(edit.order->begin() + placeAbove(*painting, topmost), added.begin(), added.end());
     edit.selection.emplace().strokes = {added.begin(), added.end()};
     if (!copies.groups.empty()) {
+        linkCopies(copies.groups, copies.ids, offset);
         edit.groups = painting->groups;
         edit.groups->insert(edit.groups->end(), copies.groups.begin(), copies.groups.end());
     }

@@ -1,7 +1,6 @@
 #include "undo/text_edits.h"
 
 #include "model/brush/brush_width.h"
-#include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/fill_edits.h"
@@ -257,6 +256,33 @@ StrokePtr staying(const Letter &old, const Letter &now)
     return problemOf(*moved).isEmpty() ? moved : nullptr;
 }
 
+/// Whether a letter has the outline that the font gives it, and nobody has drawn it otherwise.
+bool isAsSet(const Letter &letter)
+{
+    Stroke set = *letter.stroke;
+    setOutline(set, letter);
+    if (set.segments.size() > letter.stroke->segments.size())
+        return false;
+    const double most = 1e-4 * std::sqrt(std::abs(letter.place.determinant()));
+    for (std::size_t k = 0; k < set.segments.size(); ++k)
+        for (std::size_t i = 0; i < 4; ++i)
+            if (!(length(set.origin + set.segments[k].bezier[i] -
+                         (letter.stroke->origin + letter.stroke->segments[k].bezier[i])) <= most))
+                return false;
+    return true;
+}
+
+/// What a letter becomes whose curve has changed: what was drawn otherwise, and letters of a font that is missing, are
+/// turned and moved as they are. Null where it cannot be.
+StrokePtr following(const Letter &old, const Letter &now)
+{
+    const std::optional<Affine> back = old.place.inverse();
+    if (!back || hasSameLinearPart(old.place, now.place) || isAsSet(old))
+        return staying(old, now);
+    std::optional<Stroke> turned = tryTransformed(*old.stroke, now.place * *back, SpreadRule::Scales);
+    return turned ? std::make_shared<const Stroke>(std::move(*turned)) : nullptr;
+}
+
 /// A letter that looks as another one.
 Stroke like(const Stroke &neighbour, const Stroke &letter)
 {
@@ -299,56 +325,6 @@ Stroke letterWith(const Brush &brush, double size, Microseconds born)
     return stroke;
 }
 
-SharedText textOf(const Painting &painting, GroupId group)
-{
-    const Group *found = group ? painting.findGroup(group) : nullptr;
-    return found ? found->text : SharedText();
-}
-
-bool isTextLocked(const Painting &painting, GroupId group)
-{
-    Stroke member;
-    member.group = group;
-    return painting.isLocked(member) || std::ranges::any_of(painting.strokes, [group](const StrokePtr &stroke) {
-               return stroke->locked && stroke->group == group;
-           });
-}
-
-GroupId textAround(const Painting &painting, const Stroke &stroke)
-{
-    for (const GroupId id : groupsAround(painting, stroke.group))
-        if (textOf(painting, id))
-            return id;
-    return 0;
-}
-
-std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group)
-{
-    std::set<StrokeId> ids;
-    WithinGroup within(painting, group);
-    for (const StrokePtr &stroke : painting.strokes)
-        if (within(*stroke))
-            ids.insert(ids.end(), stroke->id);
-    return ids;
-}
-
-GroupId selectedText(const Document &document)
-{
-    const Painting &painting = *document.painting();
-    const std::set<StrokeId> &selected = document.selection().strokes;
-    if (selected.empty() || std::ranges::none_of(painting.groups, [](const Group &g) { return bool(g.text); }))
-        return 0;
-    GroupId text = 0;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (selected.contains(stroke->id)) {
-            const GroupId around = stroke->group ? textAround(painting, *stroke) : 0;
-            if (around == 0 || (text != 0 && around != text))
-                return 0;
-            text = around;
-        }
-    return text;
-}
-
 std::vector<StrokeId> lettersOf(const Painting &painting, GroupId group, const LaidText &laid)
 {
     const SharedText text = textOf(painting, group);
@@ -360,6 +336,26 @@ std::vector<StrokeId> lettersOf(const Painting &painting, GroupId group, const L
     for (const Letter &letter : letters)
         ids.push_back(letter.stroke ? letter.stroke->id : 0);
     return ids;
+}
+
+std::optional<std::vector<StrokePtr>> relaidLetters(const Painting &painting, GroupId group, const LaidText &before,
+                                                    const Text &text, const LaidText &after)
+{
+    std::vector<Letter> old = lettersIn(before, *textOf(painting, group)), now = lettersIn(after, text);
+    if (old.size() != now.size())
+        return {};
+    findStrokes(painting, group, old);
+    std::vector<StrokePtr> relaid;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+        if (!old[k].stroke)
+            continue; // It was deleted, and stays so.
+        StrokePtr made = following(old[k], now[k]);
+        if (!made)
+            return {};
+        if (made != old[k].stroke)
+            relaid.push_back(std::move(made));
+    }
+    return relaid;
 }
 
 Edit setText(Document &document, GroupId group, const Text &text, const LaidText *before, const LaidText &after,
@@ -449,34 +445,6 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
     if (groups != painting.groups)
         edit.groups = std::move(groups);
     return edit;
-}
-
-Edit textsToStrokes(const Document &document)
-{
-    const Painting &painting = *document.painting();
-    std::set<GroupId> texts;
-    const Locks isLocked(painting.groups);
-    for (const StrokePtr &stroke : painting.strokes)
-        if (stroke->group != 0 && document.selection().strokes.contains(stroke->id) && !isLocked(*stroke))
-            texts.insert(textAround(painting, *stroke));
-    Edit edit;
-    std::vector<Group> groups = painting.groups;
-    for (Group &group : groups)
-        if (texts.contains(group.id))
-            group.text = {};
-    if (groups != painting.groups)
-        edit.groups = std::move(groups);
-    return edit;
-}
-
-bool canTurnTexts(const Document &document)
-{
-    const Painting &painting = *document.painting();
-    const std::set<StrokeId> &selected = document.selection().strokes;
-    return !selected.empty() && std::ranges::any_of(painting.groups, [](const Group &g) { return bool(g.text); }) &&
-           std::ranges::any_of(painting.strokes, [&](const StrokePtr &stroke) {
-               return stroke->group != 0 && selected.contains(stroke->id) && textAround(painting, *stroke) != 0;
-           });
 }
 
 } // namespace suffuse

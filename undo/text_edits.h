@@ -40,6 +40,12 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
 /// it was deleted.
 std::vector<StrokeId> lettersOf(const Painting &painting, GroupId group, const LaidText &laid);
 
+/// The letters of a group that are others where its text becomes `text`, which differs from it in place and curve
+/// alone; `before` and `after` are both as they are set. Letters that were drawn otherwise stay so. No value where one
+/// of them would be no stroke.
+std::optional<std::vector<StrokePtr>> relaidLetters(const Painting &painting, GroupId group, const LaidText &before,
+                                                    const Text &text, const LaidText &after);
+
 /// The text of a group, or none.
 SharedText textOf(const Painting &painting, GroupId group);
 /// Whether a text cannot be typed in: it is locked, or a stroke of it is.
@@ -50,11 +56,6 @@ GroupId textAround(const Painting &painting, const Stroke &stroke);
 GroupId selectedText(const Document &document);
 /// The strokes of a group, and of those within it.
 std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group);
-
-/// Makes plain groups of the texts of which something is selected: their letters cannot be typed in any more.
-Edit textsToStrokes(const Document &document);
-/// Whether it would do something.
-bool canTurnTexts(const Document &document);
 
 /// The texts of which all strokes are among some.
 std::map<GroupId, Text> wholeTexts(const Painting &painting, const std::function<bool(StrokeId)> &isAmong);

@@ -1,4 +1,5 @@
-// How a text follows its letters, whatever has moved, turned or scaled them.
+// Which strokes are a text, and how it follows its letters, whatever has moved, turned or scaled them.
+#include "undo/history/order_tree.h"
 #include "undo/text_edits.h"
 
 #include <unordered_map>
@@ -102,6 +103,56 @@ std::optional<Affine> commonMap(const Pairs &pairs)
 }
 
 } // namespace
+
+SharedText textOf(const Painting &painting, GroupId group)
+{
+    const Group *found = group ? painting.findGroup(group) : nullptr;
+    return found ? found->text : SharedText();
+}
+
+bool isTextLocked(const Painting &painting, GroupId group)
+{
+    Stroke member;
+    member.group = group;
+    return painting.isLocked(member) || std::ranges::any_of(painting.strokes, [group](const StrokePtr &stroke) {
+               return stroke->locked && stroke->group == group;
+           });
+}
+
+GroupId textAround(const Painting &painting, const Stroke &stroke)
+{
+    for (const GroupId id : groupsAround(painting, stroke.group))
+        if (textOf(painting, id))
+            return id;
+    return 0;
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, GroupId group)
+{
+    std::set<StrokeId> ids;
+    WithinGroup within(painting, group);
+    for (const StrokePtr &stroke : painting.strokes)
+        if (within(*stroke))
+            ids.insert(ids.end(), stroke->id);
+    return ids;
+}
+
+GroupId selectedText(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (selected.empty() || std::ranges::none_of(painting.groups, [](const Group &g) { return bool(g.text); }))
+        return 0;
+    GroupId text = 0;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selected.contains(stroke->id)) {
+            const GroupId around = stroke->group ? textAround(painting, *stroke) : 0;
+            if (around == 0 || (text != 0 && around != text))
+                return 0;
+            text = around;
+        }
+    return text;
+}
 
 std::map<GroupId, Text> wholeTexts(const Painting &painting, const std::function<bool(StrokeId)> &isAmong)
 {

@@ -1,6 +1,7 @@
 #include "app/canvas/canvas_rows.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/assistant_rows.h"
 #include "app/canvas/handles/guide_rows.h"
 #include "app/canvas/handles/symmetry_rows.h"
 #include "app/canvas/reading/canvas_reading.h"
@@ -23,6 +24,11 @@ constexpr double turnStep = 15; ///< degrees
 bool isBusy(const CanvasWidget &canvas)
 {
     return canvas.tool() && canvas.tool()->isBusy();
+}
+
+bool hasChosen(const CanvasWidget &canvas)
+{
+    return canvas.tool() && canvas.tool()->hasChosen();
 }
 
 /// Undo gives up what is in hand first, as in Krita. Returns false if nothing was in hand.
@@ -56,8 +62,8 @@ void changeAid(CanvasWidget &canvas, bool CanvasAids::*aid, bool on)
 void askForGridStep(CanvasWidget &canvas)
 {
     const std::optional<double> step =
-        askNumber(canvas.window(), {Commands::tr("Grid"), Commands::tr("Step in canvas units"), canvas.aids().gridStep,
-                                    0.001, maxGridStep});
+        askNumber(canvas.window(),
+                  {Commands::tr("Grid"), Commands::tr("Step"), canvas.aids().gridStep, 0.001, maxGridStep, 3, true});
     if (!step)
         return;
     CanvasAids aids = canvas.aids();
@@ -94,7 +100,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
         .runs([&editor] { editor.redo(); });
     table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
         .in(CommandScope::Strokes)
-        .when([&canvas, &editor] { return isBusy(canvas) || commands::canDelete(editor); },
+        .when([&canvas, &editor] { return isBusy(canvas) || hasChosen(canvas) || commands::canDelete(editor); },
               Commands::tr("Nothing is selected: click paint with Select first."))
         .runs([&canvas, &editor, &table] {
             if (canvas.tool()->takesText() ? canvas.tool()->deleteSelected()
@@ -199,7 +205,8 @@ void addPenRow(Commands &table, CanvasWidget &canvas)
     table
         .add(Command::PaintWithKeys, "paintWithKeys", Commands::tr("Paint with Ke&ys"), "",
              {QKeySequence(Commands::tr("Ctrl+Alt+P"))},
-             Commands::tr("Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it"))
+             Commands::tr(
+                 "Arrow keys move a crosshair over the canvas, Space presses the tool in use down and lifts it"))
         .checkedWhen([&canvas] { return canvas.keyboardPen().isOn(); })
         .runs([&canvas] {
             canvas.setFocus(Qt::OtherFocusReason);
@@ -234,8 +241,7 @@ void addAidRows(Commands &table, CanvasWidget &canvas)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showOutlines, on); });
     table
         .add(ShowErasures, "showErasures", Commands::tr("Show Erasures"), "", {QKeySequence(Commands::tr("Shift+E"))},
-             Commands::tr("Dashed lines along what was erased softly from the selected strokes, or from all without a "
-                          "selection"))
+             Commands::tr("Dashed lines along what was erased softly from all strokes; what is not selected is paler"))
         .checkable(aids.showErasures)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showErasures, on); });
     table
@@ -263,6 +269,7 @@ void addCanvasRows(Commands &table, CanvasWidget &canvas)
     addAidRows(table, canvas);
     addSymmetryRows(table, canvas);
     addGuideRows(table, canvas);
+    addAssistantRows(table, canvas);
     QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
     QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
         if (!canvas.editor().laterChanges().isWaiting()) // Otherwise the table is updated with the changes that wait.

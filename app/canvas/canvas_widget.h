@@ -140,8 +140,8 @@ public:
     /// taken. What is selected anew is shown by itself.
     void revealSelection(bool revealed = true);
     bool isSelectionRevealed() const { return m_overlay.isRevealed(); }
-    /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
-    bool showsAllErasures() const { return m_overlay.showsAllErasures(); }
+    /// Whether erasures of all strokes are shown, by the command.
+    bool showsErasures() const { return m_overlay.showsErasures(); }
     /// How snapping works, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_overlay.aids(); }
     /// What the rulers count.

@@ -75,6 +75,8 @@ public:
     virtual QVariant inputMethodQuery(Qt::InputMethodQuery) const { return {}; }
     /// Takes back the last step of what is in hand, for the command Undo. Returns false if there is none.
     virtual bool takeBack() { return false; }
+    /// Whether the tool itself has chosen something, besides strokes, that the command Delete means.
+    virtual bool hasChosen() const { return false; }
     /// Deletes what the tool itself has selected (nodes), for the command Delete. Returns false if that is nothing.
     virtual bool deleteSelected() { return false; }
     /// Selects all that the tool itself selects (nodes), for the command Select All. Returns false if it selects

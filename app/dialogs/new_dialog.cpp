@@ -32,12 +32,18 @@ Display displayIn(int unit, double resolution)
 {
     switch (unit) {
     case InMillimetres:
-        return {.unit = NewDialog::tr(" mm"), .factor = millimetresOfInch / resolution, .decimals = 1};
+        return {.unit = millimetreUnit(),
+                .factor = millimetresOfInch / resolution,
+                .decimals = 1,
+                .resolution = resolution};
     case InInches:
-        return {.unit = NewDialog::tr(" in"), .factor = 1 / resolution, .decimals = 2};
+        return {.unit = inchUnit(), .factor = 1 / resolution, .decimals = 2, .resolution = resolution};
     default:
-        return screenDisplay();
+        break;
     }
+    Display pixels = screenDisplay();
+    pixels.resolution = resolution;
+    return pixels;
 }
 
 int unitOfPaper()
@@ -122,7 +128,8 @@ void NewDialog::addUnits(QHBoxLayout &row)
     auto *label = new QLabel(tr("Sides in"), this);
     m_units = new QComboBox(this);
     m_units->addItems({tr("Pixels"), tr("Millimetres"), tr("Inches")});
-    m_units->setCurrentIndex(std::clamp(s.value("newCanvas/unit", int(InPixels)).toInt(), int(InPixels), int(InInches)));
+    m_units->setCurrentIndex(
+        std::clamp(s.value("newCanvas/unit", int(InPixels)).toInt(), int(InPixels), int(InInches)));
     m_units->setAccessibleName(tr("Sides in"));
     m_units->setToolTip(tr("What width and height are given in. A pixel is a unit of the canvas."));
     label->setBuddy(m_units);

@@ -50,19 +50,18 @@ ReshapeDialog::ReshapeDialog(Editor &editor, Reshaping what, QWidget *parent)
     m_choice = new QComboBox(this);
     m_choice->addItems({tr("Simplify"), tr("Smooth"), tr("Straighten"), tr("Grow or shrink"), tr("Offset")});
     m_form->addRow(tr("Change"), m_choice);
-    addField(Reshaping::Simplify, &ReshapeAmounts::distance, tr("Distance"),
-             tr("How far curves may move, in canvas units"), lengthDisplay(), 0, 1e6);
+    addField(Reshaping::Simplify, &ReshapeAmounts::distance, tr("Distance"), tr("How far curves may move"),
+             lengthDisplay(), 0, 1e6);
     addField(Reshaping::Simplify, &ReshapeAmounts::values, tr("Values"),
              tr("How far spreads, densities, colours and times may differ that become one"), shareDisplay(), 0, 10);
     addField(Reshaping::Smooth, &ReshapeAmounts::smoothing, tr("Length"),
-             tr("Wiggles of this length and shorter ones go, in canvas units"), lengthDisplay(), 1e-6, 1e6);
+             tr("Wiggles of this length and shorter ones go"), lengthDisplay(), 1e-6, 1e6);
     addField(Reshaping::Straighten, &ReshapeAmounts::straight, tr("Amount"),
              tr("0 %: as it is; 100 %: a straight line"), shareDisplay(), 0, 1);
     addField(Reshaping::Width, &ReshapeAmounts::width, tr("Width"), tr("Of the paint; below 100 % it shrinks"),
              shareDisplay(), 0.01, 100);
     addField(Reshaping::Offset, &ReshapeAmounts::aside, tr("Distance"),
-             tr("To the right of the stroke's direction, in canvas units; below 0 to the left"), lengthDisplay(), -1e6,
-             1e6);
+             tr("To the right of the stroke's direction; below 0 to the left"), lengthDisplay(), -1e6, 1e6);
     m_report = new QLabel(this);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
     const QString counts = tr("%1 → %2 segments").arg("88,888", "88,888");

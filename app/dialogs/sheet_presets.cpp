@@ -18,6 +18,7 @@ class Sheets {
 
 public:
     static std::vector<SheetPreset> all();
+    static QString titleOfPaper(const QString &name);
 
 private:
     static SheetPreset screen(const QString &name, double width, double height);
@@ -38,8 +39,7 @@ SheetPreset Sheets::screen(const QString &name, double width, double height)
     Canvas canvas = Editor::usualCanvas();
     canvas.width = width;
     canvas.height = height;
-    return {tr("Screen"), name, tr("%1 × %2 px").arg(sideText(width, 0), sideText(height, 0)), canvas,
-            {}};
+    return {tr("Screen"), name, tr("%1 × %2 px").arg(sideText(width, 0), sideText(height, 0)), canvas, {}};
 }
 
 /// Sides in millimetres.
@@ -96,6 +96,19 @@ QSizeF SheetPreset::sides(double resolution) const
     if (paper.isEmpty())
         return {canvas.width, canvas.height};
     return {unitsOf(paper.width(), resolution), unitsOf(paper.height(), resolution)};
+}
+
+QString Sheets::titleOfPaper(const QString &name)
+{
+    return name == QLatin1String("Letter")    ? tr("Letter")
+           : name == QLatin1String("Legal")   ? tr("Legal")
+           : name == QLatin1String("Tabloid") ? tr("Tabloid")
+                                              : name;
+}
+
+QString paperTitle(const QString &name)
+{
+    return Sheets::titleOfPaper(name);
 }
 
 std::vector<SheetPreset> sheetPresets()

@@ -18,11 +18,11 @@ struct NewSheet {
 };
 
 struct SheetPreset {
-    QString section; ///< the heading that it stands below, translated
-    QString name;    ///< translated
-    QString size;    ///< in pixels, or in millimetres and inches
-    Canvas canvas;   ///< of paper at the usual resolution
-    QSizeF paper;    ///< mm; empty: it has no size on paper
+    QString section;        ///< the heading that it stands below, translated
+    QString name;           ///< translated
+    QString size;           ///< in pixels, or in millimetres and inches
+    Canvas canvas;          ///< of paper at the usual resolution
+    QSizeF paper;           ///< mm; empty: it has no size on paper
     bool hasGround = false; ///< background and grain belong to it
 
     /// The sides in units, where an inch of paper has so many pixels. A unit is a pixel.
@@ -33,6 +33,9 @@ struct SheetPreset {
 
 /// A side of a sheet of paper in whole units.
 double unitsOf(double millimetres, double resolution);
+
+/// What paper of a name, as PPD files have it, is called: "Letter". Names that are the same everywhere, as "A4", stay.
+QString paperTitle(const QString &name);
 
 /// All sheets that are offered, section by section, wherever somebody asks for a new painting.
 std::vector<SheetPreset> sheetPresets();

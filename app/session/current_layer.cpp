@@ -2,6 +2,7 @@
 
 #include "app/session/painting_clock.h"
 #include "app/session/settings/settings.h"
+#include "model/painting/text_title.h"
 #include "undo/history/order_tree.h"
 #include "undo/layers/emptied_groups.h"
 #include "undo/layers/group_alone.h"
@@ -21,10 +22,7 @@ const QString onlyKey = QStringLiteral("layers/only");
 
 QString titleOf(const Group &group)
 {
-    constexpr int mostShown = 60;
-    QString title = group.name;
-    if (title.isEmpty() && group.text)
-        title = group.text->string.simplified().left(mostShown);
+    const QString title = group.name.isEmpty() && group.text ? titleOf(*group.text) : group.name;
     return title.isEmpty() ? QCoreApplication::translate("suffuse::StrokesModel", "Group %1").arg(group.id) : title;
 }
 
@@ -216,6 +214,8 @@ bool CurrentLayer::canBe(const PaintedLayer &layer) const
 
 void CurrentLayer::follow(const Change &change)
 {
+    if (change.selection)
+        m_selects = change.order || change.canvas || change.texts || !change.strokes.empty();
     if (change.reset) {
         set({});
         m_chosen = m_layer;
@@ -254,6 +254,7 @@ void CurrentLayer::stepComes(int number)
     m_steps.add(number, m_chosen, m_layer);
     m_chosen = m_layer;
     m_done = number + 1;
+    m_selects = false;
 }
 
 void CurrentLayer::walkTo(int steps)
@@ -262,8 +263,12 @@ void CurrentLayer::walkTo(int steps)
     if (from == steps)
         return;
     const PaintedLayer was = m_chosen;
+    const bool selects = std::exchange(m_selects, false) && !m_document.selection().isEmpty();
+    const std::optional<GroupId> known = selects ? m_steps.known(from, steps) : std::nullopt;
     if (const std::optional<PaintedLayer> layer = m_steps.walked(was, from, steps); layer && canBe(*layer))
         set(*layer);
+    else if (known && *known != m_layer.group && canBe({*known, {}, 0}))
+        set({*known, {}, 0});
     else if (m_layer.group != was.group && from > steps) // It went by what was undone, and comes back with it.
         m_steps.note(from - 1, m_layer, was);
     m_chosen = m_layer;

@@ -18,7 +18,8 @@ QString titleOf(const Group &group);
 QString nameOfCopy(const std::vector<Group> &groups, const QString &name);
 
 /// Remembers which group what is painted goes into, or that it is none. This is no part of the painting, and nothing
-/// that is undone by itself; but where a step made another group the layer, undoing it gives back the one before. Where
+/// that is undone by itself; but where a step made another group the layer, undoing it gives back the one before, and
+/// where undo or redo select strokes again, the layer is the one that it was when they were selected. Where
 /// a group goes, the one around it becomes the layer. Where it goes since it has no stroke any more, it stays the layer
 /// and comes again with the next stroke, in its place.
 class CurrentLayer : public QObject {
@@ -122,6 +123,7 @@ private:
     PaintedLayer m_chosen; ///< as it was chosen, or after the step that was done last
     LayerSteps m_steps;
     int m_done = 0;                ///< steps
+    bool m_selects = false;        ///< whether an edit has selected something else since the last step
     int m_lastNumber = 0;          ///< of a layer that was new in this painting
     std::vector<GroupId> m_around; ///< the groups around it when it was there last, the innermost first
     QString m_title;               ///< as it was told last

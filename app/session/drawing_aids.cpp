@@ -8,6 +8,7 @@ namespace suffuse {
 namespace {
 
 constexpr std::size_t mostGuides = 1000;
+constexpr std::size_t mostAssistants = 100;
 
 } // namespace
 
@@ -38,11 +39,23 @@ void DrawingAids::setGuides(std::vector<Guide> guides)
     emit changed();
 }
 
+void DrawingAids::setAssistants(std::vector<Assistant> assistants)
+{
+    std::erase_if(assistants, [](const Assistant &assistant) { return !assistant.isSound(); });
+    if (assistants.size() > mostAssistants)
+        assistants.resize(mostAssistants);
+    if (assistants == m_assistants)
+        return;
+    m_assistants = std::move(assistants);
+    emit changed();
+}
+
 void DrawingAids::reset(const Rect &canvas)
 {
     emit aboutToReset();
     m_symmetry = usualSymmetry(canvas);
     m_guides.clear();
+    m_assistants.clear();
     emit changed();
 }
 

@@ -1,6 +1,7 @@
 // What helps to draw and is no part of the picture.
 #pragma once
 
+#include "model/geometry/assistant.h"
 #include "model/geometry/guide.h"
 #include "model/geometry/symmetry.h"
 
@@ -10,8 +11,8 @@
 
 namespace suffuse {
 
-/// The symmetry in which a painting is painted, and its guides. Files keep both with how the painting was looked at, so
-/// changing them is no undo step, and all windows of a painting share them.
+/// The symmetry in which a painting is painted, its guides, and the assistants that lead strokes. Files keep them with
+/// how the painting was looked at, so changing them is no undo step, and all windows of a painting share them.
 class DrawingAids : public QObject {
     Q_OBJECT
 
@@ -27,6 +28,10 @@ public:
     const std::vector<Guide> &guides() const { return m_guides; }
     void setGuides(std::vector<Guide> guides);
 
+    const std::vector<Assistant> &assistants() const { return m_assistants; }
+    /// Those that lack points, or have them too far away, are left out.
+    void setAssistants(std::vector<Assistant> assistants);
+
     /// Of another painting, with nothing of the one before.
     void reset(const Rect &canvas);
 
@@ -38,6 +43,7 @@ signals:
 private:
     Symmetry m_symmetry;
     std::vector<Guide> m_guides;
+    std::vector<Assistant> m_assistants;
 };
 
 } // namespace suffuse

@@ -4,6 +4,7 @@
 #include "app/session/current_layer.h"
 #include "app/session/drawing_aids.h"
 #include "app/session/files/opened_file.h"
+#include "app/session/files/samples.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
 #include "model/formats/messages.h"
@@ -12,7 +13,9 @@
 #include "model/painting/resolution.h"
 #include "undo/history/kept_history.h"
 #include "undo/history/restore_edit.h"
+#include "undo/lettering/text_layout.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 #include "undo/time_edits.h"
 
 #include <QDir>
@@ -69,6 +72,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     m_colourTarget = std::make_unique<ColourTarget>(*this);
     m_layer = std::make_unique<CurrentLayer>(m_document, m_clock);
     m_aids = std::make_unique<DrawingAids>();
+    m_layout = std::make_unique<TextLayout>();
     connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 
@@ -132,6 +136,7 @@ bool Editor::isStepping() const
 Edit Editor::placed(Edit edit)
 {
     followTexts(*m_document.painting(), edit);
+    followCurves(*m_document.painting(), edit, [this](const Text &text) { return m_layout->lay(text); });
     m_layer->takeEmptied(edit);
     if (!m_clock.isInPast())
         return edit;
@@ -357,7 +362,7 @@ std::vector<QString> Editor::open(OpenedFile file)
     if (damaged)
         origin = {{}, QFileInfo(file.path).fileName(), file.path, {}, said, true, true};
     else if (file.isSample)
-        origin = {{}, QFileInfo(file.path).completeBaseName(), {}, {}, said};
+        origin = {{}, sampleTitle(file.path), {}, {}, said};
     else if (canBeSavedAs(document.format))
         origin = {file.path, {}, file.path, file.hash, said};
     else { // A drawing or a recording: the painting of it has its name, and would lie beside it.
@@ -407,9 +412,10 @@ void Editor::setKeepsHistory(bool keeps)
     tellFileChanged();
 }
 
-void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
+void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath, double resolution)
 {
     m_extras = {};
+    m_extras.resolution = resolution;
     const QString added = recoveredPattern().section(QStringLiteral("%1"), 1); // journals of earlier versions have it
     const QString own = name.endsWith(added) ? name.chopped(added.size()) : name;
     const QString folder = QFileInfo(suggestedPath).absolutePath();

@@ -27,6 +27,7 @@ namespace suffuse {
 class ColourTarget;
 class CurrentLayer;
 class DrawingAids;
+class TextLayout;
 struct OpenedFile;
 
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
@@ -100,7 +101,7 @@ public:
     CurrentLayer &layer() { return *m_layer; }
     const CurrentLayer &layer() const { return *m_layer; }
 
-    /// Symmetry and guides.
+    /// Symmetry, guides and assistants.
     DrawingAids &aids() { return *m_aids; }
     const DrawingAids &aids() const { return *m_aids; }
 
@@ -143,7 +144,7 @@ public:
     /// Reads it first; one that cannot be read changes nothing.
     Result<std::vector<QString>> open(const QString &path);
     /// A painting that is in no file: untitled but for its name, modified.
-    void openRecovered(Painting painting, const QString &name, const QString &suggestedPath);
+    void openRecovered(Painting painting, const QString &name, const QString &suggestedPath, double resolution = 0);
 
     /// Writes the painting as it is now, on a thread of its own; it can be painted on. `saved` tells how it went.
     /// Unless `whatever` is there may be replaced, the document's own file must be as it was last read or written.
@@ -224,6 +225,7 @@ private:
     std::unique_ptr<ColourTarget> m_colourTarget;
     std::unique_ptr<CurrentLayer> m_layer;
     std::unique_ptr<DrawingAids> m_aids;
+    std::unique_ptr<TextLayout> m_layout; ///< for texts that follow strokes
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
     bool m_isRecovered = false;

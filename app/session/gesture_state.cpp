@@ -5,6 +5,7 @@
 #include "undo/history/back_edit.h"
 #include "undo/node_edits.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 
 #include <unordered_map>
 
@@ -49,7 +50,9 @@ void GestureState::take(const std::set<StrokeId> &strokes)
     for (const StrokePtr &stroke : painting.strokes)
         if (strokes.contains(stroke->id) && isEditable(*stroke))
             m_taken.try_emplace(stroke->id, Taken{stroke, stroke});
-    m_texts = wholeTexts(painting, [this](StrokeId id) { return m_taken.contains(id); });
+    const auto isTaken = [this](StrokeId id) { return m_taken.contains(id); };
+    m_texts = wholeTexts(painting, isTaken);
+    m_leads = leadsOtherTexts(painting, m_texts, isTaken);
 }
 
 void GestureState::showEach(const std::function<Stroke(const Stroke &)> &change, const Affine *map)
@@ -84,7 +87,7 @@ void GestureState::floatBy(const Affine &map, SpreadRule rule)
     m_rule = rule;
     m_maps = true;
     FloatingView *view = m_desk->floatingView();
-    if (!view || !view->isLifted() || !mapsPicture(map, rule)) {
+    if (!view || !view->isLifted() || !mapsPicture(map, rule) || m_leads) {
         m_afloat = false;
         showMapped();
         return;

@@ -72,6 +72,7 @@ private:
     SpreadRule m_rule = SpreadRule::Scales;
     Affine m_liftedAt; ///< the map under which the strokes were lifted
     bool m_maps = false;
+    bool m_leads = false;     ///< a text that is not taken follows what is, and must be seen to
     bool m_isRefused = false; ///< the map that is shown
     bool m_afloat = false;    ///< something is shown that the document does not have
 };

@@ -5,6 +5,8 @@ namespace suffuse {
 void LayerSteps::add(int step, const PaintedLayer &before, const PaintedLayer &after)
 {
     m_steps.erase(m_steps.lower_bound(step), m_steps.end());
+    m_known.erase(m_known.lower_bound(step), m_known.end());
+    m_known.insert_or_assign(step, std::pair(before.group, after.group));
     note(step, before, after);
 }
 
@@ -18,6 +20,12 @@ const PaintedLayer *LayerSteps::before(int step) const
 {
     const auto it = m_steps.find(step);
     return it == m_steps.end() ? nullptr : &it->second.before;
+}
+
+std::optional<GroupId> LayerSteps::known(int from, int to) const
+{
+    const auto it = m_known.find(to < from ? to : to - 1);
+    return it == m_known.end() ? std::nullopt : std::optional(to < from ? it->second.first : it->second.second);
 }
 
 std::optional<PaintedLayer> LayerSteps::walked(const PaintedLayer &layer, int from, int to) const

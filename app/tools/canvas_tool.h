@@ -21,6 +21,8 @@ protected:
     /// text brings the hint back. The tool's `hint` has to return it.
     void say(const QString &text);
     const QString &said() const { return m_said; }
+    /// How far an arrow key moves what is chosen, canvas units; no value for other keys.
+    std::optional<Point> nudgeOf(const QKeyEvent &event) const;
 
     CanvasWidget &m_canvas;
     Editor &m_editor;

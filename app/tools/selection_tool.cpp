@@ -16,22 +16,6 @@ namespace {
 
 constexpr double clickSlack = 3; ///< logical pixels around the pointer in which hairlines are found
 
-std::optional<Point> directionOf(int key)
-{
-    switch (key) {
-    case Qt::Key_Left:
-        return Point{-1, 0};
-    case Qt::Key_Right:
-        return Point{1, 0};
-    case Qt::Key_Up:
-        return Point{0, -1};
-    case Qt::Key_Down:
-        return Point{0, 1};
-    default:
-        return {};
-    }
-}
-
 } // namespace
 
 void SelectionTool::press(const PointerEvent &event)
@@ -126,23 +110,6 @@ bool SelectionTool::keyPress(QKeyEvent *event)
     m_nudges.noteStep(event->isAutoRepeat());
     commands::moveStrokes(m_editor, moved, *way, &m_nudges);
     return true;
-}
-
-std::optional<Point> SelectionTool::nudgeOf(const QKeyEvent &event) const
-{
-    const std::optional<Point> direction = directionOf(event.key());
-    if (!direction)
-        return {};
-    // Only the view's rotation and mirroring are taken, since differences of places that are far away are rounded.
-    View turned;
-    turned.rotation = m_canvas.view().rotation;
-    turned.mirrored = m_canvas.view().mirrored;
-    const Point unit = turned.toCanvas(*direction);
-    // Rounding makes quarter turns exact.
-    const auto exact = [](double share) { return std::round(share * 1e12) / 1e12; };
-    const double step = (event.modifiers() & Qt::ShiftModifier ? 10 : 1) *
-                        (event.modifiers() & Qt::AltModifier ? m_canvas.view().px() : 1);
-    return step * Point{exact(unit.x), exact(unit.y)};
 }
 
 Rect SelectionTool::band() const

@@ -61,8 +61,6 @@ protected:
     /// even where another one lies above it. Returns false if the last one is no longer selected, or its stroke is not
     /// seen under the pointer.
     bool selectRun(const PointerEvent &event);
-    /// How far an arrow key moves strokes, canvas units; no value for other keys.
-    std::optional<Point> nudgeOf(const QKeyEvent &event) const;
     const PointerEvent &start() const { return m_start; }
 
 private:

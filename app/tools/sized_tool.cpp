@@ -44,7 +44,7 @@ void SizedTool::setRadius(double radius)
 
 void SizedTool::addSizeField(QHBoxLayout &row)
 {
-    m_field = addNumber(row, tr("Size"), tr("Diameter of the circle in canvas units ([ and ] change it)"),
+    m_field = addNumber(row, tr("Size"), tr("Diameter of the circle ([ and ] change it)"),
                         [this](double size) { setRadius(0.5 * size); });
     m_field->setRange(2 * leastRadius, 2 * greatestRadius);
     m_field->setDisplay(lengthDisplay());

@@ -27,7 +27,7 @@ QString pageOfTool(const Commands &table)
         {Brush, "brushes"},       {Select, "refining"},   {Segments, "refining"}, {Shapes, "shapes"},
         {OutlinePen, "shapes"},   {LassoFill, "shapes"},  {Bucket, "shapes"},     {Text, "texts"},
         {Redraw, "refining"},     {Push, "refining"},     {Knife, "refining"},    {Eraser, "refining"},
-        {AttributeBrush, "refining"}, {Eyedropper, "colour"}, {Pan, "window"},
+        {AttributeBrush, "refining"}, {Eyedropper, "colour"}, {Assistants, "window"}, {Pan, "window"},
     };
     for (const auto &[tool, page] : pages)
         if (table[tool].isChecked())

@@ -18,6 +18,7 @@
 #include "app/widgets/habits/spoken_names.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/reduced_motion.h"
+#include "app/widgets/numbers/length_units.h"
 #include "app/window/dialog_rows.h"
 #include "app/window/extending.h"
 #include "app/window/files/exporting.h"
@@ -143,6 +144,7 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     resize(1280, 800);
+    new LengthUnits(*this, m_editor);
     m_canvas = new CanvasWidget(m_editor, this, m_makeRenderer);
     m_canvas->setPenSettings(settings::penSettings());
     setCentralWidget(m_canvas);
@@ -196,7 +198,8 @@ void MainWindow::makeParts(const Workplace &place)
     m_extending = new Extending(place, m_parts);
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
-    m_workspaces = new Workspaces(place, [this](DockSet set) { resetLayout(set); }, m_parts);
+    m_workspaces = new Workspaces(
+        place, [this](DockSet set) { resetLayout(set); }, m_parts);
     new AtPointer(place, m_parts);
     new SideWindows(place, m_parts);
     new ViewWindows(place, m_makeRenderer, m_parts);
@@ -241,8 +244,7 @@ void MainWindow::addRows()
               Commands::tr("Commands, brushes, docks and recent files by their names"))
         .runs([this] { CommandPalette::ask(paletteEntries(), *m_canvas); });
     m_commands
-        ->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "",
-              {QKeySequence(Commands::tr("Ctrl+F1"))})
+        ->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "", {QKeySequence(Commands::tr("Ctrl+F1"))})
         .runs([this] { changeShortcuts(*this); });
     m_commands->add(About, "about", Commands::tr("&About Suffuse…"), "", {}).runs([this] { AboutDialog(this).exec(); });
     action(About).setMenuRole(QAction::AboutRole);
@@ -285,8 +287,8 @@ void MainWindow::resetLayout(DockSet set)
 std::vector<PaletteEntry> MainWindow::paletteEntries()
 {
     return suffuse::paletteEntries(
-        m_editor, *m_commands, m_docksMenu->actions(), m_extending->actions(), [this](QAction &toggle) { m_docks->toggle(toggle); },
-        [this](const QString &path) { openFile(path); });
+        m_editor, *m_commands, m_docksMenu->actions(), m_extending->actions(),
+        [this](QAction &toggle) { m_docks->toggle(toggle); }, [this](const QString &path) { openFile(path); });
 }
 
 MainWindow *MainWindow::openFile(const QString &path)

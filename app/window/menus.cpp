@@ -95,6 +95,7 @@ void addViewMenu(QMenuBar &bar, const Commands &table, OpenMenus &open)
             {{ShowRulers, RulersInUnits, RulersInMillimetres, RulersInInches},
              {ShowGuides, SnapToGuides, LockGuides},
              {AddLevelGuide, AddUprightGuide, RemoveGuides}});
+    addMenu(*view, Commands::tr("Assistants"), table, {{ShowAssistants, SnapToAssistants}, {RemoveAssistants}});
     open.docks = view->addMenu(Commands::tr("&Docks"));
     open.workspaces = addMenu(*view, Commands::tr("Workspaces"), table,
                               {{WorkspacePaint, WorkspaceRefine, WorkspaceTime}, {SaveWorkspace}});
@@ -107,7 +108,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
     QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
                             {{Raise, Lower, Top, Bottom},
                              {FillStrokes, RemoveFills, AddGradients, RemoveGradients},
-                             {GroupStrokes, UngroupStrokes, TextToStrokes, CombineStrokes, BreakApart, RemoveErasures},
+                             {GroupStrokes, UngroupStrokes, TextToStrokes, ReleaseTexts, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
     addMenu(*object, Commands::tr("Group as a Whole"), table, {{ClipGroups, MaskGroups, WashGroups, DraftGroups}});
@@ -153,7 +154,7 @@ void addToolsMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
                            {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push, Knife,
-                             Eraser, AttributeBrush, Eyedropper, Pan}});
+                             Eraser, AttributeBrush, Eyedropper, Assistants, Pan}});
     Group favourites;
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
@@ -236,7 +237,7 @@ QToolBar *makeToolBar(const Commands &table, QWidget *parent)
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
            {{Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push, Knife, Eraser,
-             AttributeBrush, Eyedropper, Pan},
+             AttributeBrush, Eyedropper, Assistants, Pan},
             {Undo, Redo},
             {ZoomIn, ZoomOut, Fit}});
     for (auto *button : bar->findChildren<QToolButton *>())

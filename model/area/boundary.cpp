@@ -3,8 +3,11 @@
 #include "model/area/crossings.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 namespace suffuse {
 
@@ -33,6 +36,39 @@ struct Section {
     int enters = 0;
 };
 
+/// Arcs of about the same width that cross a band of height from top to bottom.
+class ArcsAcross {
+public:
+    struct Arc {
+        double left, right;
+        std::uint32_t arc;
+        int before = 0; ///< what those further left add to the winding number
+    };
+
+    void clear() { m_arcs.clear(), m_widest = 0, m_sum = 0; }
+    /// They come by their left ends.
+    void add(std::uint32_t k, const RisingPart &part)
+    {
+        m_arcs.push_back({part.arc.left(), part.arc.right(), k, m_sum});
+        m_sum += part.falls ? -1 : 1;
+        m_widest = std::max(m_widest, part.arc.right() - part.arc.left());
+    }
+    /// Those that may be between two places, and what those further left add to the winding number.
+    std::pair<std::span<const Arc>, int> at(double from, double to) const
+    {
+        const auto isLeft = [](const Arc &arc, double x) { return arc.left < x; };
+        const auto isRight = [](double x, const Arc &arc) { return x < arc.left; };
+        const auto first = std::lower_bound(m_arcs.begin(), m_arcs.end(), from - m_widest, isLeft);
+        const auto end = std::upper_bound(first, m_arcs.end(), to, isRight);
+        return {{first, end}, first == m_arcs.end() ? m_sum : first->before};
+    }
+
+private:
+    std::vector<Arc> m_arcs;
+    double m_widest = 0;
+    int m_sum = 0; ///< what all of them add to the winding number
+};
+
 /// The arcs that come into a band of height.
 class Band {
 public:
@@ -41,51 +77,106 @@ public:
         double top, bottom, left, right;
         std::uint32_t arc;
     };
-    /// An arc that crosses the band from top to bottom.
-    struct Across {
-        double left;
-        std::uint32_t arc;
-        int before = 0; ///< what those further left add to the winding number
-    };
 
+    /// Begins a band without arcs.
+    void clear()
+    {
+        m_within.clear();
+        for (ArcsAcross &arcs : m_across)
+            arcs.clear();
+    }
     void addWithin(std::uint32_t k, const RisingArc &arc)
     {
         m_within.push_back({arc.top(), arc.bottom(), arc.left(), arc.right(), k});
     }
-    void addAcross(std::uint32_t k, const RisingArc &arc)
+    /// `shares`: how wide the arc is, usual ones being 1.
+    void addAcross(std::uint32_t k, const RisingPart &part, double shares)
     {
-        m_across.push_back({arc.left(), k});
-        m_widest = std::max(m_widest, arc.right() - arc.left());
-    }
-    void sort(const std::vector<RisingPart> &parts)
-    {
-        std::sort(m_across.begin(), m_across.end(),
-                  [](const Across &a, const Across &b) { return a.left != b.left ? a.left < b.left : a.arc < b.arc; });
-        for (Across &across : m_across) {
-            across.before = m_sum;
-            m_sum += parts[across.arc].falls ? -1 : 1;
-        }
+        const int kind = shares > 1 ? std::min(std::ilogb(shares) + 1, int(m_across.size()) - 1) : 0;
+        m_across[std::size_t(kind)].add(k, part);
     }
 
     const std::vector<Within> &within() const { return m_within; }
-    /// The first of the arcs across whose right end may be at x or beyond, and the first one that begins beyond `end`.
-    std::pair<std::size_t, std::size_t> acrossAt(double x, double end) const
-    {
-        const auto isLeft = [](const Across &across, double at) { return across.left < at; };
-        const auto isRight = [](double at, const Across &across) { return at < across.left; };
-        const auto from = std::lower_bound(m_across.begin(), m_across.end(), x - m_widest, isLeft);
-        const auto to = std::upper_bound(from, m_across.end(), end, isRight);
-        return {std::size_t(from - m_across.begin()), std::size_t(to - m_across.begin())};
-    }
-    const Across &across(std::size_t i) const { return m_across[i]; }
-    /// What the arcs across before this one add to the winding number.
-    int windingBefore(std::size_t i) const { return i < m_across.size() ? m_across[i].before : m_sum; }
+    /// By their widths, each twice the one before: one wide arc would have all others looked at that begin as far away.
+    const std::array<ArcsAcross, 12> &across() const { return m_across; }
 
 private:
     std::vector<Within> m_within;
-    std::vector<Across> m_across; ///< by their left ends
-    double m_widest = 0;          ///< of those across
-    int m_sum = 0;                ///< what all of those across add to the winding number
+    std::array<ArcsAcross, 12> m_across;
+};
+
+/// Divides the height of arcs into bands, and makes one after the other. All of them at once would take more memory the
+/// more often the arcs cross.
+class Bands {
+public:
+    /// `count`: of the questions that bands will be asked, of which each looks at all arcs that begin or end in one.
+    Bands(const std::vector<RisingPart> &parts, std::size_t count) : m_parts(parts)
+    {
+        m_top = parts[0].arc.top();
+        double bottom = parts[0].arc.bottom(), heights = 0;
+        for (const RisingPart &part : parts) {
+            m_top = std::min(m_top, part.arc.top()), bottom = std::max(bottom, part.arc.bottom());
+            heights += part.arc.bottom() - part.arc.top();
+            m_width += (part.arc.right() - part.arc.left()) / double(parts.size());
+        }
+        const double each = 1 + heights / (bottom - m_top); // arcs that cross a level line
+        m_count = std::size_t(std::clamp(std::sqrt(double(parts.size()) * double(count) / each), 1.0, 1e6));
+        m_height = (bottom - m_top) / double(m_count);
+        m_byTop.resize(parts.size());
+        std::iota(m_byTop.begin(), m_byTop.end(), 0);
+        std::sort(m_byTop.begin(), m_byTop.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return parts[a].arc.top() != parts[b].arc.top() ? parts[a].arc.top() < parts[b].arc.top() : a < b;
+        });
+    }
+
+    std::size_t at(double y) const { return std::min(m_count - 1, std::size_t(std::max(0.0, (y - m_top) / m_height))); }
+    /// The band of a number; no smaller number may be asked for later.
+    const Band &operator[](std::size_t number)
+    {
+        if (number == m_number)
+            return m_band;
+        m_number = number;
+        std::erase_if(m_open, [number](const Open &open) { return open.last < number; });
+        const std::size_t before = m_open.size();
+        for (; m_next < m_byTop.size(); ++m_next) {
+            const std::uint32_t k = m_byTop[m_next];
+            const RisingArc &arc = m_parts[k].arc;
+            if (at(arc.top()) > number)
+                break;
+            if (const std::size_t last = at(arc.bottom()); last >= number)
+                m_open.push_back({arc.left(), k, at(arc.top()), last});
+        }
+        const auto isLeft = [](const Open &a, const Open &b) {
+            return a.left != b.left ? a.left < b.left : a.arc < b.arc;
+        };
+        std::sort(m_open.begin() + std::ptrdiff_t(before), m_open.end(), isLeft);
+        std::inplace_merge(m_open.begin(), m_open.begin() + std::ptrdiff_t(before), m_open.end(), isLeft);
+        m_band.clear();
+        for (const Open &open : m_open)
+            if (open.first < number && open.last > number)
+                m_band.addAcross(open.arc, m_parts[open.arc], widthOf(m_parts[open.arc].arc));
+            else
+                m_band.addWithin(open.arc, m_parts[open.arc].arc);
+        return m_band;
+    }
+
+private:
+    double widthOf(const RisingArc &arc) const { return m_width > 0 ? (arc.right() - arc.left()) / m_width : 0; }
+
+    /// An arc that comes into the band, with the numbers of the bands in which it begins and ends.
+    struct Open {
+        double left;
+        std::uint32_t arc;
+        std::size_t first, last;
+    };
+
+    const std::vector<RisingPart> &m_parts;
+    std::vector<std::uint32_t> m_byTop;
+    std::size_t m_next = 0;   ///< of those, the first one that has not come yet
+    std::vector<Open> m_open; ///< by their left ends
+    Band m_band;
+    std::size_t m_count = 1, m_number = std::size_t(-1);
+    double m_top = 0, m_height = 0, m_width = 0; ///< the width is that of all arcs in the mean
 };
 
 class BoundaryFinder {
@@ -107,7 +198,6 @@ public:
         if (isSpent())
             return out;
         cut();
-        indexByHeight();
         classify();
         if (isSpent())
             return out;
@@ -176,6 +266,7 @@ private:
         std::sort(m_meetings.cuts.begin(), m_meetings.cuts.end());
         auto next = m_meetings.cuts.begin();
         m_firstSection.reserve(m_parts.size() + 1);
+        m_sections.reserve(m_parts.size() + m_meetings.cuts.size());
         for (std::uint32_t k = 0; k < m_parts.size(); ++k) {
             const double end = rounded(m_parts[k].arc.bottom());
             double from = rounded(m_parts[k].arc.top());
@@ -194,102 +285,107 @@ private:
         m_meetings.cuts = {};
     }
 
-    /// Lists arcs by bands of height, so that those which meet a level line are found soon.
-    void indexByHeight()
-    {
-        m_top = m_parts[0].arc.top();
-        double bottom = m_parts[0].arc.bottom(), heights = 0;
-        for (const RisingPart &part : m_parts) {
-            m_top = std::min(m_top, part.arc.top()), bottom = std::max(bottom, part.arc.bottom());
-            heights += part.arc.bottom() - part.arc.top();
-        }
-        // An arc is in as many bands as it is high; all in all in a few for each.
-        const double each = 1 + heights / (bottom - m_top), count = double(m_parts.size());
-        m_bands.resize(std::size_t(std::clamp(8 * count / each, 1.0, count)));
-        m_bandHeight = (bottom - m_top) / double(m_bands.size());
-        for (std::uint32_t k = 0; k < m_parts.size(); ++k) {
-            const RisingArc &arc = m_parts[k].arc;
-            const std::size_t first = bandOf(arc.top()), last = bandOf(arc.bottom());
-            for (std::size_t band = first + 1; band < last; ++band)
-                m_bands[band].addAcross(k, arc);
-            m_bands[first].addWithin(k, arc);
-            if (last != first)
-                m_bands[last].addWithin(k, arc);
-        }
-        for (Band &band : m_bands)
-            band.sort(m_parts);
-    }
-    std::size_t bandOf(double y) const
-    {
-        return std::min(m_bands.size() - 1, std::size_t(std::max(0.0, (y - m_top) / m_bandHeight)));
-    }
+    static double middleOf(const Section &section) { return 0.5 * (section.top + section.bottom); }
 
     /// The winding number left of a section.
-    int windingLeftOf(const Section &section) const
+    int windingLeftOf(const Section &section, Bands &bands) const
     {
         const RisingArc &own = m_parts[section.arc].arc;
-        const double y = 0.5 * (section.top + section.bottom), t = own.parameterAtY(y), x = own.xAtParameter(t);
+        const double y = middleOf(section), t = own.parameterAtY(y), x = own.xAtParameter(t);
         const Point way = own.curve.derivative(t);
         const double near = nearness(way.x, way.y, m_meetings.tolerance);
-        const Band &band = m_bands[bandOf(y)];
+        const Band &band = bands[bands.at(y)];
         int winding = 0;
         const auto add = [&](std::uint32_t k, double right) {
             // Of arcs that lie on each other the first ones count as lying further left, wherever that is asked.
-            const double other = right < x - near ? right : m_parts[k].arc.xAt(y);
-            if (k != section.arc && (other < x - near || (other <= x + near && k < section.arc)))
+            const int side = right < x - near ? -1 : m_chords[k].sideOf(x, y, near);
+            if (k == section.arc || side > 0)
+                return;
+            const double other = side < 0 ? right : m_parts[k].arc.xAt(y);
+            if (side < 0 || other < x - near || (other <= x + near && k < section.arc))
                 winding += m_parts[k].falls ? -1 : 1;
         };
         for (const Band::Within &arc : band.within())
             if (arc.top <= y && y < arc.bottom && arc.left <= x + near)
                 add(arc.arc, arc.right);
-        // Those that end further left are counted already.
-        const auto [from, to] = band.acrossAt(x - 2 * near, x + near);
-        winding += band.windingBefore(from);
-        for (std::size_t i = from; i < to; ++i)
-            add(band.across(i).arc, m_parts[band.across(i).arc].arc.right());
-        spend(m_effort, 4 * (band.within().size() + to - from));
+        std::size_t looks = band.within().size();
+        for (const ArcsAcross &arcs : band.across()) { // Those that end further left are counted already.
+            const auto [close, before] = arcs.at(x - 2 * near, x + near);
+            winding += before;
+            looks += close.size();
+            for (const ArcsAcross::Arc &arc : close)
+                add(arc.arc, arc.right);
+        }
+        spend(m_effort, 4 * looks);
         return winding;
     }
+
+    /// Sections [first, end) that follow each other along a loop.
+    struct Run {
+        double y = 0;              ///< of the middle of the longest of them
+        std::uint32_t longest = 0; ///< its number
+        std::uint32_t first = 0, end = 0;
+    };
 
     /// Along a loop the winding number on either side stays the same until something is met, so it is counted once for
     /// each such run, at its longest section.
     void classify()
     {
+        m_chords.reserve(m_parts.size());
+        for (const RisingPart &part : m_parts)
+            m_chords.emplace_back(part.arc);
+        std::vector<std::uint32_t> order; // of sections along the loops
+        std::vector<Run> runs;
+        order.reserve(m_sections.size());
+        const auto endRun = [&] { addRun(order, runs); };
         for (const auto &[first, end] : m_loops) {
-            std::vector<std::uint32_t> run;
             for (std::uint32_t k = first; k < end; ++k) {
                 if (m_interrupted[k] || m_meetings.touched[k].begin)
-                    classifyRun(run);
+                    endRun();
                 const std::uint32_t from = m_firstSection[k], to = m_firstSection[k + 1];
                 if (from == to) // It is as good as level.
-                    classifyRun(run);
+                    endRun();
                 for (std::uint32_t i = 0; i < to - from; ++i) {
                     if (i > 0)
-                        classifyRun(run);
-                    run.push_back(m_parts[k].falls ? to - 1 - i : from + i);
+                        endRun();
+                    order.push_back(m_parts[k].falls ? to - 1 - i : from + i);
                 }
                 if (m_meetings.touched[k].end)
-                    classifyRun(run);
+                    endRun();
             }
-            classifyRun(run);
+            endRun();
+        }
+        std::sort(runs.begin(), runs.end(), [](const Run &a, const Run &b) { return a.y < b.y; });
+        Bands bands(m_parts, runs.size());
+        for (const Run &run : runs) {
+            if (isSpent())
+                return;
+            classifyRun(run, order, bands);
         }
     }
-    void classifyRun(std::vector<std::uint32_t> &run)
+    /// Adds what comes behind the last run as another one.
+    void addRun(const std::vector<std::uint32_t> &order, std::vector<Run> &runs) const
     {
-        if (run.empty() || isSpent())
+        const std::uint32_t first = runs.empty() ? 0 : runs.back().end, end = std::uint32_t(order.size());
+        if (first == end)
             return;
         const auto height = [this](std::uint32_t i) { return m_sections[i].bottom - m_sections[i].top; };
-        const auto longest = *std::max_element(run.begin(), run.end(),
-                                               [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
-        const int left = windingLeftOf(m_sections[longest]);
+        const std::uint32_t longest =
+            *std::max_element(order.begin() + first, order.end(),
+                              [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
+        runs.push_back({middleOf(m_sections[longest]), longest, first, end});
+    }
+    void classifyRun(const Run &run, const std::vector<std::uint32_t> &order, Bands &bands)
+    {
+        const Section &longest = m_sections[run.longest];
         // On the side that lies left of an arc that rises, which is right of one that falls.
-        const int side = left + (m_parts[m_sections[longest].arc].falls ? -1 : 0);
-        for (const std::uint32_t i : run) {
-            const bool falls = m_parts[m_sections[i].arc].falls;
+        const int side = windingLeftOf(longest, bands) + (m_parts[longest.arc].falls ? -1 : 0);
+        for (std::uint32_t k = run.first; k < run.end; ++k) {
+            Section &section = m_sections[order[k]];
+            const bool falls = m_parts[section.arc].falls;
             const int before = falls ? side + 1 : side, after = falls ? side : side + 1;
-            m_sections[i].enters = int(m_rule.isInside(after)) - int(m_rule.isInside(before));
+            section.enters = int(m_rule.isInside(after)) - int(m_rule.isInside(before));
         }
-        run.clear();
     }
 
     /// Puts neighbouring sections of an arc together where they bound alike.
@@ -343,14 +439,13 @@ private:
     InsideRule m_rule;
     AreaEffort *m_effort;
     std::vector<RisingPart> m_parts;
+    std::vector<ArcChord> m_chords;  ///< of the parts
     std::vector<char> m_interrupted; ///< whether something level lies between a part and the one before it
     bool m_level = false;
     std::vector<LoopRange> m_loops;
     Meetings m_meetings;
     std::vector<Section> m_sections;
     std::vector<std::uint32_t> m_firstSection; ///< of each arc, and the end
-    std::vector<Band> m_bands;
-    double m_top = 0, m_bandHeight = 0;
 };
 
 } // namespace

@@ -113,8 +113,11 @@ public:
             for (std::uint32_t k = first; k < end; ++k)
                 m_next[k] = k + 1 < end ? k + 1 : first;
         m_out.touched.resize(parts.size());
-        for (const RisingPart &part : parts)
+        m_chords.reserve(parts.size());
+        for (const RisingPart &part : parts) {
             m_box = m_box.united(part.arc.box());
+            m_chords.emplace_back(part.arc);
+        }
         const double farthest =
             std::max({std::abs(m_box.left), std::abs(m_box.right), std::abs(m_box.top), std::abs(m_box.bottom)});
         m_out.tolerance = 1e-12 * std::max(m_box.width(), m_box.height()) + 4e-16 * farthest;
@@ -204,7 +207,9 @@ private:
             for (const bool top : {true, false})
                 touch(ofA ? a : b, ofA ? b : a, top);
         const double top = std::max(A.top(), B.top()), bottom = std::min(A.bottom(), B.bottom());
-        if (bottom - top > m_out.tolerance)
+        if (m_chords[a].isApartFrom(m_chords[b], top, bottom))
+            spend(m_effort, 50); // as the search would
+        else if (bottom - top > m_out.tolerance)
             PairFinder(A, B, m_out.tolerance, m_effort).find(top, bottom, [&](double y) {
                 spend(m_effort, 200);
                 m_out.cuts.emplace_back(a, y);
@@ -224,7 +229,9 @@ private:
         const auto meets = [&](Point p) {
             return std::max(std::abs(p.x - end.x), std::abs(p.y - end.y)) <= 4 * tolerance;
         };
-        if (!meets(B.curve.p[0]) && !meets(B.curve.p[3]) && std::abs(B.xAt(end.y) - end.x) > 4 * tolerance)
+        if (!meets(B.curve.p[0]) && !meets(B.curve.p[3]) &&
+            (m_chords[other].sideOf(end.x, std::clamp(end.y, B.top(), B.bottom()), 4 * tolerance) != 0 ||
+             std::abs(B.xAt(end.y) - end.x) > 4 * tolerance))
             return;
         const bool atBegin = top != m_parts[one].falls; // of the way along the loop
         const bool isNeighbour = atBegin ? m_next[other] == one : m_next[one] == other;
@@ -236,6 +243,7 @@ private:
     }
 
     const std::vector<RisingPart> &m_parts;
+    std::vector<ArcChord> m_chords;    ///< of the parts
     std::vector<std::uint32_t> m_next; ///< of each arc the one behind it in its loop
     Rect m_box;
     std::size_t m_looks = 0;

@@ -14,7 +14,38 @@ bool hasExtent(const Cubic &c)
     return c.p[1] != c.p[0] || c.p[2] != c.p[0] || c.p[3] != c.p[0];
 }
 
+/// On which sides of a window a curve passes by, as bits.
+unsigned passedSides(const Cubic &curve, const Rect &window)
+{
+    const Rect box = curve.controlBox();
+    return (box.right < window.left ? 1u : 0u) | (box.left > window.right ? 2u : 0u) |
+           (box.bottom < window.top ? 4u : 0u) | (box.top > window.bottom ? 8u : 0u);
+}
+
 } // namespace
+
+std::vector<std::vector<Cubic>> shortenedAround(const Rect &window, const std::vector<std::vector<Cubic>> &loops)
+{
+    std::vector<std::vector<Cubic>> out;
+    for (const std::vector<Cubic> &loop : loops) {
+        std::vector<Cubic> shortened;
+        for (std::size_t k = 0; k < loop.size();) {
+            std::size_t end = k;
+            for (unsigned sides = ~0u; end < loop.size() && (sides &= passedSides(loop[end], window)) != 0;)
+                ++end;
+            if (end < k + 2) {
+                shortened.push_back(loop[k++]);
+                continue;
+            }
+            if (const Cubic line = straightLine(loop[k].p[0], loop[end - 1].p[3]); hasExtent(line))
+                shortened.push_back(line);
+            k = end;
+        }
+        if (!shortened.empty())
+            out.push_back(std::move(shortened));
+    }
+    return out;
+}
 
 std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke)
 {

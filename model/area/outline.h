@@ -10,6 +10,10 @@ namespace suffuse {
 /// the loops. Loops without any extent are left out.
 std::vector<std::vector<Cubic>> closedOutline(const Stroke &stroke);
 
+/// Loops that run as often around every point of a window as these do: what passes it by on one side is straight there.
+/// So the boundary within the window is the same, and is found soon even where it is intricate elsewhere.
+std::vector<std::vector<Cubic>> shortenedAround(const Rect &window, const std::vector<std::vector<Cubic>> &loops);
+
 /// The box of the control points of the segments that bound a fill, offsets from the origin.
 Rect outlineBox(const Stroke &stroke);
 

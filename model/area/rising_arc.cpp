@@ -69,6 +69,19 @@ double RisingArc::parameterAtX(double x) const
     return parameterOf(p[0].x, p[1].x, p[2].x, p[3].x, x);
 }
 
+ArcChord::ArcChord(const RisingArc &arc)
+    : m_x(arc.curve.p[0].x), m_y(arc.curve.p[0].y), m_bend(std::numeric_limits<double>::infinity())
+{
+    const auto &p = arc.curve.p;
+    const double height = p[3].y - p[0].y, width = arc.right() - arc.left();
+    if (!(height > 1e-6 * width))
+        return;
+    m_slope = (p[3].x - p[0].x) / height;
+    const auto off = [&](Point q) { return std::abs(q.x - m_x - m_slope * (q.y - m_y)); };
+    const double farthest = std::max({std::abs(p[0].x), std::abs(p[3].x), std::abs(p[0].y), std::abs(p[3].y)});
+    m_bend = std::max(off(p[1]), off(p[2])) + 1e-9 * (width + height) + 1e-14 * (1 + std::abs(m_slope)) * farthest;
+}
+
 Cubic between(const Cubic &curve, double from, double to)
 {
     if (from <= 0 && to >= 1)

@@ -3,6 +3,7 @@
 
 #include "model/brush/brush.h"
 #include "model/formats/print_setup.h"
+#include "model/geometry/assistant.h"
 #include "model/geometry/guide.h"
 #include "model/geometry/symmetry.h"
 #include "model/painting/painting.h"
@@ -78,6 +79,7 @@ struct WorkspaceState {
     std::optional<BegunLayer> begun = {}; ///< what was painted on, where it has no stroke yet; layer is 0 then
     std::optional<Symmetry> symmetry = {}; ///< in which one paints; no value: as every painting begins
     std::vector<Guide> guides = {};
+    std::vector<Assistant> assistants = {};
     std::optional<PrintSetup> print = {}; ///< how it was printed last; no value: not yet
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };

@@ -20,7 +20,10 @@ struct PrintSetup {
     static constexpr double leastScale = 1, mostScale = 10'000;
     static constexpr int leastDpi = 36, mostDpi = 4800;
 
-    QString paper = QStringLiteral("A4"); ///< a name of paper as PPD files have it: "A4", "Letter"
+    /// As paper, one as large as the painting's own sheet. It lies as that does.
+    static constexpr char ownSheet[] = "Sheet";
+
+    QString paper = QStringLiteral("A4"); ///< a name of paper as PPD files have it, "A4", "Letter", or `ownSheet`
     bool landscape = false;
     std::array<double, 4> margins = {10, 10, 10, 10}; ///< mm: left, top, right, bottom, of the paper as it lies
     Size size = Size::FitPage;
@@ -32,6 +35,7 @@ struct PrintSetup {
     bool background = true; ///< or else the paint lies on the paper as it is
     int dpi = 0;            ///< dots an inch; 0: as fine as the printer prints
 
+    bool isOnOwnSheet() const { return paper == QLatin1String(ownSheet); }
     friend bool operator==(const PrintSetup &, const PrintSetup &) = default;
 };
 

@@ -2,6 +2,7 @@
 #include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_layout.h"
+#include "model/painting/resolution.h"
 
 #include <QCborArray>
 #include <QCborMap>
@@ -14,11 +15,14 @@ namespace {
 
 QCborMap toCbor(const JournalHead &head, bool modified, qint64 now)
 {
-    return {{QLatin1String("name"), head.name},
-            {QLatin1String("path"), head.path},
-            {QLatin1String("hash"), head.fileHash},
-            {QLatin1String("modified"), modified},
-            {QLatin1String("time"), now}};
+    QCborMap map{{QLatin1String("name"), head.name},
+                 {QLatin1String("path"), head.path},
+                 {QLatin1String("hash"), head.fileHash},
+                 {QLatin1String("modified"), modified},
+                 {QLatin1String("time"), now}};
+    if (isResolution(head.resolution))
+        map.insert(QLatin1String("inch"), head.resolution);
+    return map;
 }
 
 QCborArray toCbor(const OrderDifference &places)

@@ -12,9 +12,10 @@ namespace suffuse {
 
 /// What a journal says about its document, besides the painting.
 struct JournalHead {
-    QString name;        ///< of its file, or of the file that it was recovered from; empty if it has none
-    QString path;        ///< the absolute path of its file; empty if it is untitled
-    QByteArray fileHash; ///< SHA-256 of that file as it was last read or written; empty if unknown
+    QString name;          ///< of its file, or of the file that it was recovered from; empty if it has none
+    QString path;          ///< the absolute path of its file; empty if it is untitled
+    QByteArray fileHash;   ///< SHA-256 of that file as it was last read or written; empty if unknown
+    double resolution = 0; ///< canvas units an inch of its paper; 0: it is not said
     friend bool operator==(const JournalHead &, const JournalHead &) = default;
 };
 

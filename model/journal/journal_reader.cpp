@@ -6,6 +6,7 @@
 #include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_layout.h"
+#include "model/painting/resolution.h"
 #include "model/painting/validate.h"
 
 #include <QCborArray>
@@ -97,6 +98,8 @@ private:
     {
         m_content.head = {map.value(QLatin1String("name")).toString(), map.value(QLatin1String("path")).toString(),
                           map.value(QLatin1String("hash")).toByteArray()};
+        if (const double resolution = map.value(QLatin1String("inch")).toDouble(); isResolution(resolution))
+            m_content.head.resolution = resolution;
         readMoment(map);
     }
     void readMoment(const QCborMap &map)

@@ -8,8 +8,37 @@
 
 namespace suffuse {
 
+namespace {
+
+/// Outlines with fewer curves are searched as a whole, wherever the point is.
+constexpr std::size_t manyCurves = 1000;
+
+/// The boundary as far as it matters at a point.
+AreaBoundary boundaryAround(const Stroke &stroke, Microseconds T, Point point)
+{
+    const std::vector<std::vector<Cubic>> loops = closedOutline(stroke);
+    std::size_t curves = 0;
+    for (const std::vector<Cubic> &loop : loops)
+        curves += loop.size();
+    if (curves < manyCurves)
+        return boundaryOf(loops, stroke.fill->rule);
+    const Rect reach = influenceOfFill(stroke, T), box = outlineBox(stroke);
+    const double far = 1.01 * (reach.width() - box.width()) / 2; // on each side
+    return boundaryOf(shortenedAround(Rect{point.x, point.y, point.x, point.y}.grown(far), loops), stroke.fill->rule);
+}
+
+} // namespace
+
 DensityOfFill::DensityOfFill(const Stroke &stroke, Microseconds T)
-    : m_fill(stroke.fill->spreading(T)), m_boundary(boundaryOf(closedOutline(stroke), stroke.fill->rule))
+    : DensityOfFill(stroke, T, boundaryOf(closedOutline(stroke), stroke.fill->rule))
+{}
+
+DensityOfFill::DensityOfFill(const Stroke &stroke, Microseconds T, Point near)
+    : DensityOfFill(stroke, T, boundaryAround(stroke, T, near))
+{}
+
+DensityOfFill::DensityOfFill(const Stroke &stroke, Microseconds T, AreaBoundary boundary)
+    : m_fill(stroke.fill->spreading(T)), m_boundary(std::move(boundary))
 {
     // M = D⁻¹/4t = (u, v)ᵀ(u, v).
     const Tensor tensor = 4 * m_fill.age(T) * tensorOf(m_fill);
@@ -80,7 +109,8 @@ double fillDensityAt(const Stroke &stroke, Microseconds T, Point point)
 {
     if (!stroke.fill || !(stroke.fill->age(T) > 0) || !influenceOfFill(stroke, T).contains(point))
         return 0;
-    return DensityOfFill(stroke, T)(point - stroke.origin).density;
+    const Point at = point - stroke.origin;
+    return DensityOfFill(stroke, T, at)(at).density;
 }
 
 } // namespace suffuse

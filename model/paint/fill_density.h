@@ -12,6 +12,8 @@ class DensityOfFill {
 public:
     /// The stroke must have a fill that is there.
     DensityOfFill(const Stroke &stroke, Microseconds T);
+    /// The same for points that are near one: the boundary is found there alone.
+    DensityOfFill(const Stroke &stroke, Microseconds T, Point near);
 
     struct Value {
         double density = 0;
@@ -21,6 +23,8 @@ public:
     Value operator()(Point fromOrigin) const;
 
 private:
+    DensityOfFill(const Stroke &stroke, Microseconds T, AreaBoundary boundary);
+
     Fill m_fill;
     double m_a, m_b, m_c; ///< u = a·x + b·y, v = c·y, in which the Gaussian is e^(−u² − v²)
     Rect m_reach;         ///< as influenceOf gives it, from the origin

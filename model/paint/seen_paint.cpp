@@ -95,7 +95,7 @@ SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point)
             sum.add(k, segmentDensity(segment, spread, at, CurveDetail::Rough));
     }
     if (influenceOfFill(stroke, T).contains(point))
-        sum.addFill(DensityOfFill(stroke, T), at);
+        sum.addFill(DensityOfFill(stroke, T, at), at);
     return sum.seen();
 }
 

@@ -79,7 +79,7 @@ int versionNeededBy(const Painting &painting)
             version = std::max(version, versionNeededBy(segment));
     }
     for (const Group &group : painting.groups)
-        version = std::max(version, versionNeededBy(group));
+        version = std::max({version, versionNeededBy(group), group.text ? versionNeededBy(*group.text) : 1});
     for (const Swatch &swatch : painting.swatches)
         version = std::max(version, versionNeededBy(swatch));
     return version;

@@ -317,7 +317,11 @@ struct FieldsOf<Text> {
         field("alignment", &Text::alignment),
         field("vertical", &Text::vertical, {.presence = Presence::Unusual}),
         field("place", &Text::place, {.domain = coordinate}),
-        field("curve", &Text::curve, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual})};
+        field("curve", &Text::curve, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual}),
+        field("follows", &Text::follows,
+              {.presence = Presence::Unusual, .since = 5, .nullable = true, .mayBeSkipped = true}),
+        field("followMap", &Text::followMap,
+              {.domain = coordinate, .presence = Presence::Unusual, .since = 5, .mayBeSkipped = true})};
 };
 
 template <>
@@ -471,7 +475,7 @@ int versionNeededBy(const T &value, bool skips = false)
     });
     return version;
 }
-/// The same for all strokes, segments, groups and swatches of a painting.
+/// The same for all strokes, segments, groups, texts and swatches of a painting.
 int versionNeededBy(const Painting &painting);
 
 /// The description of a segment's number, given as a member; the member must be one of its numbers.

@@ -40,8 +40,9 @@ struct Face {
     QString family;
     float weight = 400;
     bool italic = false;
-    bool isSpaced = false;   ///< whether room is added between letters, so that they make no ligatures
-    bool isVertical = false; ///< whether letters take their forms for vertical lines, where the font has them
+    bool isSpaced = false;     ///< whether room is added between letters, so that they make no ligatures
+    bool isVertical = false;   ///< whether letters take their forms for vertical lines, where the font has them
+    bool hasSmallCaps = false; ///< whether small letters look like capitals that are smaller
     friend bool operator==(const Face &, const Face &) = default;
 };
 

@@ -106,6 +106,17 @@ Visibility::Visibility(const std::vector<Group> &groups) : m_anySolo(std::ranges
     }
 }
 
+void forgetLostCurves(Painting &painting)
+{
+    for (Group &group : painting.groups)
+        if (group.text && group.text->follows != 0 && !painting.find(group.text->follows)) {
+            Text text = *group.text;
+            text.follows = 0;
+            text.followMap = {};
+            group.text = std::move(text);
+        }
+}
+
 PaintingPtr withoutDrafts(PaintingPtr painting)
 {
     if (std::ranges::none_of(painting->groups, &Group::draft))

@@ -140,6 +140,8 @@ private:
     std::unordered_set<GroupId> m_hidden;
 };
 
+/// Texts that follow a stroke which is not there follow none; the curve that they have stays.
+void forgetLostCurves(Painting &painting);
 /// The painting as it is exported: groups that are drafts are hidden, and not solo.
 PaintingPtr withoutDrafts(PaintingPtr painting);
 /// The ids of the strokes from bottom to top.

@@ -3,6 +3,7 @@
 
 #include "model/geometry/affine.h"
 #include "model/geometry/geometry.h"
+#include "model/painting/ids.h"
 
 #include <QString>
 
@@ -35,6 +36,8 @@ struct Text {
     bool vertical = false;    ///< whether lines run from top to bottom, and follow each other from right to left
     Affine place;             ///< from where it is set to where it is
     std::vector<Cubic> curve; ///< the baseline of the first line, canvas units before `place`; empty: a straight one
+    StrokeId follows = 0;     ///< the stroke whose first chain `curve` follows; 0, or one that is not there: none does
+    Affine followMap;         ///< from that chain, as it is on the canvas, to `curve`
 
     friend bool operator==(const Text &, const Text &) = default;
 };

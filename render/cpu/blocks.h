@@ -115,6 +115,7 @@ struct Backdrop {
 /// The picture of a layer, kept to be put again and again: straight RGB and coverage, in steps of 1/65535. It is half
 /// of a backdrop's bytes, since reading them is what putting it costs, and nothing is to be converted.
 struct LayerPicture {
+    std::uint32_t shown = 0; ///< the rows in which it covers anything, a bit each
     /// Rows of the block, each of which has its reds, greens, blues and coverages: it is read from end to end.
     alignas(64) std::uint16_t rows[blockSide][4][blockSide];
 

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <optional>
 
 namespace suffuse {
 
@@ -28,6 +29,15 @@ std::size_t blocksIn(int width, int height)
 PixelRect inPicture(const PixelRect &r, const PixelRect &picture)
 {
     return {r.x - picture.x, r.y - picture.y, r.width, r.height};
+}
+
+/// The least rectangle around two, of which the first may be empty.
+PixelRect around(const PixelRect &a, const PixelRect &b)
+{
+    if (a.isEmpty())
+        return b;
+    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+    return {left, top, std::max(a.x + a.width, b.x + b.width) - left, std::max(a.y + a.height, b.y + b.height) - top};
 }
 
 /// The name of the instruction set as processors have it, which is not Highway's.
@@ -106,8 +116,10 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
                 if (over) {
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
+                    job.plan.onlyMet = job.plan.applyOver && !job.plan.storeUnder && !layers.met.empty();
                     layers.over.resize(blocks);
                 }
+                layers.met.resize(over ? blocks : 0);
             }
             jobs.push_back(job);
         }
@@ -162,7 +174,7 @@ const cpu::StrokePrefix *CpuRenderer::prefixOf(const Job &job, std::uint32_t str
     return &prefix;
 }
 
-void CpuRenderer::paint(const Job &job, Target &target)
+PixelRect CpuRenderer::paint(const Job &job, Target &target)
 {
     const PixelRect tile = m_history.region().tile(job.column, job.row);
     const auto &scene = m_history.scene().strokes();
@@ -179,11 +191,36 @@ void CpuRenderer::paint(const Job &job, Target &target)
             strokes.add(*scene[i], i, prefixOf(job, i, strokes)) && first != FrameHistory::noEdit && i < first;
     thread_local std::vector<float> rgba;
     rgba.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
-    cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data());
+    return store(tile, cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data()), rgba.data(), target);
+}
+
+PixelRect CpuRenderer::store(const PixelRect &tile, const cpu::PaintedBlocks &painted, const float *rgba,
+                             Target &target) const
+{
     const DirtyRegion &region = m_history.region();
-    const PixelRect seen = region.clipped(tile);
-    const std::size_t skipped = std::size_t(seen.y - tile.y) * std::size_t(tile.width) + std::size_t(seen.x - tile.x);
-    target.store(inPicture(seen, region.picture()), rgba.data() + skipped * 4, tile.width);
+    PixelRect box;
+    const auto storeBox = [&](const PixelRect &pixels) {
+        const PixelRect seen = region.clipped(pixels);
+        if (seen.isEmpty())
+            return;
+        const std::size_t skipped =
+            std::size_t(seen.y - tile.y) * std::size_t(tile.width) + std::size_t(seen.x - tile.x);
+        const PixelRect place = inPicture(seen, region.picture());
+        target.store(place, rgba + skipped * 4, tile.width);
+        box = around(box, place);
+    };
+    const std::size_t blocks = blocksIn(tile.width, tile.height);
+    if (std::count(painted.begin(), painted.end(), true) == std::ptrdiff_t(blocks)) {
+        storeBox(tile);
+        return box;
+    }
+    std::size_t index = 0;
+    for (int y = 0; y < tile.height; y += cpu::blockSide)
+        for (int x = 0; x < tile.width; x += cpu::blockSide, ++index)
+            if (painted[index])
+                storeBox({tile.x + x, tile.y + y, std::min(cpu::blockSide, tile.width - x),
+                          std::min(cpu::blockSide, tile.height - y)});
+    return box;
 }
 
 Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
@@ -199,7 +236,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
 
     const PictureGrid whole = PictureGrid::ofDocument(request.view);
     const PictureGrid grid = request.part.isEmpty() ? whole : whole.part(request.part, request.near);
-    const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads);
+    const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads, cancel);
     const DirtyRegion &region = m_history.region();
     m_paper.begin(cpu::kernels(), grid, request.painting->canvas.paper, *paper,
                   std::size_t(region.columns()) * std::size_t(region.rows()));
@@ -220,20 +257,19 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     stats.binningMs = milliseconds(stage);
     stage.restart();
 
-    std::vector<std::uint8_t> done(jobs.size(), 0);
+    std::vector<std::optional<PixelRect>> painted(jobs.size());
     if (!cancelled())
         parallelFor(jobs.size(), m_threads, [&](std::size_t i) {
             if (cancelled())
                 return;
-            paint(jobs[i], target);
-            done[i] = 1;
+            painted[i] = paint(jobs[i], target);
         });
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-        if (done[i]) {
+        if (painted[i]) {
             m_history.drawn(jobs[i].column, jobs[i].row, jobs[i].plan.applyOver);
-            stats.dirty.push_back(
-                inPicture(region.clipped(region.tile(jobs[i].column, jobs[i].row)), region.picture()));
+            if (!painted[i]->isEmpty())
+                stats.dirty.push_back(*painted[i]);
             used.push_back(m_history.tileIndex(jobs[i].column, jobs[i].row));
         } else if (jobs[i].plan.layers) {
             *jobs[i].plan.layers = {}; // The layers were not filled.
@@ -241,8 +277,8 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     }
     m_layers.keep(used);
     stats.tiles = region.columns() * region.rows();
-    stats.tilesEvaluated = int(stats.dirty.size());
-    stats.cancelled = stats.dirty.size() < jobs.size();
+    stats.tilesEvaluated = int(used.size());
+    stats.cancelled = used.size() < jobs.size();
     stats.pixelsEvaluated = pixelsIn(stats.dirty);
     if (step.moved)
         stats.dirty = {{0, 0, grid.picture.width, grid.picture.height}};

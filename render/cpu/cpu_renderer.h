@@ -40,7 +40,10 @@ private:
     void binStrokes(std::vector<Job> &jobs) const;
     /// The sums of what stays of a stroke that changes, for the job's tile; null if nothing stays.
     const cpu::StrokePrefix *prefixOf(const Job &job, std::uint32_t stroke, cpu::TileStrokes &strokes) const;
-    void paint(const Job &job, Target &target);
+    /// Returns a box in the picture around what was painted.
+    PixelRect paint(const Job &job, Target &target);
+    /// Stores what was painted of a tile, and returns a box around it.
+    PixelRect store(const PixelRect &tile, const cpu::PaintedBlocks &painted, const float *rgba, Target &target) const;
 
     const Threads m_threads;
     FrameHistory m_history;

@@ -326,7 +326,7 @@ HWY_INLINE void storeKept(Lanes value, std::uint16_t *to)
 
 bool keepLayer(const Backdrop &layer, LayerPicture &out)
 {
-    bool shows = false;
+    out.shown = 0;
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
         const Pixel<Lanes> pixel = pixelAt(layer, at);
         const Triple<Lanes> rgb = straightColour(pixel);
@@ -334,50 +334,93 @@ bool keepLayer(const Backdrop &layer, LayerPicture &out)
         storeKept(rgb.y, out.at(1, at));
         storeKept(rgb.z, out.at(2, at));
         storeKept(pixel.coverage, out.at(3, at));
-        shows = shows || !hn::AllFalse(tag, less_(Lanes(0), pixel.coverage));
+        out.shown |= std::uint32_t(!hn::AllFalse(tag, less_(Lanes(0), pixel.coverage))) << (at / blockSide);
     }
-    return shows;
+    return out.shown != 0;
+}
+
+void toRgb(Backdrop &backdrop)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Triple<Lanes> rgb =
+            rgbFromRyb(load(backdrop.ryb[0] + at), load(backdrop.ryb[1] + at), load(backdrop.ryb[2] + at));
+        store(rgb.x, backdrop.ryb[0] + at);
+        store(rgb.y, backdrop.ryb[1] + at);
+        store(rgb.z, backdrop.ryb[2] + at);
+    }
+}
+
+/// A channel within 0 and 1, from which it may differ by rounding.
+HWY_INLINE Lanes loadWithin(const float *from)
+{
+    return min_(Lanes(1), max_(Lanes(0), load(from)));
+}
+
+void toRyb(Backdrop &backdrop)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Triple<Lanes> ryb = rybFromRgb(loadWithin(backdrop.ryb[0] + at), loadWithin(backdrop.ryb[1] + at),
+                                             loadWithin(backdrop.ryb[2] + at));
+        store(ryb.x, backdrop.ryb[0] + at);
+        store(ryb.y, backdrop.ryb[1] + at);
+        store(ryb.z, backdrop.ryb[2] + at);
+    }
+}
+
+/// Puts a straight colour on pixels of a block that is RGB.
+HWY_INLINE void putStraightAt(int at, const LayerPut &how, Lanes source, const Triple<Lanes> &colour,
+                              const RgbPixel<Lanes> &ground, Backdrop &below)
+{
+    const RgbPixel<Lanes> out = putStraight(how, source, colour, ground);
+    for (int c = 0; c < 3; ++c)
+        store(out.rgb[c], below.ryb[c] + at);
+    store(out.coverage, below.coverage + at);
+}
+
+HWY_INLINE RgbPixel<Lanes> rgbAt(const Backdrop &from, int at)
+{
+    return {{load(from.ryb[0] + at), load(from.ryb[1] + at), load(from.ryb[2] + at)}, load(from.coverage + at)};
 }
 
 void putKept(const KeptLayer *layers, int count, Backdrop &below)
 {
-    alignas(64) float ground[3][blockSize];
-    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const Triple<Lanes> rgb =
-            rgbFromRyb(load(below.ryb[0] + at), load(below.ryb[1] + at), load(below.ryb[2] + at));
-        store(rgb.x, ground[0] + at);
-        store(rgb.y, ground[1] + at);
-        store(rgb.z, ground[2] + at);
-    }
     for (const KeptLayer *layer = layers; layer != layers + count; ++layer)
         withMode(layer->how.mode, [&](auto mode) {
             LayerPut own = layer->how;
             own.mode = mode;
             const LayerPicture &picture = *layer->picture;
+            const std::uint32_t rows = own.mode == BlendMode::DestinationIn ? ~std::uint32_t(0) : picture.shown;
             for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-                const RgbPixel<Lanes> lower{{load(ground[0] + at), load(ground[1] + at), load(ground[2] + at)},
-                                              load(below.coverage + at)};
+                if (!(rows >> (at / blockSide) & 1))
+                    continue;
                 const Triple<Lanes> colour{loadKept(picture.at(0, at)), loadKept(picture.at(1, at)),
                                            loadKept(picture.at(2, at))};
-                const Lanes source = loadKept(picture.at(3, at)) * Lanes(own.opacity);
-                const RgbPixel<Lanes> out = putStraight(own, source, colour, lower);
-                for (int c = 0; c < 3; ++c)
-                    store(min_(Lanes(1), max_(Lanes(0), out.rgb[c])), ground[c] + at);
-                store(out.coverage, below.coverage + at);
+                putStraightAt(at, own, loadKept(picture.at(3, at)) * Lanes(own.opacity), colour, rgbAt(below, at),
+                              below);
             }
         });
-    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const Triple<Lanes> ryb = rybFromRgb(load(ground[0] + at), load(ground[1] + at), load(ground[2] + at));
-        store(ryb.x, below.ryb[0] + at);
-        store(ryb.y, below.ryb[1] + at);
-        store(ryb.z, below.ryb[2] + at);
-    }
 }
 
-void finish(const Backdrop &backdrop, bool transparent, float *rgba, int stride)
+void putEnded(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below)
+{
+    withMode(how.mode, [&](auto mode) {
+        LayerPut own = how;
+        own.mode = mode;
+        for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+            const RgbPixel<Lanes> shown = rgbAt(layer, at);
+            const Lanes all = shown.coverage * Lanes(own.opacity), source = share ? all * load(share + at) : all;
+            putStraightAt(at, own, source, straightColour(shown), rgbAt(below, at), below);
+        }
+    });
+}
+
+void finish(const Backdrop &backdrop, bool isRgb, bool transparent, float *rgba, int stride)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const auto rgb = rgbFromRyb(load(backdrop.ryb[0] + at), load(backdrop.ryb[1] + at), load(backdrop.ryb[2] + at));
+        Triple<Lanes> rgb{loadWithin(backdrop.ryb[0] + at), loadWithin(backdrop.ryb[1] + at),
+                          loadWithin(backdrop.ryb[2] + at)};
+        if (!isRgb)
+            rgb = rgbFromRyb(load(backdrop.ryb[0] + at), load(backdrop.ryb[1] + at), load(backdrop.ryb[2] + at));
         Lanes c[3] = {rgb.x, rgb.y, rgb.z}, alpha(1);
         if (transparent) {
             alpha = load(backdrop.coverage + at);
@@ -434,7 +477,10 @@ Kernels table()
             apply,
             putLayer,
             keepLayer,
+            toRgb,
+            toRyb,
             putKept,
+            putEnded,
             finish,
             toArgb,
             paper};

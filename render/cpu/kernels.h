@@ -54,11 +54,16 @@ struct Kernels {
     void (*put)(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below);
     /// Makes a picture to keep of what a layer shows. Returns false if it shows nothing at all.
     bool (*keep)(const Backdrop &layer, LayerPicture &out);
-    /// Puts kept layers on what lies below them, one after another. Bits differ from those of `put`.
+    /// Turns the RYB of a block into RGB, in which the next two work, and back. Their bits differ from those of `put`.
+    void (*toRgb)(Backdrop &backdrop);
+    void (*toRyb)(Backdrop &backdrop);
+    /// Puts kept layers on what lies below them, one after another.
     void (*putKept)(const KeptLayer *layers, int count, Backdrop &below);
-    /// Converts to straight RGBA, in rows that are `stride` pixels apart. `transparent` removes the white background
-    /// from the colour.
-    void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);
+    /// Puts a layer that has ended.
+    void (*putEnded)(const LayerPut &how, const float *share, const Backdrop &layer, Backdrop &below);
+    /// Converts to straight RGBA, in rows that are `stride` pixels apart. `isRgb`: whether the block is RGB by now.
+    /// `transparent` removes the white background from the colour.
+    void (*finish)(const Backdrop &backdrop, bool isRgb, bool transparent, float *rgba, int stride);
     /// Converts `count` pixels of RGBA in [0, 1] to 8 bits as 0xAARRGGBB.
     void (*toArgb)(const float *rgba, int count, std::uint32_t *argb);
     /// Computes η of a procedural paper at the samples of a block, whose cells lie on the grid of such cells. The plan

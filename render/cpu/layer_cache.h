@@ -28,6 +28,7 @@ struct TileLayers {
     std::vector<OpenLayers> open;     ///< those around that stroke; empty if the painting has none
     std::size_t below = 0;            ///< how many of the scene's strokes are in it
     std::vector<OverSteps> over;      ///< all that lies above what is edited
+    std::vector<std::uint8_t> met;    ///< whether the edited stroke is in what each block shows; empty if not known
     std::list<StrokePrefix> prefixes; ///< for strokes that grow: what of them has dried, exact
     std::uint64_t used = 0;
 

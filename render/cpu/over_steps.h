@@ -62,6 +62,8 @@ struct OverSteps {
         if (share)
             std::copy_n(share, blockSize, shares.emplace_back().values);
     }
+    /// Whether a layer is put by one of the steps.
+    bool put(int layer) const { return std::ranges::find(steps, layer, &Step::layer) != steps.end(); }
     std::size_t bytes() const
     {
         return maps.size() * sizeof(OverMap) + pictures.size() * sizeof(LayerPicture) + shares.size() * sizeof(Share);

@@ -8,6 +8,7 @@
 #include "render/math/picture.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse::cpu {
 
@@ -111,11 +112,15 @@ public:
             }
             putKept();
             if (step.kind == OverSteps::Kind::Map) {
+                turnTo(false);
                 m_frame.kernels->apply(over.maps[step.place], backdrop());
             } else {
+                turnTo(true);
                 --m_open;
-                putLayer(step.layer, step.isBounded ? over.shares[step.place].values : nullptr,
-                         m_s.backdrops[m_open + 1]);
+                m_frame.kernels->toRgb(backdrop());
+                m_frame.kernels->putEnded(howToPut(step.layer),
+                                          step.isBounded ? over.shares[step.place].values : nullptr,
+                                          m_s.backdrops[m_open + 1], backdrop());
             }
         }
         putKept();
@@ -180,7 +185,8 @@ public:
     void finish(float *rgba, int stride, int columns, int rows)
     {
         const bool whole = columns == blockSide && rows == blockSide;
-        m_frame.kernels->finish(backdrop(), m_frame.transparent, whole ? rgba : m_s.rgba, whole ? stride : blockSide);
+        m_frame.kernels->finish(backdrop(), m_isRgb, m_frame.transparent, whole ? rgba : m_s.rgba,
+                                whole ? stride : blockSide);
         for (int j = 0; j < rows && !whole; ++j)
             std::copy_n(m_s.rgba + j * blockSide * 4, std::size_t(columns) * 4, rgba + std::size_t(j) * stride * 4);
     }
@@ -258,9 +264,18 @@ private:
     /// Puts the layers in hand that are kept as pictures.
     void putKept()
     {
-        if (!m_s.kept.empty())
-            m_frame.kernels->putKept(m_s.kept.data(), int(m_s.kept.size()), backdrop());
+        if (m_s.kept.empty())
+            return;
+        turnTo(true);
+        m_frame.kernels->putKept(m_s.kept.data(), int(m_s.kept.size()), backdrop());
         m_s.kept.clear();
+    }
+    /// Makes RGB of the present backdrop, or RYB again.
+    void turnTo(bool rgb)
+    {
+        if (rgb != m_isRgb)
+            (rgb ? m_frame.kernels->toRgb : m_frame.kernels->toRyb)(backdrop());
+        m_isRgb = rgb;
     }
 
     LayerPut howToPut(int number) const
@@ -528,6 +543,7 @@ private:
     Scratch &m_s;
     LayerWalk m_walk;
     std::size_t m_open = 0; ///< how many layers are open: the place of the backdrop that is mixed into
+    bool m_isRgb = false;   ///< whether that one is RGB
     BlockFill m_fill;       ///< of the stroke in hand
     bool m_isBare = false, m_isLevel = false; ///< whether it has nothing but its fill in the block, and is level within
     OverSteps *m_record = nullptr;            ///< what gets all that follows
@@ -552,16 +568,24 @@ void addStrokes(BlockPainter &painter, TileStrokes &strokes, std::size_t block, 
 
 } // namespace
 
-void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
-               const Edited &edited, float *rgba)
+PaintedBlocks paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
+                        const Edited &edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
     // If the edited stroke misses this tile, all the rest lies above it.
-    const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited.stroke;
-    const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
+    const bool isInTile = plan.below < strokes.size() && &strokes[plan.below] == edited.stroke;
+    const std::size_t above = plan.below + (isInTile ? 1 : 0);
+    PaintedBlocks painted{};
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
+            if (plan.storeOver || plan.applyOver) {
+                const bool isMet = isInTile && strokes.nodesAt(plan.below, index);
+                const bool wasMet = std::exchange(plan.layers->met[index], isMet) != 0;
+                if (plan.onlyMet && !(edited.stroke ? isMet || wasMet : plan.layers->over[index].put(edited.layer)))
+                    continue;
+            }
+            painted[index] = true;
             const TileLayers *layers = plan.haveUnder ? plan.layers : nullptr;
             BlockPainter painter(frame, plan.tile, index, tile.x + x, tile.y + y, layers, *scratch);
             addStrokes(painter, strokes, index, 0, plan.below);
@@ -580,6 +604,7 @@ void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, 
             painter.finish(rgba + (std::size_t(y) * tile.width + x) * 4, tile.width,
                            std::min(blockSide, tile.width - x), std::min(blockSide, tile.height - y));
         }
+    return painted;
 }
 
 } // namespace suffuse::cpu

@@ -34,12 +34,16 @@ struct TilePlan {
     bool storeUnder = false; ///< whether `under` is to be filled before the first edited stroke
     bool storeOver = false;  ///< whether what lies above what is edited is to be stored in steps
     bool applyOver = false;  ///< whether these steps are used instead of the strokes there
+    bool onlyMet = false;    ///< whether only blocks need be painted that what is edited meets, or met before
 };
+
+/// Whether each block of a tile was painted.
+using PaintedBlocks = std::array<bool, gridSide * gridSide>;
 
 /// Evaluates `tile`, whose corner lies on the grid's 8-pixel cells, into `rgba`, in rows of tile.width pixels.
 /// `strokes` are in order, and know their places among those of the composition. With layers, the one at `plan.below`
-/// may be the edited one.
-void paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
-               const Edited &edited, float *rgba);
+/// may be the edited one. Blocks that are not painted have any values.
+PaintedBlocks paintTile(const Frame &frame, const PixelRect &tile, TileStrokes &strokes, const TilePlan &plan,
+                        const Edited &edited, float *rgba);
 
 } // namespace suffuse::cpu

@@ -47,6 +47,8 @@ GradientStroke strokeRecord(const FlatScene &scene, const NodeRules &rules, cons
         return out;
     out.firstNode = rules.segments[out.first].first, out.endNode = rules.segments[out.end - 1].end;
     takeValues(scene.segments[stroke.first], out.constant);
+    for (std::uint32_t k = out.first; k < out.end && !scene.marks.empty(); ++k)
+        out.fades |= scene.marks[k].fade;
     return out;
 }
 
@@ -140,13 +142,14 @@ void CudaGradient::describe(const FlatScene &scene)
         const double reach = rule.radius * s.spread * scene.view.scale;
         out.mostX = mostTiles(reach, m_work.columns), out.mostY = mostTiles(reach, m_work.rows);
         out.lift = !scene.marks.empty() && scene.marks[k].lift;
+        out.fade = !scene.marks.empty() && scene.marks[k].fade;
         entries += double(rule.end - rule.first) * out.mostX * out.mostY;
     }
     m_entryCount = std::uint32_t(std::min(entries, mostEntries));
     m_work.varies = false;
     for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
         m_strokes.data()[i] = strokeRecord(scene, m_rules, scene.strokes[i]);
-        m_work.varies |= !scene.strokes[i].oneColour;
+        m_work.varies |= !scene.strokes[i].oneColour || m_strokes.data()[i].fades;
     }
 }
 

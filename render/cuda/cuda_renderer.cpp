@@ -185,7 +185,8 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
         m_history.forget();
     m_onDevice = picture != nullptr;
 
-    const FrameHistory::Step step = m_history.advance(request, PictureGrid::ofPicture(request.view), target, m_threads);
+    const FrameHistory::Step step =
+        m_history.advance(request, PictureGrid::ofPicture(request.view), target, m_threads, cancel);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);
     stage.restart();

@@ -2,7 +2,7 @@
 
 #include "render/gradient/outline_rule.h"
 #include "render/math/paper.h"
-#include "render/nodes/node_builder.h"
+#include "render/nodes/segment_nodes.h"
 #include "render/scene/paper.h"
 
 namespace suffuse::gradient {
@@ -17,20 +17,20 @@ QString obstacleOf(const Painting &painting, const Stroke &stroke)
             return QStringLiteral("it is in a group that is a layer of its own. Take it out of the group");
     if (stroke.picture)
         return QStringLiteral("it is painted with a picture. Remove the picture");
-    if (stroke.hasFade())
-        return QStringLiteral("some of its segments make its paint paler. Remove them");
-    if (stroke.hasErasure() && stroke.style.kind == StyleKind::Edge)
+    const bool lifts = std::ranges::any_of(stroke.segments, &Segment::lift);
+    if (lifts && stroke.style.kind == StyleKind::Edge)
         return QStringLiteral("paint is taken away from it, and its edge is darkened. Choose another style");
     return {};
 }
 
 QString obstacleOf(const Stroke &stroke, const Segment &segment, Microseconds time, double scale)
 {
-    if (segment.style && *segment.style != stroke.style)
+    if (!segment.takesPaint() && segment.style && *segment.style != stroke.style)
         return QStringLiteral("its style varies along it. Remove the styles of its segments");
     if (!segment.isIsotropic())
         return QStringLiteral("it spreads more along a direction. Set the ratio of its anisotropy to 1");
-    const double finest = segment.lift ? liftFineness : 1, least = finest / scale, spread = segment.spread(time);
+    const double finest = segment.lift ? liftFineness : segment.fade ? fadeFineness : 1;
+    const double least = finest / scale, spread = segment.spread(time);
     if (spread < least && segment.density > 0)
         return QStringLiteral("it has a spread of %1 units, and %2 are the least at this zoom. Zoom in")
             .arg(spread)
@@ -144,7 +144,7 @@ QString addStroke(const Painting &painting, std::size_t place, Microseconds time
         if (QString obstacle = obstacleOf(stroke, segment, time, scene.view.scale); there && !obstacle.isEmpty())
             return obstacle;
         scene.segments.push_back(numbersOf(stroke, segment, time));
-        scene.marks.push_back({stroke.beginsChain(k), segment.lift});
+        scene.marks.push_back({stroke.beginsChain(k), segment.lift, segment.fade});
         out.segments.push_back(k);
     }
     flat.count = std::uint32_t(scene.segments.size()) - flat.first;

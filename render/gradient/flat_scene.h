@@ -23,7 +23,7 @@ struct SegmentNumbers {
 
 /// Holds the numbers of a fill, or the derivatives by them. The outline has no numbers of its own: derivatives by it
 /// are part of those by the segments' control points. It is what the chains of the stroke enclose, each closed by a
-/// straight line, without those that take paint away. It must not cross itself.
+/// straight line, without those that take paint away or make it paler. It must not cross itself.
 struct FillNumbers {
     double density = 0;     ///< ρ
     double spread = 0;      ///< s, units
@@ -35,7 +35,10 @@ struct FillNumbers {
 /// Says what a segment is, which no derivative changes.
 struct SegmentMark {
     bool start = false; ///< whether it begins another chain
-    bool lift = false;  ///< whether it takes paint away; then its colour, opacity and ω have no effect
+    bool lift = false;  ///< whether it takes paint away, or
+    bool fade = false;  ///< makes paint paler; then its colour, opacity and ω have no effect
+
+    bool takesPaint() const { return lift || fade; }
 };
 
 struct FlatStroke {
@@ -53,7 +56,7 @@ struct FlatStroke {
 /// Strokes from bottom to top, and what they are looked at with.
 struct FlatScene {
     std::vector<SegmentNumbers> segments;
-    std::vector<SegmentMark> marks; ///< of each segment; none: each stroke is one chain, and nothing takes paint away
+    std::vector<SegmentMark> marks; ///< of each segment; none: each stroke is one chain, and all of it lays paint
     std::vector<FlatStroke> strokes;
     double background[3] = {0, 0, 0}; ///< R, Y, B of the opaque ground
     /// R, Y, B of the ground of each pixel, row by row, in place of `background`; null: it is the same everywhere.

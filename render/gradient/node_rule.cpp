@@ -36,25 +36,33 @@ Style styleOf(const FlatStroke &stroke)
     return {stroke.kind, {float(stroke.xi[0]), float(stroke.xi[1]), float(stroke.xi[2])}};
 }
 
-/// Returns the budget of a segment, which follows from the segment, its style and the scale alone.
-Budget budgetOf(const SegmentNumbers &s, const panels::Curve &curve, const FlatStroke &stroke, double scale,
-                const Precision &precision)
+/// Which error of a segment's density nobody sees.
+double toleranceOf(const FlatStroke &stroke, bool fades, double peak, double spreadPixels, const Precision &precision)
 {
-    const Style style = styleOf(stroke);
-    const double peak = std::max(s.density / (std::sqrt(std::numbers::pi) * s.spread), 1e-12);
-    const double spreadPixels = s.spread * scale, coarser = precision.unseen / unseenByRenderer;
+    if (fades) // It passes through no style, and is at most one of the opacity.
+        return precision.unseen;
     const bool edge = stroke.kind == StyleKind::Edge;
     const double shown = edge ? math::Edge<double>(stroke.xi[0], stroke.xi[1], stroke.xi[2]).phiE : stroke.xi[0];
-    const double tolerance = coarser * densityTolerance(style, peak, spreadPixels) * std::min(1.0, peak / shown);
+    return precision.unseen / unseenByRenderer * densityTolerance(styleOf(stroke), peak, spreadPixels) *
+           std::min(1.0, peak / shown);
+}
+
+/// Returns the budget of a segment, which follows from the segment, its style and the scale alone.
+Budget budgetOf(const SegmentNumbers &s, bool fades, const panels::Curve &curve, const FlatStroke &stroke, double scale,
+                const Precision &precision)
+{
+    const double peak = std::max(s.density / (std::sqrt(std::numbers::pi) * s.spread), 1e-12);
+    const double spreadPixels = s.spread * scale, coarser = precision.unseen / unseenByRenderer;
+    const double tolerance = toleranceOf(stroke, fades, peak, spreadPixels, precision);
     double epsilon = std::clamp(tolerance / peak, finestBudget, coarsestBudget * coarser);
-    if (edge)
+    if (!fades && stroke.kind == StyleKind::Edge)
         epsilon = std::max(shareOfEdge * epsilon, finestBudget);
     const panels::Vector chord = curve.d - curve.a;
     const double polygon = panels::sumOfSides(curve), straight = panels::size(chord);
     const double folds = std::max(1.0, polygon / (straight + 0.5));
     const double sample = std::max(1.0, 1 / spreadPixels);
     double square = std::log((folds * lossOfLine + 3.5 * sample) / shareOfCut * std::max(1 / epsilon, 1.0));
-    if (stroke.kind == StyleKind::Feathering) // Its tail reaches far if ξ2 is small.
+    if (!fades && stroke.kind == StyleKind::Feathering) // Its tail reaches far if ξ2 is small.
         square = std::max(square, std::log(std::max(peak / stroke.xi[0], 1e-6)) +
                                       std::log(1 / precision.unseen) / stroke.xi[1]);
     return {epsilon * std::min(1.0, straight / 4 + 0.1), std::sqrt(std::clamp(square, 6.0, greatestRadiusSquare))};
@@ -108,7 +116,8 @@ NodeRules chooseNodes(const FlatScene &scene, const Precision &precision, const 
             const bool onlyOutline = stroke.filled && s.density == 0;
             if (s.spread > 0 && !onlyOutline) {
                 const panels::Curve curve = inSpreads(s);
-                const Budget budget = budgetOf(s, curve, stroke, scene.view.scale, precision);
+                const bool fades = !scene.marks.empty() && scene.marks[k].fade;
+                const Budget budget = budgetOf(s, fades, curve, stroke, scene.view.scale, precision);
                 rule.radius = budget.radius;
                 rule.cut = std::exp(-budget.radius * budget.radius);
                 rule.gain = 1 + gainOfCut * rule.cut;

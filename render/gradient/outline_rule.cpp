@@ -71,10 +71,10 @@ void addOutline(const FlatScene &scene, const FlatStroke &stroke, std::vector<Ou
     bool open = false; // a chain that lays paint
     std::uint32_t first = 0, last = 0;
     for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
-        const bool lifts = isMarked(scene, k, &SegmentMark::lift);
-        if (open && (lifts || isMarked(scene, k, &SegmentMark::start)))
+        const bool takes = !scene.marks.empty() && scene.marks[k].takesPaint();
+        if (open && (takes || isMarked(scene, k, &SegmentMark::start)))
             close(first, last), open = false;
-        if (lifts)
+        if (takes)
             continue;
         if (!open)
             first = k, open = true;

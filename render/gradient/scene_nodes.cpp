@@ -88,6 +88,7 @@ void placeSegment(const FlatScene &scene, const NodeRules &rules, const ViewMatr
     const double spread = s.spread * map.scale;
     segment.first = rule.first, segment.end = rule.end;
     segment.lift = isLift(scene, k);
+    segment.fade = !scene.marks.empty() && scene.marks[k].fade;
     segment.inverse = 1 / spread, segment.reach = rule.radius * spread, segment.cut = rule.cut;
     const PixelCurve curve(s, map);
     const double gain = s.density * weightScale(s, rule, map, segment.lift);

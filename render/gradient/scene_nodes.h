@@ -13,7 +13,7 @@ struct PixelNode {
 struct PixelSegment {
     std::uint32_t first = 0, end = 0; ///< its nodes
     std::uint32_t stroke = 0;
-    bool lift = false;
+    bool lift = false, fade = false;
     bool outline = false; ///< whether it is a fill
     double inverse = 0;   ///< 1/s
     double reach = 0;     ///< R s

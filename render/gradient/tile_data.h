@@ -41,6 +41,7 @@ struct Shading {
     Number keep;             ///< 1 − β
     Number constant[values]; ///< what does not vary
     bool varies;             ///< whether values are taken from planes
+    bool fades;              ///< whether less of the opacity is left
     Number leastLaid; ///< of φ⁺ where values are divided by it: outside of a fill errors of its nodes are left
 };
 
@@ -54,6 +55,7 @@ struct alignas(64) StrokeTile {
     Number sums[3][tileSize];
     Number below[3][tileSize];
     Number mean[tileSize], byDensity[tileSize], bySquare[tileSize];
+    Number left[tileSize]; ///< e^(−φ_f), which is left of the opacity; only where a stroke fades
     Shown shown[tileSize]; ///< at the first pixel of each vector
 };
 
@@ -74,6 +76,7 @@ template <class Number>
 struct alignas(64) SumSlopes {
     Number sums[3][tileSize];
     Number planes[gradient::planes][tileSize]; ///< only of what varies
+    Number fading[3][tileSize];                ///< by φ_f, and by its slopes, which are 0; only of what fades
     int firstRow, endRow;                      ///< all others are 0
 };
 
@@ -105,6 +108,8 @@ struct TileKernels {
     /// Adds the nodes of one segment, which lays paint, or of a fill to the planes.
     void (*addValues)(Source source, const TileNode<Number> *nodes, int count, const double *value,
                       ValueTile<Number> &to);
+    /// Sets e^(−φ_f) of nodes that make paint paler.
+    void (*fade)(const TileNode<Number> *nodes, int count, Number *left);
     /// Mixes a stroke, whose sums are there, into the R, Y, B of a tile. `eta` is the paper, or null for 1. With `keep`
     /// it writes down what the way back needs.
     void (*mixStroke)(const Shading<Number> &how, StrokeTile<Number> &stroke, const ValueTile<Number> *varying,

@@ -32,6 +32,15 @@ void addValues(Source source, const TileNode<Number> *nodes, int count, const do
     }
 }
 
+template <class V, class Number>
+void fade(const TileNode<Number> *nodes, int count, Number *left)
+{
+    using P = Pixels<V>;
+    densityOf<V>(Source::Segment, nodes, count, left);
+    for (int at = 0; at < tileSize; at += P::count())
+        P::store(exp2_(V(-log2e) * P::load(left + at)), left + at);
+}
+
 /// Means of values lie in [0, 1] but for rounding, and outside of fills, where errors are all that is left of φ⁺.
 inline constexpr double leastValue = -1e-3, mostValue = 1 + 1e-3;
 
@@ -42,18 +51,20 @@ struct PixelPaint {
     V gamma, plain;  // γ, and h² without it
     V laid, inverse; // φ⁺ and 1/φ⁺ where values vary
     V value[values]; // R, Y, B, opacity, ω
+    V left;          // e^(−φ_f)
 
     SUFFUSE_INLINE PixelPaint() {} // It is compiled for the target, while the implicit one is not.
 };
 
 template <class V, class Number>
-SUFFUSE_INLINE PixelPaint<V> paintAt(const Shading<Number> &how, const Number (*sums)[tileSize],
+SUFFUSE_INLINE PixelPaint<V> paintAt(const Shading<Number> &how, const StrokeTile<Number> &stroke,
                                      const ValueTile<Number> *varying, const Number *eta, int at)
 {
     using P = Pixels<V>;
     PixelPaint<V> p;
-    p.phi = P::load(sums[0] + at);
-    const V gx = P::load(sums[1] + at), gy = P::load(sums[2] + at);
+    p.phi = P::load(stroke.sums[0] + at);
+    p.left = how.fades ? P::load(stroke.left + at) : V(1);
+    const V gx = P::load(stroke.sums[1] + at), gy = P::load(stroke.sums[2] + at);
     p.plain = p.square = mulAdd_(gx, gx, gy * gy);
     p.laid = p.inverse = V(0);
     for (int i = 0; i < values; ++i)
@@ -97,7 +108,7 @@ SUFFUSE_INLINE void mixStrokeBy(const Shading<Number> &how, StrokeTile<Number> &
     const V kept(how.keep);
     withSlopes<V>(how, [&](const auto &style) {
         for (int at = 0; at < tileSize; at += P::count()) {
-            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+            const PixelPaint<V> p = paintAt<V>(how, stroke, varying, eta, at);
             const auto seen = style.seen(p.phi, p.square);
             if (keep)
                 stroke.shown[at] = Shown::Nothing;
@@ -107,7 +118,7 @@ SUFFUSE_INLINE void mixStrokeBy(const Shading<Number> &how, StrokeTile<Number> &
             MeanSlopes<V> m{V(1), V(0), V(0), {V(0), V(0), V(0)}};
             if (!full)
                 m = style.template slopes<false>(p.phi, p.square);
-            const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3];
+            const V mean = select_(seen, clamp01(m.mean), V(0)), w = mean * p.value[3] * p.left;
             for (int c = 0; c < 3; ++c) {
                 const V below = P::load(ryb.v[c] + at);
                 if (keep)
@@ -180,7 +191,7 @@ SUFFUSE_INLINE V pixelsBack(const Shading<Number> &how, const StrokeTile<Number>
                             ConstantSums<V> &constants)
 {
     using P = Pixels<V>;
-    const V mean = P::load(stroke.mean + at), w = mean * p.value[3], keep(how.keep);
+    const V mean = P::load(stroke.mean + at), w = mean * p.value[3] * p.left, keep(how.keep);
     V byValue[values], byW(0);
     for (int c = 0; c < 3; ++c) {
         const MixSlopes<V> slopes =
@@ -189,9 +200,11 @@ SUFFUSE_INLINE V pixelsBack(const Shading<Number> &how, const StrokeTile<Number>
         byValue[c] = slopes.byColour;
         byW = byW + slopes.byOpacity;
     }
-    const V byMean = byW * p.value[3];
+    const V byMean = byW * p.value[3] * p.left;
     V byPhi = byMean * P::load(stroke.byDensity + at), bySquare = byMean * P::load(stroke.bySquare + at);
-    byValue[3] = byW * mean;
+    byValue[3] = byW * mean * p.left;
+    if (how.fades)
+        P::store(V(0) - byW * w, out.fading[0] + at);
     byValue[4] = V(0);
     if (eta) {
         const V byGamma = mulAdd_(byPhi, P::load(stroke.sums[0] + at), V(2) * bySquare * p.gamma * p.plain);
@@ -226,6 +239,8 @@ SUFFUSE_INLINE void clearSlopes(const Shading<Number> &how, int at, SumSlopes<Nu
     if (how.varies)
         for (auto &plane : out.planes)
             P::store(V(0), plane + at);
+    if (how.fades)
+        P::store(V(0), out.fading[0] + at);
 }
 
 template <class V, class Number>
@@ -254,11 +269,11 @@ bool strokeBack(const Shading<Number> &how, const StrokeTile<Number> &stroke, co
                 clearSlopes<V>(how, at, out);
                 continue;
             }
-            const PixelPaint<V> p = paintAt<V>(how, stroke.sums, varying, eta, at);
+            const PixelPaint<V> p = paintAt<V>(how, stroke, varying, eta, at);
             const V byMean = pixelsBack(how, stroke, p, eta, at, by, out, sums);
             if (stroke.shown[at] == Shown::Something && xi)
                 addXi(how, p, byMean, sums);
-            any |= how.varies || stroke.shown[at] == Shown::Something;
+            any |= how.varies || how.fades || stroke.shown[at] == Shown::Something;
         }
         if (any)
             out.firstRow = std::min(out.firstRow, row), out.endRow = row + 1;
@@ -300,8 +315,9 @@ template <class V>
 TileKernels<typename Pixels<V>::Number> kernelsOf()
 {
     using Number = typename Pixels<V>::Number;
-    return {Pixels<V>::findNodes, accumulate<V, Number>, addValues<V, Number>, mixStroke<V, Number>, toRgb<V, Number>,
-            rgbBack<V, Number>,   strokeBack<V, Number>, nodesBack<V, Number>, valuesBack<V, Number>};
+    return {Pixels<V>::findNodes, accumulate<V, Number>, addValues<V, Number>, fade<V, Number>,
+            mixStroke<V, Number>, toRgb<V, Number>,      rgbBack<V, Number>,   strokeBack<V, Number>,
+            nodesBack<V, Number>, valuesBack<V, Number>};
 }
 
 } // namespace suffuse::SUFFUSE_MATH

@@ -61,15 +61,18 @@ void StrokeFinder::prepare(const FlatScene &scene, const SceneNodes &nodes, int 
         row.clear();
     for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
         const FlatStroke &stroke = scene.strokes[i];
-        Reach reach{std::uint32_t(i), 1e30f, 1e30f, -1e30f, -1e30f, levelOf(stroke)};
+        Reach reach{std::uint32_t(i), 1e30f, 1e30f, -1e30f, -1e30f, levelOf(stroke), false};
         const auto include = [&](const PixelSegment &s) {
             const auto by = float(s.reach) + 1e-3f;
             reach.left = std::min(reach.left, s.left - by), reach.right = std::max(reach.right, s.right + by);
             reach.top = std::min(reach.top, s.top - by), reach.bottom = std::max(reach.bottom, s.bottom + by);
         };
         for (std::size_t k = stroke.first; k < stroke.first + stroke.count; ++k)
-            if (nodes.segments[k].first < nodes.segments[k].end)
-                include(nodes.segments[k]);
+            if (const PixelSegment &s = nodes.segments[k]; s.first < s.end) {
+                reach.fades |= s.fade;
+                if (!s.fade)
+                    include(s);
+            }
         if (stroke.filled)
             include(nodes.segments[nodes.fills[i]]);
         if (!(reach.right >= 0 && reach.left <= float(columns * tileSide)))
@@ -139,20 +142,25 @@ void StrokeFinder::addStroke(const Reach &reach, float x, float y, TileList &out
     const FlatStroke &stroke = m_scene->strokes[reach.stroke];
     const auto firstRun = std::uint32_t(out.runs.size());
     const std::size_t firstNode = out.nodes.size();
+    for (std::uint32_t k = stroke.first; reach.fades && k < stroke.first + stroke.count; ++k)
+        if (m_nodes->segments[k].fade)
+            addRun(k, x, y, out);
+    const auto firstPaint = std::uint32_t(out.runs.size());
     TileBounds bounds; // as long as it is not sure that the stroke shows there
     for (std::uint32_t k = stroke.first; k < stroke.first + stroke.count; ++k) {
         const std::size_t before = out.nodes.size();
-        if (addRun(k, x, y, out) && bounds.density <= reach.level)
+        if (!m_nodes->segments[k].fade && addRun(k, x, y, out) && bounds.density <= reach.level)
             bounds.add(*m_nodes, m_nodes->segments[k], std::span(out.nodes).subspan(before), x, y);
     }
     const bool fillSeen = stroke.filled && addFill(m_nodes->fills[reach.stroke], x, y, out);
-    if (!fillSeen && vanishes(stroke.kind, reach.level, bounds.density * 1.001f, 0.5f * bounds.slope * 1.001f)) {
+    const bool isBare = out.runs.size() == firstPaint;
+    if (isBare ||
+        (!fillSeen && vanishes(stroke.kind, reach.level, bounds.density * 1.001f, 0.5f * bounds.slope * 1.001f))) {
         out.runs.resize(firstRun);
         out.nodes.resize(firstNode);
         return;
     }
-    if (out.runs.size() > firstRun)
-        out.strokes.push_back({reach.stroke, firstRun, std::uint32_t(out.runs.size())});
+    out.strokes.push_back({reach.stroke, firstRun, firstPaint, std::uint32_t(out.runs.size())});
 }
 
 } // namespace suffuse::gradient

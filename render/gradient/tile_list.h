@@ -12,9 +12,10 @@ struct TileRun {
     std::uint32_t segment, first, end;
 };
 
-/// A stroke that can be seen in a tile, with its runs there. That of its fill is the last one.
+/// A stroke that can be seen in a tile, with its runs there: those that make it paler, from firstRun on, then those of
+/// its paint, from firstPaint on. That of its fill is the last one.
 struct TileStroke {
-    std::uint32_t stroke, firstRun, endRun;
+    std::uint32_t stroke, firstRun, firstPaint, endRun;
 };
 
 /// What can be seen in a tile, in the order of the strokes. It keeps its memory.
@@ -40,6 +41,7 @@ private:
         std::uint32_t stroke;
         float left, top, right, bottom; ///< pixels
         float level;                    ///< its style shows nothing below this density
+        bool fades;                     ///< whether some of its segments make it paler
     };
     void addStroke(const Reach &reach, float x, float y, TileList &out) const;
     /// Adds the nodes of a segment or fill that reach a tile. Returns whether there are any.

@@ -33,13 +33,19 @@ bool isLift(const FlatScene &scene, const TileRun &run)
     return !scene.marks.empty() && run.segment < scene.segments.size() && scene.marks[run.segment].lift;
 }
 
-/// Calls use(source, first, count) for the nodes that are like a segment's, and for those on an outline.
+/// How many nodes make a stroke paler, from the first of its runs on.
+int fadingNodes(const TileList &list, const TileStroke &stroke)
+{
+    return int(list.runs[stroke.firstPaint].first - list.runs[stroke.firstRun].first);
+}
+
+/// Calls use(source, first, count) for the nodes of its paint that are like a segment's, and for those on an outline.
 template <class Use>
 void forBothSources(const SceneNodes &nodes, const TileList &list, const TileStroke &stroke, Use use)
 {
     const TileRun &last = list.runs[stroke.endRun - 1];
     const bool filled = sourceOf(nodes, last) == Source::Outline;
-    const std::uint32_t first = list.runs[stroke.firstRun].first, end = filled ? last.first : last.end;
+    const std::uint32_t first = list.runs[stroke.firstPaint].first, end = filled ? last.first : last.end;
     if (first < end)
         use(Source::Segment, first, int(end - first));
     if (filled)
@@ -72,8 +78,8 @@ void TileWork<Number>::begin(const FlatScene &scene, const TilePlace &place)
     for (int c = 0; c < 3; ++c)
         std::fill_n(m_ryb.v[c], tileSize, Number(scene.background[c]));
     for (int y = 0; scene.ground && y < place.height; ++y) {
-        const float *from = scene.ground->data() + 3 * (std::size_t(place.y + y) * std::size_t(scene.view.width) +
-                                                        std::size_t(place.x));
+        const float *from = scene.ground->data() +
+                            3 * (std::size_t(place.y + y) * std::size_t(scene.view.width) + std::size_t(place.x));
         for (int x = 0; x < place.width; ++x)
             for (int c = 0; c < 3; ++c)
                 m_ryb.v[c][y * tileSide + x] = Number(*from++);
@@ -113,10 +119,15 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
             m_kernels.accumulate(source, m_nodes.data() + first, count, add, tile.sums);
             add = true;
         });
+        Shading<Number> how = shadingOf(scene, stroke);
+        if (const int fading = fadingNodes(list, tileStroke); fading > 0) {
+            how.fades = true;
+            m_kernels.fade(m_nodes.data() + list.runs[tileStroke.firstRun].first, fading, tile.left);
+        }
         if (!stroke.oneColour) {
             varying = &m_values[keep ? i : 0];
             std::memset(varying, 0, sizeof *varying);
-            for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
+            for (std::uint32_t r = tileStroke.firstPaint; r < tileStroke.endRun; ++r) {
                 const TileRun &run = list.runs[r];
                 double value[values];
                 valuesOf(scene, stroke, run, value);
@@ -125,7 +136,7 @@ void TileWork<Number>::draw(const FlatScene &scene, const SceneNodes &nodes, con
                                         value, *varying);
             }
         }
-        m_kernels.mixStroke(shadingOf(scene, stroke), tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
+        m_kernels.mixStroke(how, tile, varying, m_paper ? m_eta : nullptr, keep, m_ryb);
     }
 }
 
@@ -155,16 +166,22 @@ void TileWork<Number>::strokeBack(const FlatScene &scene, const SceneNodes &node
     const TileStroke &tileStroke = list.strokes[at];
     const FlatStroke &stroke = scene.strokes[tileStroke.stroke];
     const ValueTile<Number> *varying = stroke.oneColour ? nullptr : &m_values[at];
-    if (!m_kernels.strokeBack(shadingOf(scene, stroke), m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi,
-                              m_by, m_bySums, out.strokes[at]))
+    const int fading = fadingNodes(list, tileStroke);
+    Shading<Number> how = shadingOf(scene, stroke);
+    how.fades = fading > 0;
+    if (!m_kernels.strokeBack(how, m_strokes[at], varying, m_paper ? m_eta : nullptr, scene.byXi, m_by, m_bySums,
+                              out.strokes[at]))
         return;
+    if (const std::uint32_t first = list.runs[tileStroke.firstRun].first; fading > 0)
+        m_kernels.nodesBack(Source::Segment, m_nodes.data() + first, fading, m_bySums.fading, m_bySums.firstRow,
+                            m_bySums.endRow, out.nodes.data() + first);
     const auto back = [&](Source source, std::uint32_t first, int count) {
         m_kernels.nodesBack(source, m_nodes.data() + first, count, m_bySums.sums, m_bySums.firstRow, m_bySums.endRow,
                             out.nodes.data() + first);
     };
     if (!varying)
         return forBothSources(nodes, list, tileStroke, back);
-    for (std::uint32_t r = tileStroke.firstRun; r < tileStroke.endRun; ++r) {
+    for (std::uint32_t r = tileStroke.firstPaint; r < tileStroke.endRun; ++r) {
         const TileRun &run = list.runs[r];
         const int count = int(run.end - run.first);
         if (isLift(scene, run)) {

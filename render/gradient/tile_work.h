@@ -45,7 +45,7 @@ private:
     bool m_paper = false;
     alignas(64) Number m_eta[tileSize];
     ColourTile<Number> m_ryb, m_rgb, m_by;
-    SumSlopes<Number> m_bySums;
+    SumSlopes<Number> m_bySums{};
     std::vector<TileNode<Number>> m_nodes;
     std::vector<StrokeTile<Number>> m_strokes;
     std::vector<ValueTile<Number>> m_values; ///< of strokes whose values vary

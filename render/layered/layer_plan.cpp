@@ -1,7 +1,10 @@
 #include "render/layered/layer_plan.h"
 
+#include "model/painting/text_title.h"
+
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace suffuse {
@@ -28,7 +31,7 @@ public:
         });
         if (isClipped) { // It masks by what lies just below it, which only the whole painting has in place.
             m_upTo.strokes.clear();
-            addPaint(QCoreApplication::translate("LayeredFile", "Strokes"), 0, count);
+            addPaint(QCoreApplication::translate("LayeredFile", "Strokes"), false, 0, count);
             return;
         }
         m_masking = m_upTo.strokes;
@@ -77,32 +80,52 @@ private:
             addStrokes(from, to); // What follows may be clipped to them.
         else
             addPaint(single ? m_painting.strokes[from]->name : QCoreApplication::translate("LayeredFile", "Strokes"),
-                     from, to);
+                     areLocked(from, to), from, to);
     }
 
     void addGroup(const Group &group, std::size_t from, std::size_t to)
     {
-        const QString name =
-            group.name.isEmpty() ? QCoreApplication::translate("LayeredFile", "Group %1").arg(group.id) : group.name;
         if (group.mask && group.parent == 0)
             return; // It is in all of them.
         if (!isSeen(from, to)) {
             addStrokes(from, to); // They show nothing, but what follows may be clipped to them.
-            PlannedLayer layer{PlannedLayer::Kind::Group, name, false, group.opacity, group.blend, {}, {}};
+            PlannedLayer layer = put(group);
+            layer.visible = false;
             layer.alone = alone(group, from, to);
             return add(std::move(layer));
         }
         if (group.isIsolated() && !group.clips && !group.mask && !m_isMasked && isPutAlike(group.blend)) {
             addStrokes(from, to);
-            PlannedLayer layer{PlannedLayer::Kind::Group, name, true, group.opacity, group.blend, {}, {}};
+            PlannedLayer layer = put(group);
             layer.alone = alone(group, from, to);
             return add(std::move(layer));
         }
         if (group.isIsolated() || group.wash || group.text || !isFolder(group, from, to))
-            return addPaint(name, from, to);
-        m_layers.push_back({PlannedLayer::Kind::BeginFolder, name});
+            return addPaint(nameOf(group), group.locked, from, to);
+        m_layers.push_back({.kind = PlannedLayer::Kind::BeginFolder, .name = nameOf(group), .locked = group.locked});
         walk(from, to, group.id);
         m_layers.push_back({PlannedLayer::Kind::EndFolder});
+    }
+
+    static QString nameOf(const Group &group)
+    {
+        const QString name = group.name.isEmpty() && group.text ? titleOf(*group.text) : group.name;
+        return name.isEmpty() ? QCoreApplication::translate("LayeredFile", "Group %1").arg(group.id) : name;
+    }
+    /// A group that is put as a whole.
+    static PlannedLayer put(const Group &group)
+    {
+        return {.kind = PlannedLayer::Kind::Group,
+                .name = nameOf(group),
+                .locked = group.locked,
+                .opacity = group.opacity,
+                .blend = group.blend};
+    }
+    bool areLocked(std::size_t from, std::size_t to) const
+    {
+        return std::all_of(m_painting.strokes.begin() + std::ptrdiff_t(from),
+                           m_painting.strokes.begin() + std::ptrdiff_t(to),
+                           [](const StrokePtr &stroke) { return stroke->locked; });
     }
 
     /// Whether a group has others within it, of which none masks it.
@@ -144,10 +167,10 @@ private:
         return out;
     }
 
-    void addPaint(const QString &name, std::size_t from, std::size_t to)
+    void addPaint(const QString &name, bool locked, std::size_t from, std::size_t to)
     {
         addStrokes(from, to);
-        add({PlannedLayer::Kind::Paint, name});
+        add({.kind = PlannedLayer::Kind::Paint, .name = name, .locked = locked});
     }
     void addStrokes(std::size_t from, std::size_t to)
     {

@@ -18,6 +18,7 @@ struct PlannedLayer {
     Kind kind = Kind::Paint;
     QString name{};
     bool visible = true;                 ///< of a layer that is not, only `alone` is there
+    bool locked = false;                 ///< whether its group is, or all of its strokes are
     float opacity = 1;                   ///< of a Group
     BlendMode blend = BlendMode::Normal; ///< of a Group
     PaintingPtr upTo{};                  ///< the painting up to this layer, with it

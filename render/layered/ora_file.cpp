@@ -52,7 +52,7 @@ public:
 
     Result<void> beginFolder(const PlannedLayer &folder) override
     {
-        m_open.push_back({folder.name, {}});
+        m_open.push_back({folder.name, folder.locked, {}});
         return {};
     }
     Result<void> endFolder() override
@@ -63,6 +63,7 @@ public:
             return {};
         Entry entry;
         entry.name = folder.name;
+        entry.locked = folder.locked;
         entry.within = std::move(folder.entries);
         m_open.back().entries.push_back(std::move(entry));
         return {};
@@ -76,6 +77,7 @@ public:
         entry.opacity = layer.opacity;
         entry.blend = layer.blend;
         entry.visible = layer.visible;
+        entry.locked = layer.locked;
         const QString source = entry.source;
         m_open.back().entries.push_back(std::move(entry));
         const Result<QByteArray> png = encode(pixels, source);
@@ -109,11 +111,12 @@ private:
         PixelRect place{0, 0, 0, 0};
         float opacity = 1;
         BlendMode blend = BlendMode::Normal;
-        bool visible = true;
+        bool visible = true, locked = false;
         std::vector<Entry> within; ///< of a folder
     };
     struct Folder {
         QString name;
+        bool locked = false;
         std::vector<Entry> entries;
     };
 
@@ -160,6 +163,8 @@ private:
             xml.writeAttribute(QStringLiteral("name"), entry->name);
             xml.writeAttribute(QStringLiteral("visibility"),
                                entry->visible ? QStringLiteral("visible") : QStringLiteral("hidden"));
+            if (entry->locked)
+                xml.writeAttribute(QStringLiteral("edit-locked"), QStringLiteral("true"));
             xml.writeAttribute(QStringLiteral("opacity"), QString::number(double(entry->opacity)));
             xml.writeAttribute(QStringLiteral("composite-op"), ora::compositeOp(entry->blend));
             if (isFolder) {

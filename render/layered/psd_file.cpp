@@ -151,13 +151,15 @@ public:
 
     Result<void> beginFolder(const PlannedLayer &folder) override
     {
-        m_folders.push_back(folder.name);
-        addRecord(QStringLiteral("</Layer group>"), {0, 0, 0, 0}, Divider::End, "norm", 1, true);
+        m_folders.push_back(folder);
+        PlannedLayer end;
+        end.name = QStringLiteral("</Layer group>");
+        addRecord(end, {0, 0, 0, 0}, Divider::End, "norm");
         return {};
     }
     Result<void> endFolder() override
     {
-        addRecord(m_folders.back(), {0, 0, 0, 0}, Divider::Open, "pass", 1, true);
+        addRecord(m_folders.back(), {0, 0, 0, 0}, Divider::Open, "pass");
         m_folders.pop_back();
         return {};
     }
@@ -172,7 +174,7 @@ public:
             m_pixels.add(channel.rows);
             sizes[std::size_t(i)] = quint32(2 + channel.size());
         }
-        addRecord(layer.name, pixels.rect, Divider::None, keyOf(layer.blend), layer.opacity, layer.visible, sizes);
+        addRecord(layer, pixels.rect, Divider::None, keyOf(layer.blend), sizes);
         return m_pixels.at() > mostFileBytes ? tooLarge() : state(m_pixelFile);
     }
     Result<void> picture(const LevelPixels &pixels) override
@@ -231,18 +233,19 @@ public:
 private:
     enum class Divider : quint32 { None = 0, Open = 1, End = 3 };
 
-    void addRecord(const QString &name, const PixelRect &rect, Divider divider, const char *mode, float opacity,
-                   bool visible, const std::array<quint32, 4> &sizes = {2, 2, 2, 2})
+    void addRecord(const PlannedLayer &layer, const PixelRect &rect, Divider divider, const char *mode,
+                   const std::array<quint32, 4> &sizes = {2, 2, 2, 2})
     {
+        const QString &name = layer.name;
         ++m_count;
         m_records << qint32(rect.y) << qint32(rect.x) << qint32(rect.y + rect.height) << qint32(rect.x + rect.width);
         m_records << quint16(4);
         for (int i = 0; i < 4; ++i)
             m_records << qint16(i - 1) << sizes[std::size_t(i)];
         constexpr quint8 hidden = 2, hasAppearance = 8, noAppearance = 16;
-        const quint8 flags = quint8((visible ? 0 : hidden) | hasAppearance);
+        const quint8 flags = quint8((layer.visible ? 0 : hidden) | hasAppearance);
         m_records.letters("8BIM").letters(mode)
-            << quint8(std::lround(opacity * 255)) << quint8(0)
+            << quint8(std::lround(layer.opacity * 255)) << quint8(0)
             << quint8(divider == Divider::None ? flags : flags | noAppearance) << quint8(0);
         Numbers extra;
         extra << quint32(0) << quint32(0); // no mask, no ranges
@@ -255,6 +258,10 @@ private:
         for (const QChar letter : name)
             unicode << quint16(letter.unicode());
         addBlock(extra, "luni", unicode.bytes());
+        if (layer.locked) {
+            constexpr quint32 all = 0x80000000;
+            addBlock(extra, "lspf", Numbers().operator<<(all).bytes());
+        }
         if (divider != Divider::None) {
             Numbers section;
             section << quint32(divider);
@@ -289,7 +296,7 @@ private:
     QString m_name;
     Numbers m_records; ///< of the layers so far, the lowest one first
     int m_count = 0;
-    std::vector<QString> m_folders; ///< that have begun
+    std::vector<PlannedLayer> m_folders; ///< that have begun
 };
 
 } // namespace

@@ -56,14 +56,14 @@ SUFFUSE_INLINE V blendedChannel(BlendMode mode, V below, V above)
     case BlendMode::Lighten:
         return max_(below, above);
     case BlendMode::ColourDodge:
-        return min_(one, below / max_(one - above, least));
+        return min_(one, below * reciprocal_(max_(one - above, least)));
     case BlendMode::ColourBurn:
-        return one - min_(one, (one - below) / max_(above, least));
+        return one - min_(one, (one - below) * reciprocal_(max_(above, least)));
     case BlendMode::HardLight:
         return hardLight(below, above);
     case BlendMode::SoftLight: {
-        const V light =
-            select_(less_(V(0.25), below), sqrt_(below), below * mulAdd_(below, mulAdd_(V(16), below, V(-12)), V(4)));
+        const V quarter(0.25), dark = below * mulAdd_(below, mulAdd_(V(16), below, V(-12)), V(4));
+        const V light = select_(less_(quarter, below), quickRoot_(max_(quarter, below)), dark);
         const V slope = mulAdd_(V(2), above, V(-1));
         return mulAdd_(slope, select_(less_(V(0), slope), light - below, below - below * below), below);
     }
@@ -79,7 +79,7 @@ SUFFUSE_INLINE V blendedChannel(BlendMode mode, V below, V above)
 template <class V>
 SUFFUSE_INLINE V luminosity(const Triple<V> &c)
 {
-    return V(0.3) * c.x + V(0.59) * c.y + V(0.11) * c.z;
+    return mulAdd_(V(0.3), c.x, mulAdd_(V(0.59), c.y, V(0.11) * c.z));
 }
 
 template <class V>
@@ -95,9 +95,10 @@ SUFFUSE_INLINE Triple<V> withLuminosity(const Triple<V> &colour, V wanted)
     const V shift = wanted - luminosity(colour);
     const Triple<V> c{colour.x + shift, colour.y + shift, colour.z + shift};
     const V least = min_(c.x, min_(c.y, c.z)), most = max_(c.x, max_(c.y, c.z)), tiny(1e-30), one(1);
-    const V darker = select_(less_(least, V(0)), wanted / max_(wanted - least, tiny), one);
-    const V lighter = select_(less_(one, most), (one - wanted) / max_(most - wanted, tiny), one);
-    const V keep = min_(darker, lighter);
+    // No colour is out of gamut on both sides, since its channels are at most 1 apart.
+    const auto dark = less_(least, V(0)), bright = less_(one, most);
+    const V room = select_(dark, wanted, one - wanted), reach = select_(dark, wanted - least, most - wanted);
+    const V keep = select_(or_(dark, bright), min_(one, room * reciprocal_(max_(reach, tiny))), one);
     return {mulAdd_(c.x - wanted, keep, wanted), mulAdd_(c.y - wanted, keep, wanted),
             mulAdd_(c.z - wanted, keep, wanted)};
 }
@@ -107,7 +108,7 @@ template <class V>
 SUFFUSE_INLINE Triple<V> withSaturation(const Triple<V> &c, V wanted)
 {
     const V least = min_(c.x, min_(c.y, c.z)), range = saturation(c);
-    const V scale = select_(less_(V(0), range), wanted / max_(range, V(1e-30)), V(0));
+    const V scale = select_(less_(V(0), range), wanted * reciprocal_(max_(range, V(1e-30))), V(0));
     return {(c.x - least) * scale, (c.y - least) * scale, (c.z - least) * scale};
 }
 
@@ -215,9 +216,9 @@ SUFFUSE_INLINE RgbPixel<V> putStraight(const LayerPut &how, V source, const Trip
         return out;
     }
     const Triple<V> blended = blendedColour(how.mode, cb, cs);
-    const V mixed[3] = {blended.x, blended.y, blended.z}, share = how.opaque ? one : ground;
+    const V mixed[3] = {blended.x, blended.y, blended.z};
     for (int c = 0; c < 3; ++c) {
-        const V target = mulAdd_(share, mixed[c] - s[c], s[c]);
+        const V target = how.opaque ? mixed[c] : mulAdd_(ground, mixed[c] - s[c], s[c]);
         out.rgb[c] = mulAdd_(source, target - out.rgb[c], out.rgb[c]);
     }
     return out;
@@ -225,12 +226,17 @@ SUFFUSE_INLINE RgbPixel<V> putStraight(const LayerPut &how, V source, const Trip
 
 /// The straight colour of a layer's pixel.
 template <class V>
+SUFFUSE_INLINE Triple<V> straightColour(const RgbPixel<V> &layer)
+{
+    const V inverse = reciprocal_(max_(layer.coverage, V(1e-30)));
+    return {straight(layer.rgb[0], layer.coverage, inverse), straight(layer.rgb[1], layer.coverage, inverse),
+            straight(layer.rgb[2], layer.coverage, inverse)};
+}
+template <class V>
 SUFFUSE_INLINE Triple<V> straightColour(const Pixel<V> &layer)
 {
     const Triple<V> over = rgbFromRyb(layer.red, layer.yellow, layer.blue);
-    const V inverse = reciprocal_(max_(layer.coverage, V(1e-30)));
-    return {straight(over.x, layer.coverage, inverse), straight(over.y, layer.coverage, inverse),
-            straight(over.z, layer.coverage, inverse)};
+    return straightColour(RgbPixel<V>{{over.x, over.y, over.z}, layer.coverage});
 }
 
 /// What a layer shows at a pixel, put on what lies below with an opacity: the layer's, times what its bounds let

@@ -139,6 +139,18 @@ HWY_INLINE Lanes reciprocal_(Lanes a)
     return Lanes(hn::MulAdd(r, hn::NegMulAdd(a.v, r, one), r));
 }
 
+/// √x for normal x, relative error below 2^−21, in a fourth of a root's cycles and the same on every processor.
+HWY_INLINE Lanes quickRoot_(Lanes a)
+{
+    const Tag d;
+    const hn::RebindToSigned<Tag> di;
+    Vec r = hn::BitCast(d, hn::Sub(hn::Set(di, 0x5f375a86), hn::ShiftRight<1>(hn::BitCast(di, a.v)))); // of 1/√x, 4 %
+    const Vec e = hn::NegMulAdd(hn::Mul(a.v, r), r, hn::Set(d, 1.0f));
+    r = hn::MulAdd(hn::Mul(r, e), hn::MulAdd(e, hn::Set(d, 0.375f), hn::Set(d, 0.5f)), r);
+    const Vec root = hn::Mul(a.v, r);
+    return Lanes(hn::MulAdd(hn::NegMulAdd(root, root, a.v), hn::Mul(hn::Set(d, 0.5f), r), root));
+}
+
 /// ½erfc(−u) with a relative error of 4e-7 for u < 0, by a fit in powers of 1/(1 + 0.36 |u|). `gaussian` is e^(−u²).
 HWY_INLINE Lanes halfErfc(Lanes u, Lanes gaussian)
 {

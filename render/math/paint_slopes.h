@@ -23,10 +23,11 @@ struct PaintSample {
     V gamma, plain; ///< γ, and h² without it
     V inverse;      ///< 1/φ⁺ where values vary
     V value[paintValues];
+    V left; ///< e^(−φ_f), which is left of the opacity
 
     SUFFUSE_INLINE PaintSample() {} // The implicit one would not be compiled for the target.
     /// From φ, −½∂φ/∂x, −½∂φ/∂y. `value` must be there before `takePaper`.
-    SUFFUSE_INLINE PaintSample(V density, V gx, V gy) : phi(density), gamma(V(1)), inverse(V(0))
+    SUFFUSE_INLINE PaintSample(V density, V gx, V gy) : phi(density), gamma(V(1)), inverse(V(0)), left(V(1))
     {
         plain = square = mulAdd_(gx, gx, gy * gy);
     }
@@ -45,6 +46,7 @@ struct PaintSample {
 template <class V>
 struct PaintSlopes {
     V byPhi, bySquare, byMean; ///< by φ and h² without paper, and by M
+    V byFading;                ///< by φ_f
     V value[paintValues];
 
     SUFFUSE_INLINE PaintSlopes() {}
@@ -57,7 +59,7 @@ SUFFUSE_INLINE PaintSlopes<V> paintBack(const PaintSample<V> &p, const MeanSlope
                                         V density, V eta, V (&by)[3])
 {
     PaintSlopes<V> out;
-    const V w = m.mean * p.value[3];
+    const V w = m.mean * p.value[3] * p.left;
     V byW(0);
     for (int c = 0; c < 3; ++c) {
         const MixSlopes<V> slopes = mixSlopes(below[c], p.value[c], w, keep, by[c]);
@@ -65,9 +67,10 @@ SUFFUSE_INLINE PaintSlopes<V> paintBack(const PaintSample<V> &p, const MeanSlope
         out.value[c] = slopes.byColour;
         byW = byW + slopes.byOpacity;
     }
-    out.byMean = byW * p.value[3];
+    out.byMean = byW * p.value[3] * p.left;
+    out.byFading = V(0) - byW * w;
     out.byPhi = out.byMean * m.byDensity, out.bySquare = out.byMean * m.bySquare;
-    out.value[3] = byW * m.mean;
+    out.value[3] = byW * m.mean * p.left;
     out.value[4] = V(0);
     if (paper) {
         const V byGamma = mulAdd_(out.byPhi, density, V(2) * out.bySquare * p.gamma * p.plain);

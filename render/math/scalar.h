@@ -48,10 +48,12 @@ SUFFUSE_INLINE float mulAdd_(float a, float b, float c) { return a * b + c; }
 SUFFUSE_INLINE float negMulAdd_(float a, float b, float c) { return c - a * b; }
 #endif
 SUFFUSE_INLINE float abs_(float a) { return std::fabs(a); }
+SUFFUSE_INLINE float quickRoot_(float a) { return sqrt_(a); }
 SUFFUSE_INLINE double min_(double a, double b) { return a < b ? a : b; }
 SUFFUSE_INLINE double max_(double a, double b) { return a > b ? a : b; }
 SUFFUSE_INLINE double abs_(double a) { return std::fabs(a); }
 SUFFUSE_INLINE double sqrt_(double a) { return std::sqrt(a); }
+SUFFUSE_INLINE double quickRoot_(double a) { return std::sqrt(a); }
 SUFFUSE_INLINE double exp2_(double a) { return std::exp2(a); }
 SUFFUSE_INLINE double log2_(double a) { return std::log2(a); }
 SUFFUSE_INLINE double reciprocal_(double a) { return 1 / a; }

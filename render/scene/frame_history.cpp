@@ -145,7 +145,7 @@ void FrameHistory::followEdits(Step &step, bool interactive)
 }
 
 FrameHistory::Step FrameHistory::advance(const RenderRequest &request, const PictureGrid &grid, Target &target,
-                                         Threads threads)
+                                         Threads threads, const std::atomic<bool> *stop)
 {
     Step step;
     const bool samePicture = m_grid.samePlace(grid) && m_grid.picture == grid.picture;
@@ -153,7 +153,7 @@ FrameHistory::Step FrameHistory::advance(const RenderRequest &request, const Pic
     step.whole = !step.moved && !(samePicture && samePaper(request, target));
     const bool resized = m_target != target.serial() || m_grid.picture.width != grid.picture.width ||
                          m_grid.picture.height != grid.picture.height;
-    step.scene = m_scene.update(request, grid, threads);
+    step.scene = m_scene.update(request, grid, threads, stop);
     m_grid = grid;
     m_painting = request.painting;
     m_time = request.time;

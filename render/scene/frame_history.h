@@ -28,7 +28,9 @@ public:
     };
     /// Brings scene and region up to date with the request, whose picture lies in `grid`. Resizes the target if its
     /// size changes. Where the view moved by whole pixels, and nothing else changed, it moves the target's pixels.
-    Step advance(const RenderRequest &request, const PictureGrid &grid, Target &target, Threads threads);
+    /// `stop`: as in LiveScene::update.
+    Step advance(const RenderRequest &request, const PictureGrid &grid, Target &target, Threads threads,
+                 const std::atomic<bool> *stop = nullptr);
     /// Forgets the last frame, so that the next step is whole.
     void forget() { m_target = 0; }
     /// Notes that a tile was drawn; `approximate` says that an over map was used.

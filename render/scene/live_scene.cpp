@@ -50,8 +50,8 @@ bool LiveScene::replace(const Painting &painting, Microseconds time, std::vector
     painting.strokes.forEachDifference(m_seen, [&](std::size_t i) {
         const Stroke &stroke = *painting.strokes[i];
         const Stroke &seen = *std::as_const(m_seen)[i];
-        inPlace = inPlace && stroke.id == seen.id && stroke.group == seen.group &&
-                  isVisible(stroke) == (m_place[i] >= 0);
+        inPlace =
+            inPlace && stroke.id == seen.id && stroke.group == seen.group && isVisible(stroke) == (m_place[i] >= 0);
         differing.push_back(i);
     });
     if (!inPlace)
@@ -207,7 +207,8 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
     return nodes;
 }
 
-void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads)
+bool LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads,
+                        const std::atomic<bool> *stop)
 {
     const int octave = zoomOctave(grid.view.scale);
     const Rect visible = visibleBox(grid), near = visible.grown(2 * grid.view.px());
@@ -230,6 +231,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
     });
     const auto bulk = buildBulk(stale, frozen, outside, time, grid, threads);
     const Threads threadsEach = threads.within(stale.size());
+    std::atomic<bool> isWhole = true;
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
         const bool dries = m_driesAt[i] <= time;
@@ -253,7 +255,15 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
                                         : buildNodes(*m_sources[i], time, octave, visible, threadsEach);
         const SceneStroke *before = m_strokes[i].get();
         auto fill = makeSceneFill(*m_sources[i], time, grid, before ? before->stroke.get() : nullptr,
-                                  before ? before->fill.get() : nullptr);
+                                  before ? before->fill.get() : nullptr, stop);
+        if (!fill && m_sources[i]->fill && stop && stop->load(std::memory_order_relaxed)) {
+            // It is another stroke than that of the painting, so the next update finds a difference.
+            m_sources[i] = std::make_shared<const Stroke>(*m_sources[i]);
+            m_strokes[i] = std::make_shared<const SceneStroke>(outsideStroke(m_sources[i], grid));
+            m_bounds[i] = m_strokes[i]->bounds;
+            isWhole = false;
+            return;
+        }
         auto stroke = std::make_shared<SceneStroke>(
             makeSceneStroke(m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr, std::move(fill)));
         if (!m_cull)
@@ -266,9 +276,11 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
     for (const Stale &s : stale)
         m_nodeCount += nodesOf(s.index);
     m_frozen = std::move(wet);
+    return isWhole;
 }
 
-SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &grid, Threads threads)
+SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &grid, Threads threads,
+                              const std::atomic<bool> *stop)
 {
     SceneChange change;
     std::vector<Stale> stale;
@@ -297,8 +309,11 @@ SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &g
         change.places = align(painting);
         stale = staleAfterAlign(request.time, grid);
     }
-    prepare(stale, request.time, grid, threads);
+    const bool isWhole = prepare(stale, request.time, grid, threads, stop);
     m_seen = painting.strokes;
+    for (std::size_t i = 0; !isWhole && i < m_place.size(); ++i)
+        if (m_place[i] >= 0 && std::as_const(m_seen)[i] != m_sources[std::size_t(m_place[i])])
+            m_seen[i] = m_sources[std::size_t(m_place[i])];
     m_grid = grid;
     m_time = request.time;
     return change;

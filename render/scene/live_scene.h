@@ -43,8 +43,10 @@ public:
     explicit LiveScene(bool cull = true, BulkNodeBuilder *bulk = nullptr) : m_cull(cull), m_bulk(bulk) {}
 
     /// Brings the scene up to date with the request, whose view lies in `grid`. The returned change is useful only if
-    /// the place in the grid is the same.
-    SceneChange update(const RenderRequest &request, const PictureGrid &grid, Threads threads);
+    /// the place in the grid is the same. Strokes whose boundaries were not found when `stop` became true are not seen;
+    /// they are prepared anew in the next update.
+    SceneChange update(const RenderRequest &request, const PictureGrid &grid, Threads threads,
+                       const std::atomic<bool> *stop = nullptr);
 
     /// The visible strokes from bottom to top.
     const std::vector<SceneStrokePtr> &strokes() const { return m_strokes; }
@@ -77,7 +79,9 @@ private:
                                                               const std::vector<FrozenNodes *> &frozen,
                                                               const std::vector<char> &outside, Microseconds time,
                                                               const PictureGrid &grid, Threads threads) const;
-    void prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads);
+    /// Returns false if it was stopped: then sources are copies where strokes are not prepared.
+    bool prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads,
+                 const std::atomic<bool> *stop);
     bool sameAge(std::size_t i, Microseconds time) const
     {
         return time == m_time || (m_driesAt[i] <= m_time && m_driesAt[i] <= time);

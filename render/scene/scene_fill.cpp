@@ -29,7 +29,9 @@ int orderFor(double length, double epsilon)
     return int(ofOneSpread.size());
 }
 
-std::shared_ptr<const TurnedBoundary> turnedBoundary(const Stroke &stroke, const View &view)
+/// Null if it was stopped.
+std::shared_ptr<const TurnedBoundary> turnedBoundary(const Stroke &stroke, const View &view,
+                                                     const std::atomic<bool> *stop)
 {
     auto turned = std::make_shared<TurnedBoundary>();
     turned->rotation = view.rotation;
@@ -43,8 +45,9 @@ std::shared_ptr<const TurnedBoundary> turnedBoundary(const Stroke &stroke, const
                     const double x = view.mirrored ? -p.x : p.x;
                     p = {c * x - s * p.y, s * x + c * p.y};
                 }
-    turned->area = boundaryOf(loops, stroke.fill->rule);
-    return turned;
+    AreaEffort effort(stop);
+    turned->area = boundaryOf(loops, stroke.fill->rule, &effort);
+    return effort.isSpent() ? nullptr : turned;
 }
 
 /// Makes panels of arcs.
@@ -99,7 +102,8 @@ private:
         const Point d = whitened(fill, c.p[3] - c.p[2]);
         return std::sqrt(dot(a, a)) + std::sqrt(dot(b, b)) + std::sqrt(dot(d, d));
     }
-    /// Its greatest speed, in spreads for the whole of it: nodes are as far apart there as on an even panel of this length.
+    /// Its greatest speed, in spreads for the whole of it: nodes are as far apart there as on an even panel of this
+    /// length.
     static double fastestOf(const SceneFill &fill, const Cubic &c)
     {
         double fastest = 0;
@@ -315,7 +319,8 @@ void collectFill(const SceneFill &fill, const FillPanel *const *panels, std::siz
 }
 
 std::shared_ptr<SceneFill> makeSceneFill(const Stroke &stroke, Microseconds T, const PictureGrid &grid,
-                                         const Stroke *strokeBefore, const SceneFill *before)
+                                         const Stroke *strokeBefore, const SceneFill *before,
+                                         const std::atomic<bool> *stop)
 {
     if (!stroke.fill || !(stroke.fill->age(T) > 0) || !(stroke.fill->density > 0))
         return nullptr;
@@ -324,7 +329,9 @@ std::shared_ptr<SceneFill> makeSceneFill(const Stroke &stroke, Microseconds T, c
     const bool known = strokeBefore && before && before->boundary->rotation == view.rotation &&
                        before->boundary->mirrored == view.mirrored && strokeBefore->fill &&
                        strokeBefore->fill->rule == stroke.fill->rule && sameOutline(*strokeBefore, stroke);
-    out->boundary = known ? before->boundary : turnedBoundary(stroke, view);
+    out->boundary = known ? before->boundary : turnedBoundary(stroke, view, stop);
+    if (!out->boundary)
+        return nullptr;
     setSpread(*out, *stroke.fill, stroke, T, view);
     setGradient(*out, stroke, view);
     const Rect window = Rect::of(grid.window.x, grid.window.y, grid.window.width, grid.window.height);

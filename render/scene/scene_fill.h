@@ -7,6 +7,7 @@
 #include "render/picture_grid.h"
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -95,10 +96,12 @@ struct SceneFill {
     double placeAt(double x, double y) const { return place + placeSlope.x * x + placeSlope.y * y; }
 };
 
-/// Prepares the fill of a stroke; null if it has none that could be seen. `before` is what another state of the stroke
-/// had, from which the boundary is taken over where it is the same.
+/// Prepares the fill of a stroke; null if it has none that could be seen, or if `stop` became true before its boundary
+/// was found. `before` is what another state of the stroke had, from which the boundary is taken over where it is the
+/// same.
 std::shared_ptr<SceneFill> makeSceneFill(const Stroke &stroke, Microseconds T, const PictureGrid &grid,
-                                         const Stroke *strokeBefore, const SceneFill *before);
+                                         const Stroke *strokeBefore, const SceneFill *before,
+                                         const std::atomic<bool> *stop = nullptr);
 
 /// How often the area is entered left of a point, 0 or 1. `arcs` are those that may meet its level.
 int enteredAt(const BoundaryArc *arcs, std::size_t count, Point at);

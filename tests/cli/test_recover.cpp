@@ -23,7 +23,7 @@ private slots:
         painting->strokes.push_back(buildStroke(builtinBrushes().front(), 7, samples));
         m_painting = painting;
         JournalWriter writer(m_folder.path(), {});
-        writer.begin({"flowers.suffuse", "/home/me/flowers.suffuse", {}}, painting, true);
+        writer.begin({"flowers.suffuse", "/home/me/flowers.suffuse", {}, 300}, painting, true);
     }
 
     void listsAndExtracts()
@@ -47,6 +47,7 @@ private slots:
             QVERIFY2(written.code == 0, qPrintable(written.text()));
             QCOMPARE(hashOf(*loadPainting(out)), hashOf(*m_painting));
         }
+        QCOMPARE(loadDocument(m_folder.filePath("a.suffuse"))->extras.resolution, 300.0); // as large on paper
         QCOMPARE(recover({}).out, recover({"--list"}).out); // it is still there
     }
 

@@ -6,7 +6,7 @@
 namespace suffuse {
 
 /// Each character is half an em wide, and all but spaces are boxes of 0.4 × 0.7 ems in its middle. "fi" is a ligature.
-/// Hebrew runs from the right to the left. Installed are "Boxes" and "Crates".
+/// Hebrew runs from the right to the left. Installed are "Boxes" with "Boxes Condensed", and "Crates".
 class BoxLetters final : public LetterShaper {
 public:
     static constexpr double advance = 0.5, left = 0.05, width = 0.4, height = 0.7;
@@ -37,7 +37,10 @@ public:
         out->width = advance * count;
         return out;
     }
-    bool hasFamily(const QString &family) override { return family == "Boxes" || family == "Crates"; }
+    bool hasFamily(const QString &family) override
+    {
+        return family == "Boxes" || family == "Crates" || family == "Boxes Condensed";
+    }
     QString familyFor(const QString &family) override { return hasFamily(family) ? family : QStringLiteral("Boxes"); }
 
     std::vector<Face> faces; ///< that were asked for

@@ -38,6 +38,13 @@ public:
         for (int k = 0; k < strokes; ++k)
             p.strokes.push_back(
                 stroke(StrokeId(k * 3 + 1), 1 + below(segments), p.groups.empty() || k > strokes / 2 ? 0 : 9));
+        for (Group &group : p.groups)
+            if (group.text && !group.text->curve.empty() && strokes > 0) {
+                Text text = *group.text;
+                text.follows = p.strokes.back()->id;
+                text.followMap = {0.5, -0.25, 1e-7, 3, {1e10, -0.5}};
+                group.text = std::move(text);
+            }
         if (chance(2))
             p.swatches = {{QStringLiteral("湖"), colour()}, {QString(), colour(), true}};
         if (chance(2)) {

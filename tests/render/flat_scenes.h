@@ -17,7 +17,8 @@ struct SceneKind {
     bool pigment = false;  ///< mixed by (23)
     bool oneColour = true; ///< along each stroke
     bool paper = false;
-    bool lifts = false; ///< whether the last segment of each stroke takes paint away
+    bool lifts = false; ///< whether the last segment of each stroke takes paint away,
+    bool fades = false; ///< and the last one of the others makes it paler
     bool turnedView = false;
     bool filled = false;              ///< whether each stroke goes round an area
     int segments = 3;                 ///< of a stroke
@@ -50,12 +51,18 @@ inline View viewOf(int width, int height, bool turned)
 
 /// Makes the segments of a stroke go round a point, at some distance. Every other one is nothing but an outline, and a
 /// straight line is left to close it.
-inline void surround(FlatStroke &stroke, std::vector<SegmentNumbers> &segments, Point centre, double distance)
+inline void surround(FlatStroke &stroke, FlatScene &scene, Point centre, double distance)
 {
     stroke.filled = true;
     const double part = 1.9 * std::numbers::pi / stroke.count;
     for (std::uint32_t k = 0; k < stroke.count; ++k) {
-        SegmentNumbers &s = segments[stroke.first + k];
+        SegmentNumbers &s = scene.segments[stroke.first + k];
+        if (scene.marks[stroke.first + k].fade) { // It goes through the middle.
+            const double byX = centre.x - s.x[0], byY = centre.y - s.y[0];
+            for (int j = 0; j < 4; ++j)
+                s.x[j] += byX, s.y[j] += byY;
+            continue;
+        }
         for (int j = 0; j < 4; ++j) {
             const double angle = part * (k + j / 3.0), radius = distance * (1 + 0.2 * std::sin(3 * angle));
             s.x[j] = centre.x + radius * std::cos(angle), s.y[j] = centre.y + radius * std::sin(angle);
@@ -102,16 +109,17 @@ inline FlatScene randomScene(std::uint64_t seed, int strokes, int width, int hei
             s.opacity = 0.3 + 0.65 * u(random);
             s.granulation = kind.paper ? u(random) : 1;
             const bool lifts = kind.lifts && k == kind.segments - 1;
-            if (lifts) // across the ones before
+            const bool fades = kind.fades && k == kind.segments - (kind.lifts ? 2 : 1);
+            if (lifts || fades) // across the ones before
                 for (int j = 0; j < 4; ++j)
                     s.x[j] = scene.segments.back().x[j] + 0.4 * spread, s.density *= 0.9;
             scene.segments.push_back(s);
-            scene.marks.push_back({k == 0 || lifts, lifts});
+            scene.marks.push_back({k == 0 || lifts || fades, lifts, fades});
         }
         if (kind.filled) { // one value after the other: compilers evaluate arguments in orders of their own
             const double distance = 2 * kind.length * (0.5 + u(random));
             const Point centre{width * u(random), height * u(random)};
-            surround(stroke, scene.segments, centre, distance);
+            surround(stroke, scene, centre, distance);
             stroke.fill = {
                 0.8 + 0.4 * u(random), 1.3 * spread, {u(random), 0.5, u(random)}, 0.3 + 0.6 * u(random), u(random)};
         }

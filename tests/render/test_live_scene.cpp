@@ -65,6 +65,36 @@ class TestLiveScene : public QObject {
     }
 
 private slots:
+    /// A boundary that takes long gives way to a newer picture, and is searched for again with that.
+    void whatWasStoppedComesWithTheNextUpdate()
+    {
+        const PictureGrid grid = PictureGrid::ofDocument(m_view);
+        Stroke s = longStroke(200);
+        Fill fill;
+        fill.density = 1, fill.maxAge = 0.4f;
+        s.fill = fill;
+        const std::atomic<bool> stop = true, goOn = false;
+        LiveScene live;
+        for (int turn = 0; turn < 3; ++turn) {
+            s.segments[0].bezier[1].x += float(turn);
+            RenderRequest request;
+            request.painting = painting({s}, 200, 150);
+            request.time = 10'000'000;
+            request.view = m_view;
+            live.update(request, grid, 1, &stop);
+            QVERIFY(live.strokes()[0]->outside && !live.strokes()[0]->fill);
+            if (turn == 2)
+                live.update(request, grid, 1, &stop);
+            const SceneChange change = live.update(request, grid, 1, &goOn);
+            QCOMPARE(change.replaced.size(), std::size_t(1));
+            LiveScene fresh;
+            update(fresh, request, 1);
+            QVERIFY(sameScene(live, fresh));
+            QVERIFY(live.strokes()[0]->fill->panels == fresh.strokes()[0]->fill->panels);
+            QVERIFY(!live.strokes()[0]->fill->panels.empty());
+        }
+    }
+
     void followsAnyHistory()
     {
         std::mt19937_64 random(41);

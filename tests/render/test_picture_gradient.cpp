@@ -92,6 +92,7 @@ Stroke strokeOf(const FlatScene &scene, const FlatStroke &flat, Style style)
         segment.diffusion = float(s.spread * s.spread / 4);
         segment.colour = {float(s.colour[0]), float(s.colour[1]), float(s.colour[2]), float(s.opacity)};
         segment.lift = scene.marks[k].lift;
+        segment.fade = scene.marks[k].fade;
         segment.start = k > flat.first && scene.marks[k].start;
         stroke.segments.push_back(segment);
     }
@@ -149,6 +150,16 @@ class TestPictureGradient : public QObject {
                 if (isTried(number++))
                     QTest::addRow("fills, style %d%s", int(style), varies ? ", varying" : "") << kind;
             }
+        for (const StyleKind style : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
+            for (const bool varies : {false, true}) {
+                SceneKind kind;
+                kind.style = style, kind.oneColour = !varies, kind.fades = true, kind.turnedView = varies;
+                kind.pigment = varies, kind.paper = !varies;
+                kind.lifts = varies && style == StyleKind::Uniform;
+                kind.filled = varies && style == StyleKind::Feathering;
+                if (isTried(number++))
+                    QTest::addRow("fades, style %d%s", int(style), varies ? ", varying" : "") << kind;
+            }
     }
 
     static void compare(const DifferentiablePicture &picture, const PaintingPtr &p, const View &view,
@@ -167,7 +178,7 @@ private slots:
     {
         QFETCH(SceneKind, kind);
         double worst = 0;
-        for (std::uint64_t seed = 1; seed <= 2; ++seed) { // 34 kinds of 2 · 5 · 3 segments: 1,020
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) { // 40 kinds of 2 · 5 · 3 segments: 1,200
             FlatScene scene = randomScene(seed, 5, width, height, kind);
             const auto by = randomLoss<double>(seed, width, height);
             SceneGradient<double> gradient;
@@ -208,7 +219,7 @@ private slots:
     void bitsDependOnNothingElse()
     {
         SceneKind kind;
-        kind.oneColour = false;
+        kind.oneColour = false, kind.fades = true;
         FlatScene scene = randomScene(7, 60, 200, 150, kind);
         for (std::size_t i = 0; i < scene.strokes.size(); ++i) {
             scene.strokes[i].kind = StyleKind(i % 3);
@@ -240,12 +251,12 @@ private slots:
         }
     }
 
-    void filledAndLiftedPicturesAgreeWithTheRenderers()
+    void filledAndErasedPicturesAgreeWithTheRenderers()
     {
         const auto cpu = make(Backend::Cpu), reference = make(Backend::Reference);
         for (std::uint64_t seed = 1; seed <= std::uint64_t(trials(12, 60)); ++seed) {
             SceneKind kind;
-            kind.filled = seed % 3 != 0, kind.lifts = !kind.filled;
+            kind.filled = seed % 3 != 0, kind.lifts = !kind.filled, kind.fades = seed % 4 >= 2;
             kind.least = 4.5, kind.greatest = 9, kind.length = 18;
             const FlatScene scene = randomScene(seed, 4, 96, 72, kind);
             std::vector<Stroke> strokes;
@@ -326,6 +337,75 @@ private slots:
         QVERIFY(std::abs(slopes.bezier[2].x - byPoint) < 1e-3 * std::abs(byPoint) + 1e-4);
     }
 
+    void whatFadesHasTheDerivativesOfItsNumbers()
+    {
+        Stroke faded = stroke(1, Shape::Curved, {30, 20}, 12, 4, styleOf(StyleKind::Edge));
+        faded.segments[1].fade = true, faded.segments[1].start = true;
+        const auto p = painting({faded}, 60, 40);
+        const View view = View::ofArea(p->canvas.area(), 60, 40);
+        auto picture = DifferentiablePicture::draw(p, p->end(), view);
+        QVERIFY2(picture, qPrintable(picture.error()));
+        const SegmentSlopes slopes = picture->backward(randomLoss<float>(1, 60, 40)).strokes[0].segments[1];
+        const auto flat = flatten(*p, p->end(), view, 1);
+        QVERIFY2(flat, qPrintable(flat.error()));
+        SceneGradient<double> exact;
+        exact.choose(flat->scene);
+        const auto loss = [&](auto change) {
+            Stroke changed = faded;
+            change(changed.segments[1]);
+            const auto q = flatten(*painting({changed}, 60, 40), p->end(), view, 1);
+            return lossOf(exact, q->scene, randomLoss<double>(1, 60, 40));
+        };
+        const auto agrees = [&](double slope, auto number, float step) {
+            const double by =
+                (loss([&](Segment &s) { number(s) += step; }) - loss([&](Segment &s) { number(s) -= step; })) /
+                (2 * double(step));
+            return std::abs(by) > 1e-3 && std::abs(slope - by) < 1e-3 * std::abs(by) + 1e-4;
+        };
+        const Segment &own = faded.segments[1];
+        QVERIFY(agrees(
+            slopes.density, [](Segment &s) -> float & { return s.density; }, 0.01f * own.density));
+        QVERIFY(agrees(
+            slopes.diffusion, [](Segment &s) -> float & { return s.diffusion; }, 0.01f * own.diffusion));
+        QVERIFY(agrees(
+            slopes.bezier[2].x, [](Segment &s) -> float & { return s.bezier[2].x; }, 0.01f));
+        QVERIFY(agrees(
+            slopes.bezier[2].y, [](Segment &s) -> float & { return s.bezier[2].y; }, 0.01f));
+        QCOMPARE(slopes.opacity, 0.0);
+        QCOMPARE(slopes.colour[0], 0.0);
+    }
+
+    /// The picture of a stroke that fades tells how much it does, from the picture of one that fades less.
+    void aFitFindsHowMuchAStrokeFades()
+    {
+        SceneKind kind;
+        kind.fades = true, kind.least = 4;
+        FlatScene scene = randomScene(5, 1, 48, 48, kind);
+        for (int j = 0; j < 4; ++j) // across the middle of the segment before it
+            scene.segments[2].x[j] = scene.segments[1].x[j], scene.segments[2].y[j] = scene.segments[1].y[3 - j];
+        SceneGradient<float> gradient;
+        gradient.choose(scene);
+        const std::span<const float> drawn = gradient.draw(scene);
+        const std::vector<float> target(drawn.begin(), drawn.end());
+        double &density = scene.segments[2].density;
+        const double wanted = density;
+        density *= 0.3;
+        for (int step = 0; step < 12; ++step) {
+            const FlatGradient &by = gradient.drawAndDifferentiate(
+                scene, [&](std::size_t first, std::size_t count, const float *rgb, float *out) {
+                    for (std::size_t i = 0; i < 3 * count; ++i)
+                        out[i] = 2 * (rgb[i] - target[3 * first + i]);
+                });
+            double loss = 0;
+            for (std::size_t i = 0; i < target.size(); ++i)
+                loss += std::pow(double(gradient.picture()[i]) - double(target[i]), 2);
+            if (loss < 1e-8)
+                break;
+            density -= 2 * loss / by.segments[2].density; // exact where the loss is a square
+        }
+        QVERIFY2(std::abs(density / wanted - 1) < 1e-3, qPrintable(QString::number(density / wanted)));
+    }
+
     void whatIsNotSeenHasNoDerivatives()
     {
         SceneKind kind;
@@ -376,9 +456,15 @@ private slots:
         Stroke s = plain;
         s.segments[1].lift = true;
         QVERIFY(messageOf(s).startsWith("stroke 3: its picture has no gradient, since paint is taken away"));
+        s.segments[1].lift = false, s.segments[1].fade = true;
+        QCOMPARE(messageOf(s), QString());
+        s.segments[1].diffusion = 1.7f * 1.7f / 4;
+        QVERIFY(messageOf(s).contains("a spread of 1.7 units, and 2 are"));
         s = plain;
         s.segments[1].style = styleOf(StyleKind::Uniform);
         QVERIFY(messageOf(s).contains("style varies"));
+        s.segments[1].fade = true; // It has no style.
+        QCOMPARE(messageOf(s), QString());
         s = plain;
         s.segments[1].anisotropyRatio = 4;
         QVERIFY(messageOf(s).contains("anisotropy"));

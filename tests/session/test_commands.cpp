@@ -1,5 +1,6 @@
 // The table of commands without a window: rows, switches, and whose a user's keys are.
 #include "app/session/commands/keys.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
 #include "model/area/outline.h"
@@ -208,7 +209,7 @@ private slots:
         QVERIFY(isFillAlone(*square));
     }
 
-    void nothingIsSelectedShownOrUnlockedWhereNothingIs()
+    void nothingIsSelectedWhereNothingIs()
     {
         OpenPainting open;
         open.editor.newPainting(Editor::usualCanvas());
@@ -218,9 +219,42 @@ private slots:
             if (painted)
                 addStroke(open.editor);
             table.update();
-            for (const Command command : {Command::InvertSelection, Command::UnlockAll, Command::ShowAll})
-                QCOMPARE(table[command].isEnabled(), painted);
+            QCOMPARE(table[Command::InvertSelection].isEnabled(), painted);
         }
+    }
+
+    /// All is unlocked or shown where strokes or groups are locked or hidden, in one step.
+    void allIsUnlockedOrShownWhereSomethingIsClosed()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        const auto usable = [&] {
+            table.update();
+            return std::pair(table[Command::UnlockAll].isEnabled(), table[Command::ShowAll].isEnabled());
+        };
+        QCOMPARE(usable(), std::pair(false, false));
+        addStroke(editor);
+        addStroke(editor);
+        QCOMPARE(usable(), std::pair(false, false));
+        const auto selectAll = [&] { commands::selectAll(editor); };
+        selectAll();
+        commands::lockSelected(editor);
+        QCOMPARE(usable(), std::pair(true, false));
+        table[Command::UnlockAll].trigger();
+        QCOMPARE(usable(), std::pair(false, false));
+        selectAll();
+        commands::groupSelected(editor);
+        commands::hideSelected(editor);
+        QCOMPARE(usable(), std::pair(false, true));
+        const PaintingPtr hidden = editor.document().painting();
+        table[Command::ShowAll].trigger();
+        QCOMPARE(usable(), std::pair(false, false));
+        editor.undo();
+        QVERIFY(*editor.document().painting() == *hidden);
+        QCOMPARE(usable(), std::pair(false, true));
     }
 
     /// Groups dissolve, and paint dries once and for all, where there is a group, and paint that is wetted again.

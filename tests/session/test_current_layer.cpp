@@ -268,6 +268,38 @@ private slots:
         QCOMPARE(s.layer.group(), GroupId(1));
     }
 
+    /// The layer of an edit comes back with what was selected then, and with nothing else.
+    void undoThatSelectsGivesBackTheLayer()
+    {
+        Stage s;
+        const auto rename = [&](const QString &name) {
+            s.editor.push(renameGroup(s.editor.document(), 1, name), "rename");
+        };
+        s.layer.choose(1);
+        s.editor.document().setSelection({{2}, {}});
+        rename("one");
+        s.layer.choose(2);
+        s.editor.undo(); // The selection is the same one.
+        QCOMPARE(s.layer.group(), GroupId(2));
+        s.editor.document().setSelection({{3, 4}, {}});
+        s.editor.redo();
+        QCOMPARE(s.editor.selection().strokes, std::set<StrokeId>{2});
+        QCOMPARE(s.layer.group(), GroupId(1));
+        s.editor.document().setSelection({});
+        rename("two");
+        s.layer.choose(2);
+        s.editor.document().setSelection({{3, 4}, {}});
+        s.editor.undo(); // Nothing is selected.
+        QCOMPARE(s.layer.group(), GroupId(2));
+        s.editor.document().setSelection({{2}, {}});
+        rename("three"); // The stroke of another layer was selected at the canvas.
+        s.editor.document().setSelection({});
+        s.layer.choose(3);
+        s.editor.undo();
+        QCOMPARE(s.editor.selection().strokes, std::set<StrokeId>{2});
+        QCOMPARE(s.layer.group(), GroupId(2));
+    }
+
     /// While a stroke is being drawn, it is where it will be, in the layer's group.
     void theDraftIsInItsLayer_data()
     {

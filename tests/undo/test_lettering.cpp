@@ -364,6 +364,30 @@ private slots:
             QCOMPARE(standOf(upright, false), Stand::Upright);
     }
 
+    /// Small letters are capitals that are smaller, and capitals are as they are.
+    void smallCaps()
+    {
+        LineShaper shaper;
+        const auto shaped = [&shaper](bool hasSmallCaps) {
+            return shaper.shape(QStringLiteral("Hh"),
+                                {QStringLiteral("DejaVu Sans"), 400, false, false, false, hasSmallCaps});
+        };
+        const auto heightOf = [](const ShapedCluster &cluster) {
+            Rect box;
+            for (const std::vector<Cubic> &contour : *cluster.outline)
+                for (const Cubic &curve : contour)
+                    box = box.united(curve.controlBox());
+            return box.height();
+        };
+        const std::vector<ShapedCluster> usual = shaped(false)->clusters, small = shaped(true)->clusters;
+        QCOMPARE(small.size(), std::size_t(2));
+        QCOMPARE(heightOf(small[0]), heightOf(usual[0]));
+        const double share = heightOf(small[1]) / heightOf(small[0]);
+        QVERIFY2(share > 0.6 && share < 0.9, qPrintable(QString::number(share)));
+        QCOMPARE(small[1].outline->size(), small[0].outline->size());
+        QVERIFY(std::abs(small[1].width / small[0].width - share) < 0.02);
+    }
+
     /// Whether the font has a form or not, what stands in a bracket's square has its ink where it belongs.
     void bracketsInVerticalLines()
     {

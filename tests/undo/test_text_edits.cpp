@@ -1,88 +1,17 @@
 // Texts as they are typed in: what stays of their letters, and that every step has its way back.
 #include "model/painting/validate.h"
-#include "tests/undo/steps.h"
+#include "tests/undo/text_page.h"
 #include "undo/layers/group_edits.h"
-#include "undo/lettering/text_layout.h"
-#include "undo/text_edits.h"
+#include "undo/text_links.h"
 #include "undo/transform_edits.h"
 
 #include <QGuiApplication>
 #include <QRandomGenerator>
 #include <QTest>
-#include <QUndoStack>
 
 using namespace suffuse;
 
 namespace {
-
-/// A document in which texts are set as the program does it.
-struct Page {
-    Document document;
-    QUndoStack stack;
-    TextLayout layout;
-
-    Page() { document.reset(std::make_shared<const Painting>()); }
-    const Painting &painting() const { return *document.painting(); }
-    GroupId put(const Text &text)
-    {
-        const GroupId group = document.takeGroupId();
-        const LaidText after = layout.lay(text);
-        push(setText(document, group, text, nullptr, after, change({})));
-        return group;
-    }
-    void set(GroupId group, const Text &text, std::optional<qsizetype> at = {})
-    {
-        const LaidText before = layout.lay(*textOf(painting(), group)), after = layout.lay(text);
-        push(setText(document, group, text, &before, after, change(at)));
-    }
-    void retype(GroupId group, const QString &string, std::optional<qsizetype> at = {})
-    {
-        Text text = *textOf(painting(), group);
-        text.string = string;
-        set(group, text, at);
-    }
-    void push(Edit edit)
-    {
-        followTexts(painting(), edit);
-        if (!edit.isEmpty())
-            pushStep(stack, document, std::move(edit));
-    }
-    TextChange change(std::optional<qsizetype> at)
-    {
-        Brush brush;
-        brush.colour = {0.5f, 0.25f, 0, 1};
-        return {at, letterWith(brush, 100, ++born), true};
-    }
-    QString names() const
-    {
-        QString all;
-        for (const StrokePtr &stroke : painting().strokes)
-            all += stroke->name;
-        return all;
-    }
-    StrokePtr letter(int index) const { return painting().strokes[std::size_t(index)]; }
-    void select(int index) { document.setSelection({{letter(index)->id}, {}}); }
-    void recolour(int index, const Colour &colour)
-    {
-        push(changeStrokes(document, {letter(index)->id}, [&](Stroke &stroke) {
-            Fill fill = *stroke.fill;
-            fill.colour = colour;
-            stroke.fill = fill;
-        }));
-    }
-
-    Microseconds born = 0;
-};
-
-Text plain(const QString &string)
-{
-    Text text;
-    text.string = string;
-    text.family = QStringLiteral("DejaVu Sans");
-    text.size = 100;
-    text.place = Affine::translation({50, 200});
-    return text;
-}
 
 const Colour red{1, 0.2f, 0, 1};
 
@@ -111,8 +40,8 @@ private slots:
 
     void aTextIsAGroupOfFills()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("Oi b")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("Oi b")));
         QCOMPARE(page.names(), QStringLiteral("Oib"));
         QCOMPARE(page.painting().groups.size(), std::size_t(1));
         QCOMPARE(textOf(page.painting(), group)->string, QStringLiteral("Oi b"));
@@ -138,8 +67,8 @@ private slots:
 
     void lettersThatStayKeepTheirValues()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         page.recolour(1, red);
         const std::vector<StrokeId> before = orderOf(page.painting());
         const StrokePtr first = page.letter(0), last = page.letter(2);
@@ -164,8 +93,8 @@ private slots:
 
     void whereItWasTypedCounts()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("aaa")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("aaa")));
         page.recolour(0, red);
         page.retype(group, QStringLiteral("aaaa"), 0); // in front of the first
         QCOMPARE(page.letter(1)->fill->colour, red);
@@ -176,8 +105,8 @@ private slots:
 
     void anotherFontKeepsThem()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         page.recolour(1, red);
         const StrokePtr b = page.letter(1);
         Text text = *textOf(page.painting(), group);
@@ -193,22 +122,22 @@ private slots:
 
     void emptiedTextsGo()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("ab")));
         page.retype(group, QStringLiteral("  "));
         QVERIFY(page.painting().strokes.empty() && page.painting().groups.empty());
         page.stack.undo();
         QCOMPARE(page.names(), QStringLiteral("ab"));
-        Page other;
-        other.put(plain(QString()));
+        TextPage other;
+        other.put(typedText(QString()));
         QCOMPARE(other.stack.count(), 0);
     }
 
     void theOrderStays()
     {
-        Page page;
-        const GroupId below = page.put(plain(QStringLiteral("ab")));
-        page.put(plain(QStringLiteral("cd")));
+        TextPage page;
+        const GroupId below = page.put(typedText(QStringLiteral("ab")));
+        page.put(typedText(QStringLiteral("cd")));
         page.retype(below, QStringLiteral("xaby"));
         QCOMPARE(page.names(), QStringLiteral("xabycd"));
         QCOMPARE(problemOf(page.painting()), QString());
@@ -216,8 +145,8 @@ private slots:
 
     void whatElseStandsInTheGroupStays()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("ab")));
         auto stroke = std::make_shared<Stroke>(*page.letter(0));
         stroke->id = page.document.takeStrokeId();
         stroke->name = QStringLiteral("flourish");
@@ -232,8 +161,8 @@ private slots:
     void whatStandsBetweenLettersStaysThere()
     {
         for (const std::size_t place : {0u, 1u, 2u}) {
-            Page page;
-            const GroupId group = page.put(plain(QStringLiteral("ab")));
+            TextPage page;
+            const GroupId group = page.put(typedText(QStringLiteral("ab")));
             auto stroke = std::make_shared<Stroke>(*page.letter(0));
             stroke->id = page.document.takeStrokeId();
             stroke->name = QStringLiteral("-");
@@ -252,8 +181,8 @@ private slots:
 
     void deletedLettersStayDeleted()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         page.select(1);
         page.push(deleteSelection(page.document));
         page.retype(group, QStringLiteral("abcd"), 3);
@@ -271,8 +200,8 @@ private slots:
     void textsFollowTheirLetters()
     {
         QFETCH(Affine, map);
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("map me")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("map me")));
         const Affine place = textOf(page.painting(), group)->place;
         const PaintingPtr before = page.document.painting();
         page.document.setSelection({strokesWithin(page.painting(), group), {}});
@@ -284,8 +213,8 @@ private slots:
         const StrokePtr last = page.letter(4);
         page.retype(group, QStringLiteral("map me!"));
         QCOMPARE(page.letter(4), last);
-        Page fresh;
-        Text text = plain(QStringLiteral("map me!"));
+        TextPage fresh;
+        Text text = typedText(QStringLiteral("map me!"));
         text.place = wanted;
         fresh.put(text);
         QVERIFY(farthest(*page.letter(5), *fresh.letter(5)) < 2e-3);
@@ -297,8 +226,8 @@ private slots:
     /// Edits that know no map are looked at.
     void textsFollowWhatMovesTheirStrokes()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("ab")));
         const Affine place = textOf(page.painting(), group)->place;
         page.document.setSelection({strokesWithin(page.painting(), group), {}});
         const Point before = page.letter(1)->origin;
@@ -324,11 +253,11 @@ private slots:
 
     void aLetterThatIsMovedAlone()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         page.select(1);
         page.push(transformSelection(page.document, Affine::translation({0, 30}), SpreadRule::Scales));
-        QCOMPARE(textOf(page.painting(), group)->place, plain({}).place);
+        QCOMPARE(textOf(page.painting(), group)->place, typedText({}).place);
         const StrokePtr moved = page.letter(1);
         page.retype(group, QStringLiteral("abcd"));
         QCOMPARE(page.letter(1), moved); // Nothing before it has changed.
@@ -336,8 +265,8 @@ private slots:
 
     void aMissingFontLeavesTheOutlines()
     {
-        Page page;
-        Text text = plain(QStringLiteral("abc"));
+        TextPage page;
+        Text text = typedText(QStringLiteral("abc"));
         const GroupId group = page.put(text);
         // As if the file came from a machine that had it.
         auto other = std::make_shared<Painting>(page.painting());
@@ -354,8 +283,8 @@ private slots:
 
     void plainStrokes()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         QVERIFY(!canTurnTexts(page.document));
         page.select(0);
         QVERIFY(canTurnTexts(page.document));
@@ -372,8 +301,8 @@ private slots:
 
     void copiesAreTexts()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("ab")));
         page.document.setSelection({strokesWithin(page.painting(), group), {}});
         page.push(duplicateSelection(page.document, {10, 20}));
         QCOMPARE(page.painting().groups.size(), std::size_t(2));
@@ -386,8 +315,8 @@ private slots:
 
     void textsWithALockedLetterStay()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("abc")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("abc")));
         page.push(setLocked(page.document, {page.letter(1)->id}, true));
         QVERIFY(isTextLocked(*page.document.painting(), group));
         const int steps = page.stack.count();
@@ -398,8 +327,8 @@ private slots:
     /// What was erased of a letter goes along with it, also where it gets another outline.
     void erasuresGoAlong()
     {
-        Page page;
-        Text text = plain(QStringLiteral("ab"));
+        TextPage page;
+        Text text = typedText(QStringLiteral("ab"));
         const GroupId group = page.put(text);
         const Stroke before = *page.letter(1);
         page.push(changeStrokes(page.document, {before.id}, [](Stroke &stroke) {
@@ -432,8 +361,8 @@ private slots:
 
     void lockedTextsStay()
     {
-        Page page;
-        const GroupId group = page.put(plain(QStringLiteral("ab")));
+        TextPage page;
+        const GroupId group = page.put(typedText(QStringLiteral("ab")));
         page.push(setGroupLocked(page.document, group, true));
         const int steps = page.stack.count();
         page.retype(group, QStringLiteral("abc"));
@@ -454,8 +383,8 @@ private slots:
                                  QStringLiteral("\u05d0\u05d1"),
                                  QStringLiteral("W.")};
         for (int walk = 0; walk < 12; ++walk) {
-            Page page;
-            const GroupId group = page.put(plain(QStringLiteral("start")));
+            TextPage page;
+            const GroupId group = page.put(typedText(QStringLiteral("start")));
             std::vector<PaintingPtr> states{page.document.painting()};
             for (int step = 0; step < 40; ++step) {
                 const SharedText now = textOf(page.painting(), group);

@@ -1,6 +1,7 @@
 #include "undo/layers/layer_edits.h"
 
 #include "undo/history/group_spans.h"
+#include "undo/text_links.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -289,8 +290,8 @@ Edit duplicateGroup(Document &document, GroupId group, const QString &name, Grou
     if (span.isEmpty())
         return {};
     Edit edit;
-    edit.groups = painting.groups;
     std::unordered_map<GroupId, GroupId> copies;
+    std::vector<Group> copied;
     const std::unordered_set<GroupId> within = withGroupsWithin(painting.groups, {group});
     for (const Group &original : painting.groups)
         if (within.contains(original.id))
@@ -305,9 +306,10 @@ Edit duplicateGroup(Document &document, GroupId group, const QString &name, Grou
             made.name = name;
         else
             made.parent = copies.at(original.parent);
-        edit.groups->push_back(std::move(made));
+        copied.push_back(std::move(made));
     }
     std::vector<StrokeId> added;
+    std::unordered_map<StrokeId, StrokeId> ids;
     Selection selection = document.selection();
     for (std::size_t i = span.begin; i < span.end; ++i) {
         const Stroke &original = *painting.strokes[i];
@@ -315,9 +317,13 @@ Edit duplicateGroup(Document &document, GroupId group, const QString &name, Grou
         made->id = document.takeStrokeId();
         made->group = copies.at(original.group);
         added.push_back(made->id);
+        ids.emplace(original.id, made->id);
         moveSelected(selection, original.id, made->id);
         edit.strokes.emplace(made->id, std::move(made));
     }
+    linkCopies(copied, ids);
+    edit.groups = painting.groups;
+    edit.groups->insert(edit.groups->end(), copied.begin(), copied.end());
     edit.order = orderOf(painting);
     edit.order->insert(edit.order->begin() + std::ptrdiff_t(span.end), added.begin(), added.end());
     if (selection != document.selection())

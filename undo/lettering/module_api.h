@@ -9,7 +9,7 @@ class QCoreApplication;
 namespace suffuse {
 
 /// It rises with every change of LetterShaper, and of what a shaper hands out.
-constexpr int letteringModuleVersion = 2;
+constexpr int letteringModuleVersion = 3;
 
 extern "C" {
 /// suffuse_lettering_version

@@ -39,6 +39,8 @@ QFont fontOf(const Face &face)
     font.setItalic(face.italic);
     font.setHintingPreference(QFont::PreferNoHinting);
     font.setStyleStrategy(QFont::PreferOutline);
+    if (face.hasSmallCaps)
+        font.setCapitalization(QFont::SmallCaps);
     if (face.isSpaced) // Qt leaves ligatures out then. The room itself is added where the letters are placed.
         font.setLetterSpacing(QFont::AbsoluteSpacing, 1.0 / 64);
     return font;
@@ -117,7 +119,7 @@ struct LineShaper::Glyphs {
             return *known;
         auto made = std::make_shared<LetterOutline>();
         for (qsizetype k = 0; k < glyphs.size(); ++k)
-            append(*made, of.font.pathForGlyph(glyphs[k]), 1 / of.font.unitsPerEm(),
+            append(*made, of.font.pathForGlyph(glyphs[k]), font.pixelSize() / shapedEm / of.font.unitsPerEm(),
                    {(places[k].x() - left) / shapedEm, places[k].y() / shapedEm});
         ++count;
         return of.outlines[key] = made->empty() ? nullptr : std::move(made);

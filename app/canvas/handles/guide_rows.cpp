@@ -6,6 +6,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/ask_number.h"
+#include "app/widgets/numbers/length_units.h"
 
 namespace suffuse {
 
@@ -16,9 +17,8 @@ constexpr double farthestGuide = 1e9; ///< canvas units
 std::optional<double> askGuidePlace(CanvasWidget &canvas, bool upright, double usual)
 {
     return askNumber(canvas.window(), {Commands::tr("Guide"),
-                                       upright ? Commands::tr("Horizontal place, in canvas units")
-                                               : Commands::tr("Vertical place, in canvas units"),
-                                       usual, -farthestGuide, farthestGuide, 4});
+                                       upright ? Commands::tr("Horizontal place") : Commands::tr("Vertical place"),
+                                       usual, -farthestGuide, farthestGuide, 4, true});
 }
 
 void addGuide(CanvasWidget &canvas, bool upright)
@@ -59,6 +59,8 @@ void addUnitRows(Commands &table, CanvasWidget &canvas)
                 now.rulerUnits = units;
                 canvas.setAids(now);
                 settings::setCanvasAids(now);
+                if (LengthUnits *lengths = LengthUnits::of(&canvas)) // Fields count as rulers do.
+                    lengths->setUnits(units);
             });
     };
     add(RulersInUnits, RulerUnits::Canvas, "rulersInUnits", Commands::tr("Rulers in &Canvas Units"));

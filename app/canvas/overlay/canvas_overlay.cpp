@@ -5,8 +5,10 @@
 #include "app/canvas/handles/canvas_handles.h"
 #include "app/canvas/handles/rulers.h"
 #include "app/canvas/input/canvas_input.h"
+#include "app/canvas/overlay/assistant_lines.h"
 #include "app/canvas/overlay/shown_selection.h"
 #include "app/canvas/tool.h"
+#include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
 
 #include <QPainter>
@@ -18,7 +20,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int besideChosen = 110; ///< how opaque lines of erasures are where some segments are selected
+constexpr int besideChosen = 110; ///< how opaque lines of erasures are that are not selected, where others are
 
 } // namespace
 
@@ -49,6 +51,8 @@ void CanvasOverlay::paint(QPainter &painter, double dpr)
     if (m_aids.showGrid)
         paintGrid(painter, m_view.view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (m_aids.showAssistants && !isBare())
+        paintAssistants(painter, m_editor.aids().assistants(), m_view.view(), m_colours, dpr);
     m_handles.paint(painter, m_view.view(), m_colours, dpr);
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
@@ -77,23 +81,29 @@ void CanvasOverlay::paintSelection(QPainter &painter, double dpr)
                   m_editor.isDragging() || m_editor.isStepping());
 }
 
+/// The command shows those of all strokes. Where something is selected, what is not is paler.
 void CanvasOverlay::paintErasures(QPainter &painter, double dpr)
 {
-    const bool selected = !m_selected.selection().isEmpty(); // else they are those of all strokes
-    const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
-    const bool ofSelected = selected && !showsAllErasures();
-    OverlayColours colours = m_colours;
-    if (!m_selected.selection().segments.empty())
-        colours.accent.setAlpha(besideChosen);
-    if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
-        m_erasures.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(),
-                         ofSelected ? &m_selected.selection().strokes : nullptr, colours, dpr);
+    const Selection &selection = m_selected.selection();
+    const bool byTool = showsOutlines() && tool() && tool()->showsErasures();
+    if (isBare() || m_lift.isFloating())
+        return;
+    const auto paint = [&](ErasureLines &lines, const std::set<StrokeId> *only, bool isPale) {
+        OverlayColours colours = m_colours;
+        if (isPale)
+            colours.accent.setAlpha(besideChosen);
+        lines.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_editor.clock().time(), only, colours,
+                    dpr);
+    };
+    if (m_aids.showErasures)
+        paint(m_erasures, nullptr, !selection.isEmpty());
+    if (!selection.isEmpty() && (m_aids.showErasures || byTool))
+        paint(m_selectedErasures, &selection.strokes, !selection.segments.empty());
 }
 
-bool CanvasOverlay::showsAllErasures() const
+bool CanvasOverlay::showsErasures() const
 {
-    return m_aids.showErasures && !isBare() &&
-           (m_selected.selection().isEmpty() || (tool() && tool()->showsErasures()));
+    return m_aids.showErasures && !isBare();
 }
 
 bool CanvasOverlay::isBare() const
@@ -125,6 +135,7 @@ void CanvasOverlay::readPalette(const QPalette &palette)
     m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
     m_colours.accent = QColor(4, 46, 124);
     m_colours.guide = QColor(0, 92, 92);
+    m_colours.assistant = QColor(112, 18, 88);
 }
 
 bool CanvasOverlay::reveal(bool revealed)

@@ -20,8 +20,8 @@ class ShownSelection;
 class Tool;
 struct RulerUnit;
 
-/// Paints pasteboard, grid, handles, selection, erasures and rulers, and what the tool in use shows. It keeps what
-/// people have chosen to see, and the colours of all that, which follow the palette.
+/// Paints pasteboard, grid, assistants, handles, selection, erasures and rulers, and what the tool in use shows. It
+/// keeps what people have chosen to see, and the colours of all that, which follow the palette.
 class CanvasOverlay {
 public:
     CanvasOverlay(Editor &editor, const CanvasView &view, CanvasInput &input, CanvasHandles &handles,
@@ -37,8 +37,8 @@ public:
     bool isBare() const;
     /// Whether lines are drawn through the selected strokes.
     bool showsOutlines() const;
-    /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
-    bool showsAllErasures() const;
+    /// Whether erasures of all strokes are shown, by the command.
+    bool showsErasures() const;
     /// Whether lines are drawn through the selection though the tool in use shows none. `reveal` returns true where
     /// that changes what is painted.
     bool isRevealed() const { return m_revealed; }
@@ -72,7 +72,7 @@ private:
     CanvasLift &m_lift;
     OverlayColours m_colours;
     CanvasAids m_aids;
-    ErasureLines m_erasures;
+    ErasureLines m_erasures, m_selectedErasures; ///< of all strokes, and of those that are selected
     MissingPictures m_missing;
     CanvasNote m_note;
     bool m_revealed = false; ///< the selection, though the tool shows no outlines

@@ -18,7 +18,8 @@ struct OverlayColours {
     /// The colour of the selection. It is so dark that it stands out from white beside it, and one of the two stands
     /// out from any paint.
     QColor accent;
-    QColor guide; ///< as dark, and another one
+    QColor guide;     ///< as dark, and another one
+    QColor assistant; ///< the same of assistants
 };
 
 /// Appends the visible part of a cubic to `path`, as a polyline that is exact to a third of a pixel.

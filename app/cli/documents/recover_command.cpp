@@ -90,7 +90,9 @@ int recoverCommand(const QStringList &arguments)
                                                 "%1: there is no such journal to recover. See suffuse-cli recover "
                                                 "--list.")
                         .arg(id));
-    if (const Result<void> saved = savePainting(wanted->content.painting, out); !saved)
+    DocumentExtras extras;
+    extras.resolution = wanted->content.head.resolution;
+    if (const Result<void> saved = saveDocument(wanted->content.painting, extras, out); !saved)
         return fail(saved.error());
     return json ? printJson(jsonOf(*wanted)) : Done;
 }

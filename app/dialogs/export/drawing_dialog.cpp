@@ -1,6 +1,7 @@
 #include "app/dialogs/export/drawing_dialog.h"
 
 #include "app/dialogs/export/clock_box.h"
+#include "app/dialogs/sheet_presets.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
@@ -11,10 +12,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+
+#include <utility>
 
 namespace suffuse {
 
@@ -62,7 +66,10 @@ DrawingDialog::DrawingDialog(Editor &editor, QWidget *parent)
     restore();
     connect(m_kind, &QComboBox::currentIndexChanged, this, &DrawingDialog::kindChanged);
     connect(m_bands, &QSpinBox::valueChanged, this, &DrawingDialog::prepareSoon);
-    connect(m_moment->box(), &QComboBox::currentIndexChanged, this, &DrawingDialog::prepare);
+    connect(m_moment->box(), &QComboBox::currentIndexChanged, this, [this] {
+        forgetReturn();
+        prepare();
+    });
     connect(m_moment->clock(), &ClockBox::valueChanged, this, &DrawingDialog::prepareSoon);
     begin();
     kindChanged();
@@ -86,7 +93,7 @@ void DrawingDialog::addFields(QGridLayout &grid)
     m_page = new QComboBox(m_form);
     m_page->addItem(tr("As large as the sheet"), QString());
     for (const char *name : {"A3", "A4", "A5", "Letter"})
-        m_page->addItem(QLatin1String(name), QLatin1String(name));
+        m_page->addItem(paperTitle(QLatin1String(name)), QLatin1String(name));
     addField(4, tr("Page"), m_page,
              tr("Of a PDF: the sheet fits into the page, in its middle. By itself it is as large as on paper or, where "
                 "that is not said, has 96 units an inch."));
@@ -132,11 +139,35 @@ void DrawingDialog::kindChanged()
 {
     m_purpose->setText(purposeOf(chosenKind()));
     m_bands->setEnabled(chosenKind() == DrawingKind::Bands);
+    forgetReturn();
     prepare();
+}
+
+void DrawingDialog::forgetReturn()
+{
+    m_returned = false;
+    m_hint->showHint({});
+}
+
+void DrawingDialog::sayWhyItWaits()
+{
+    m_hint->showHint(m_returned ? tr("It is exported as soon as it is compared with the picture.") : QString());
+}
+
+void DrawingDialog::keyPressEvent(QKeyEvent *event)
+{
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isReturn || exportButton()->isEnabled() || isExporting() || (!m_soon.isActive() && !m_job.isPreparing())) {
+        ExportingDialog::keyPressEvent(event);
+        return;
+    }
+    m_returned = true;
+    sayWhyItWaits();
 }
 
 void DrawingDialog::prepareSoon()
 {
+    forgetReturn();
     m_soon.start(typingPause);
     m_difference->setText(tr("Comparing with the picture…"));
     setBusy(false);
@@ -153,7 +184,7 @@ void DrawingDialog::prepare()
     options.threads = settings::threads();
     m_job.prepare(m_editor.document().painting(), options);
     m_difference->setText(tr("Comparing with the picture…"));
-    m_hint->showHint({});
+    sayWhyItWaits();
     setBusy(false);
 }
 
@@ -163,6 +194,7 @@ void DrawingDialog::showPrepared(const QString &error)
     m_progress->hide();
     if (!error.isEmpty()) {
         m_difference->setText(tr("Unknown"));
+        m_returned = false;
         m_hint->showHint(error);
         return;
     }
@@ -170,6 +202,10 @@ void DrawingDialog::showPrepared(const QString &error)
     if (const QString leftOut = leftOutOf(*m_job.ready()); !leftOut.isEmpty())
         said << leftOut;
     m_difference->setText(said.join(QLatin1Char(' ')));
+    if (std::exchange(m_returned, false)) {
+        m_hint->showHint({});
+        startExport();
+    }
 }
 
 void DrawingDialog::browse()
@@ -184,7 +220,7 @@ void DrawingDialog::browse()
 /// What one format has nothing for, another one may have.
 void DrawingDialog::pathChanged()
 {
-    m_hint->showHint({});
+    forgetReturn();
     const std::optional<DrawingFormat> format = drawingFormatFor(m_path->text());
     m_page->setEnabled(format == DrawingFormat::Pdf);
     if (!format || std::exchange(m_format, format) == format)

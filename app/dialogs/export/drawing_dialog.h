@@ -28,6 +28,10 @@ public:
     QLabel *difference() const { return m_difference; }
     bool isExporting() const override { return m_job.isWriting(); }
 
+protected:
+    /// Return while the drawing is being compared exports it as soon as that is done.
+    void keyPressEvent(QKeyEvent *event) override;
+
 private:
     void addFields(QGridLayout &grid);
     void restore();
@@ -37,6 +41,9 @@ private:
     /// Draws anew what is asked for now, or once nothing more is typed.
     void prepare();
     void prepareSoon();
+    /// Something else is wanted than what Return was pressed for.
+    void forgetReturn();
+    void sayWhyItWaits();
     void showPrepared(const QString &error);
     void browse() override;
     void pathChanged() override;
@@ -46,7 +53,8 @@ private:
 
     Editor &m_editor;
     DrawingJob m_job;
-    QTimer m_soon; ///< until what is being typed is drawn
+    QTimer m_soon;           ///< until what is being typed is drawn
+    bool m_returned = false; ///< Return was pressed while nothing could be exported yet
     QComboBox *m_kind = nullptr;
     QLabel *m_purpose = nullptr;
     QSpinBox *m_bands = nullptr;

@@ -29,6 +29,7 @@ public:
     /// Writes what was prepared, which must be there.
     void write(const QString &path, const OnPaper &sheet);
     void cancel() { m_cancel = true; }
+    bool isPreparing() const { return m_work == Work::Preparing; }
     bool isWriting() const { return m_work == Work::Writing; }
     /// What is ready to be written; null: nothing.
     const PreparedDrawing *ready() const { return m_ready ? &*m_ready : nullptr; }

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/numbers/decimal_box.h"
+#include "app/widgets/numbers/length_units.h"
 #include "model/painting/influence.h"
 #include "render/image_io/image_io.h"
 #include "render/renderer.h"
@@ -122,20 +123,21 @@ void AreaRow::addNumbers(QWidget *parent)
     auto *line = new QHBoxLayout(m_line);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
-    const std::pair<QString, QString> names[] = {{tr("X"), tr("Left edge, canvas units")},
-                                                 {tr("Y"), tr("Upper edge, canvas units")},
-                                                 {tr("W"), tr("Width, canvas units")},
-                                                 {tr("H"), tr("Height, canvas units")}};
+    const std::pair<QString, QString> names[] = {
+        {tr("X"), tr("Left edge")}, {tr("Y"), tr("Upper edge")}, {tr("W"), tr("Width")}, {tr("H"), tr("Height")}};
+    const Display lengths = lengthDisplay(parent);
     for (std::size_t i = 0; i < 4; ++i) {
         auto *label = new QLabel(names[i].first, m_line);
         auto *box = new DecimalBox(m_line);
         box->setRange(i < 2 ? -farthestArea : 0.01, farthestArea);
         box->setDecimals(2);
+        box->setDisplay(lengths);
+        box->setSuffix({}); // There is room for numbers alone.
         box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setAlignment(Qt::AlignRight);
         box->setAccessibleName(names[i].second);
-        box->setToolTip(names[i].second);
+        box->setToolTip(QStringLiteral("%1 (%2)").arg(names[i].second, lengths.unit.trimmed()));
         box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("−00000.00")) + 16);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         label->setBuddy(box);

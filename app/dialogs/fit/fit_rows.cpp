@@ -122,11 +122,12 @@ void FitRows::addMore(QGridLayout &grid)
     m_more->setArrowType(Qt::RightArrow);
     grid.addWidget(m_more, grid.rowCount(), 0, 1, 3, Qt::AlignLeft);
     const int first = grid.rowCount();
-    m_least = addNumber(grid, tr("Least width"), tr("No stroke is narrower, in canvas units; 0: as narrow as it likes"),
-                        0, mostWidth, false);
-    m_greatest = addNumber(grid, tr("Greatest width"),
-                           tr("No stroke is wider, in canvas units; 0: as wide as it likes"), 0, mostWidth, false);
-    m_seed = addNumber(grid, tr("Seed"), tr("Another number gives other strokes, equally good ones"), 0, mostSeed, true);
+    m_least =
+        addNumber(grid, tr("Least width"), tr("No stroke is narrower; 0: as narrow as it likes"), 0, mostWidth, false);
+    m_greatest =
+        addNumber(grid, tr("Greatest width"), tr("No stroke is wider; 0: as wide as it likes"), 0, mostWidth, false);
+    m_seed =
+        addNumber(grid, tr("Seed"), tr("Another number gives other strokes, equally good ones"), 0, mostSeed, true);
     m_least->setDisplay(lengthDisplay());
     m_greatest->setDisplay(lengthDisplay());
     m_least->setValue(0);

@@ -15,6 +15,13 @@ int dotsIn(double millimetres, double dpi)
     return int(std::lround(millimetres / millimetresOfInch * dpi));
 }
 
+/// Files and printers count whole points: no strip beside the picture stays empty.
+QPageSize sheetPaper(const QSizeF &sheet)
+{
+    const auto points = [](double side) { return std::max(1, int(std::floor(side * point + 1e-6))); };
+    return QPageSize(QSize(points(sheet.width()), points(sheet.height())), QString(), QPageSize::ExactMatch);
+}
+
 } // namespace
 
 bool PagePlan::isCut() const
@@ -58,20 +65,26 @@ QPageSize paperOf(const QString &name)
     return QPageSize(QPageSize::A4);
 }
 
-QPageLayout layoutOf(const PrintSetup &setup)
+QPageLayout layoutOf(const PrintSetup &setup, const QSizeF &sheet)
 {
     const auto &[left, top, right, bottom] = setup.margins;
-    return {paperOf(setup.paper), setup.landscape ? QPageLayout::Landscape : QPageLayout::Portrait,
+    const bool isOwn = setup.isOnOwnSheet() && !sheet.isEmpty();
+    const QPageSize paper = isOwn ? sheetPaper(sheet) : paperOf(setup.paper);
+    return {paper, setup.landscape && !isOwn ? QPageLayout::Landscape : QPageLayout::Portrait,
             QMarginsF(left, top, right, bottom), QPageLayout::Millimeter};
 }
 
-PagePlan planOf(const PrintSetup &setup, const Rect &area, double resolution)
+PagePlan planOf(const PrintSetup &setup, const Rect &area, double resolution, const QSizeF &sheet)
 {
     PagePlan plan;
     plan.area = area;
-    plan.paper = QSizeF(paperOf(setup.paper).sizePoints()) / point; // as files and printers count it
-    if (setup.landscape)
-        plan.paper.transpose();
+    if (setup.isOnOwnSheet() && !sheet.isEmpty()) {
+        plan.paper = sheet;
+    } else {
+        plan.paper = QSizeF(paperOf(setup.paper).sizePoints()) / point; // as files and printers count it
+        if (setup.landscape)
+            plan.paper.transpose();
+    }
     const auto &[left, top, right, bottom] = setup.margins;
     plan.room = QRectF(left, top, std::max(0.0, plan.paper.width() - left - right),
                        std::max(0.0, plan.paper.height() - top - bottom));

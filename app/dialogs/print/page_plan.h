@@ -30,9 +30,10 @@ struct PagePlan {
 
 /// The paper of a name; A4 for one that is not known.
 QPageSize paperOf(const QString &name);
-/// Paper, orientation and margins, for whoever prints.
-QPageLayout layoutOf(const PrintSetup &setup);
+/// Paper, orientation and margins, for whoever prints. `sheet`: the painting's own, mm, which may be the paper.
+QPageLayout layoutOf(const PrintSetup &setup, const QSizeF &sheet = {});
 /// `resolution`: canvas units an inch at the actual size.
-PagePlan planOf(const PrintSetup &setup, const Rect &area, double resolution = usualResolution);
+PagePlan planOf(const PrintSetup &setup, const Rect &area, double resolution = usualResolution,
+                const QSizeF &sheet = {});
 
 } // namespace suffuse

@@ -3,6 +3,7 @@
 #include "app/dialogs/export/clock_box.h"
 #include "app/dialogs/print/printers.h"
 #include "app/dialogs/print/sheet_view.h"
+#include "app/dialogs/sheet_presets.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/asking/save_name.h"
@@ -20,6 +21,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
+
+#include <utility>
 
 namespace suffuse {
 
@@ -110,7 +113,8 @@ void PrintDialog::addPrinters(QGridLayout &grid)
         m_printer->setCurrentIndex(at);
     addField(0, tr("Printer"), m_printer, tr("Where the page comes out"));
     m_noPrinter = quietLabel(tr("No printer is set up on this computer. A file can be printed elsewhere."), m_form);
-    m_noPrinter->setMinimumHeight(3 * m_noPrinter->fontMetrics().lineSpacing()); // What wraps takes no other row's room.
+    m_noPrinter->setMinimumHeight(3 *
+                                  m_noPrinter->fontMetrics().lineSpacing()); // What wraps takes no other row's room.
     m_noPrinter->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     m_noPrinter->setVisible(!has);
     grid.addWidget(m_noPrinter, 1, 1, 1, 2);
@@ -125,16 +129,41 @@ void PrintDialog::addPaper()
     m_paper = new QComboBox(m_form);
     for (const QString &name : papers()) {
         const QSizeF size = paperOf(name).size(QPageSize::Millimeter);
-        m_paper->addItem(tr("%1 – %2 × %3 mm").arg(name, lengthText(size.width()), lengthText(size.height())), name);
+        m_paper->addItem(
+            tr("%1 – %2 × %3 mm").arg(paperTitle(name), lengthText(size.width()), lengthText(size.height())), name);
     }
+    m_paper->addItem(tr("%1 – %2 × %3 mm")
+                         .arg(tr("As large as the sheet"), lengthText(sheet().width()), lengthText(sheet().height())),
+                     QLatin1String(PrintSetup::ownSheet));
     m_paper->setCurrentIndex(m_paper->findData(PrintSetup{}.paper));
     m_orientation = new QComboBox(m_form);
     m_orientation->addItem(tr("Upright"), false);
     m_orientation->addItem(tr("Across"), true);
-    const Rect sheet = m_editor.document().painting()->canvas.area();
-    m_orientation->setCurrentIndex(sheet.width() > sheet.height() ? 1 : 0);
+    m_orientation->setCurrentIndex(sheet().width() > sheet().height() ? 1 : 0);
     addField(4, tr("Paper"), m_paper, tr("The size of the paper"));
     addField(5, tr("Orientation"), m_orientation, tr("How the paper lies"));
+}
+
+QSizeF PrintDialog::sheet() const
+{
+    const Rect canvas = m_editor.document().painting()->canvas.area();
+    return QSizeF(canvas.width(), canvas.height()) * millimetresOfInch / m_editor.resolution();
+}
+
+/// A sheet of its own is taken by all of the painting; other paper has margins.
+void PrintDialog::paperChanged()
+{
+    const bool isOwn = m_paper->currentData().toString() == QLatin1String(PrintSetup::ownSheet);
+    if (std::exchange(m_isOnOwnSheet, isOwn) == isOwn)
+        return;
+    m_orientation->setEnabled(!isOwn);
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (isOwn)
+            m_otherMargins[k] = m_margins[k]->value();
+        m_margins[k]->setValue(isOwn ? 0 : m_otherMargins[k]);
+    }
+    if (isOwn)
+        m_size->setCurrentIndex(m_size->findData(int(PrintSetup::Size::Actual)));
 }
 
 void PrintDialog::addMargins(QGridLayout &grid)
@@ -201,6 +230,7 @@ void PrintDialog::addResolution()
 void PrintDialog::follow()
 {
     connect(m_printer, &QComboBox::currentIndexChanged, this, &PrintDialog::printerChanged);
+    connect(m_paper, &QComboBox::currentIndexChanged, this, &PrintDialog::paperChanged);
     for (const QComboBox *box : {m_paper, m_orientation, m_size, m_resolution, m_moment->box()})
         connect(box, &QComboBox::currentIndexChanged, this, &PrintDialog::settingsChanged);
     connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this] {
@@ -262,6 +292,8 @@ void PrintDialog::take(const PrintSetup &setup)
 {
     if (const int at = m_paper->findData(setup.paper); at >= 0)
         m_paper->setCurrentIndex(at);
+    m_isOnOwnSheet = setup.isOnOwnSheet();
+    m_orientation->setEnabled(!m_isOnOwnSheet);
     m_orientation->setCurrentIndex(setup.landscape ? 1 : 0);
     for (std::size_t k = 0; k < 4; ++k)
         m_margins[k]->setValue(setup.margins[k]);
@@ -285,7 +317,7 @@ void PrintDialog::chooseDpi(int dpi)
 
 PagePlan PrintDialog::plan() const
 {
-    return planOf(setup(), m_area->area(), m_editor.resolution());
+    return planOf(setup(), m_area->area(), m_editor.resolution(), sheet());
 }
 
 PageOrder PrintDialog::order() const
@@ -357,7 +389,7 @@ void PrintDialog::startExport()
 {
     PrintTarget target;
     target.title = m_editor.displayName();
-    target.layout = layoutOf(setup());
+    target.layout = layoutOf(setup(), sheet());
     target.dpi = dpi();
     if (printsToFile()) {
         m_path->setText(

@@ -55,6 +55,9 @@ private:
     void addFields(QGridLayout &grid, const Rect &shown);
     void addPrinters(QGridLayout &grid);
     void addPaper();
+    /// How large the painting's own sheet is on paper, mm.
+    QSizeF sheet() const;
+    void paperChanged();
     void addMargins(QGridLayout &grid);
     void addSize(QGridLayout &grid);
     void addResolution();
@@ -82,6 +85,8 @@ private:
     QComboBox *m_paper = nullptr;
     QComboBox *m_orientation = nullptr;
     std::array<QDoubleSpinBox *, 4> m_margins{};
+    bool m_isOnOwnSheet = false;
+    std::array<double, 4> m_otherMargins = PrintSetup{}.margins; ///< of paper that is not the painting's own sheet
     QComboBox *m_size = nullptr;
     QDoubleSpinBox *m_scale = nullptr;
     AreaRow *m_area = nullptr;

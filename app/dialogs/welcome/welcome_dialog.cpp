@@ -124,10 +124,10 @@ void WelcomeDialog::addPaintings(QHBoxLayout &row)
     m_paintings->setAccessibleDescription(tr("Recent paintings and samples. Return opens one."));
     QStringList recent = settings::recentFiles();
     for (const QString &path : std::as_const(recent))
-        addPainting(path, tr("Recent"));
+        addPainting(path, QFileInfo(path).completeBaseName(), tr("Recent"));
     for (const QString &path : sampleFiles())
         if (!recent.contains(path))
-            addPainting(path, tr("Samples"));
+            addPainting(path, sampleTitle(path), tr("Samples"));
     column->addWidget(m_paintings, 1);
     auto *open = new QPushButton(tr("Open File…"), this);
     open->setAutoDefault(false);
@@ -156,7 +156,7 @@ void WelcomeDialog::whenChosen(QListWidget &list, const std::function<void(const
 }
 
 /// Below its heading, which comes with the first of them.
-void WelcomeDialog::addPainting(const QString &path, const QString &heading)
+void WelcomeDialog::addPainting(const QString &path, const QString &title, const QString &heading)
 {
     if (m_paintings->property("heading").toString() != heading) {
         addHeading(*m_paintings, heading);
@@ -165,8 +165,7 @@ void WelcomeDialog::addPainting(const QString &path, const QString &heading)
     QPixmap none(keptSize * devicePixelRatioF());
     none.setDevicePixelRatio(devicePixelRatioF());
     none.fill(Qt::transparent);
-    const QFileInfo file(path);
-    auto *row = new QListWidgetItem(none, file.completeBaseName(), m_paintings);
+    auto *row = new QListWidgetItem(none, title, m_paintings);
     row->setData(dataRole, path);
     row->setToolTip(path);
 }
@@ -184,8 +183,8 @@ void WelcomeDialog::loadPreviews()
             if (stop.stop_requested())
                 return;
             if (const QImage preview = previewOf(path, side); !preview.isNull())
-                QMetaObject::invokeMethod(this, [this, row = row, preview] { showPreview(row, preview); },
-                                          Qt::QueuedConnection);
+                QMetaObject::invokeMethod(
+                    this, [this, row = row, preview] { showPreview(row, preview); }, Qt::QueuedConnection);
         }
     });
 }

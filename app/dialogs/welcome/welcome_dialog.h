@@ -16,8 +16,8 @@ class QVBoxLayout;
 
 namespace suffuse {
 
-/// Where one begins: a new sheet, a painting that was open before, a sample, or a lesson. It stays beside the window, and
-/// closes with a choice; it does nothing of it itself.
+/// Where one begins: a new sheet, a painting that was open before, a sample, or a lesson. It stays beside the window,
+/// and closes with a choice; it does nothing of it itself.
 class WelcomeDialog : public QDialog {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ private:
     void addLessons(QVBoxLayout &column);
     void addFoot(QVBoxLayout &column);
     void whenChosen(QListWidget &list, const std::function<void(const QVariant &data)> &does);
-    void addPainting(const QString &path, const QString &heading);
+    void addPainting(const QString &path, const QString &title, const QString &heading);
     void loadPreviews();
     void showPreview(int row, const QImage &preview);
 

@@ -6,6 +6,7 @@
 #include "app/widgets/brush/brush_grid.h"
 #include "app/widgets/brush/brush_pictures.h"
 #include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/habits/search_field.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
@@ -58,7 +59,7 @@ QSize BrushPanel::sizeHint() const
 void BrushPanel::addHead(QVBoxLayout &column)
 {
     auto *row = new QHBoxLayout;
-    m_search = new QLineEdit(this);
+    m_search = new SearchField(this);
     m_search->setObjectName("brushesSearch");
     m_search->setPlaceholderText(tr("Search"));
     m_search->setClearButtonEnabled(true);

@@ -280,20 +280,14 @@ void SegmentSection::showBorn(const Inspected &inspected)
     m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
 }
 
-/// An erasure has a strength and a size; it has neither grain nor colour.
+/// An erasure has a strength and a size in place of φ and D; it has neither grain nor colour.
 void SegmentSection::nameForErasure(bool erasure)
 {
     if (std::exchange(m_namesErasure, erasure) == erasure)
         return;
     m_title->setText(erasure ? tr("Erasure") : tr("Segments"));
-    const FieldSpec diffusion = specOf(Quantity::Diffusion), density = specOf(Quantity::Density);
-    if (erasure) {
-        m_diffusion->rename(tr("Size D"), tr("How wide and how softly it takes away."));
-        m_density->rename(tr("Strength φ"), tr("How much it takes away."));
-    } else {
-        m_diffusion->rename(diffusion.name, diffusion.toolTip);
-        m_density->rename(density.name, density.toolTip);
-    }
+    m_diffusion->setVisible(!erasure);
+    m_density->setVisible(!erasure);
     m_granulation->setVisible(!erasure);
     for (QWidget *widget : std::initializer_list<QWidget *>{m_colourTitle, m_swatch, m_colour})
         widget->setVisible(!erasure);
@@ -306,7 +300,7 @@ void SegmentSection::refresh(const Inspected &inspected)
         showCommon(*row, numberOf(member), inspected);
     showBorn(inspected);
     nameForErasure(inspected.isErasure());
-    m_density->setVisible(!m_erasure->refresh(inspected));
+    m_erasure->refresh(inspected);
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
 

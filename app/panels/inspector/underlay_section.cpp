@@ -104,11 +104,11 @@ void UnderlaySection::addFields(QVBoxLayout &column)
         grid->addLayout(pair, row, 1, 1, 2);
         return pair;
     };
-    NumberField *x = addNumber(Number::X, tr("X"), tr("Left edge of the underlay, canvas units"));
-    NumberField *y = addNumber(Number::Y, tr("Y"), tr("Upper edge of the underlay, canvas units"));
+    NumberField *x = addNumber(Number::X, tr("X"), tr("Left edge of the underlay"));
+    NumberField *y = addNumber(Number::Y, tr("Y"), tr("Upper edge of the underlay"));
     QHBoxLayout *position = addPair(1, tr("Position"), x, y);
-    NumberField *width = addNumber(Number::Width, tr("Width"), tr("Width of the underlay, canvas units"));
-    NumberField *height = addNumber(Number::Height, tr("Height"), tr("Height of the underlay, canvas units"));
+    NumberField *width = addNumber(Number::Width, tr("Width"), tr("Width of the underlay"));
+    NumberField *height = addNumber(Number::Height, tr("Height"), tr("Height of the underlay"));
     QHBoxLayout *size = addPair(2, tr("Size"), width, height);
 
     m_proportions = makeTool(tr("Keep the proportions of width and height"));

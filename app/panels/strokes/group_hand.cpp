@@ -59,6 +59,27 @@ void GroupHand::fillModes(QMenu &menu, GroupId group)
         action->setChecked(present->blend == mode);
     }
     menu.setToolTipsVisible(true);
+    menu.installEventFilter(this);
+}
+
+/// Goes on to the next entry that begins with a letter, as lists do. Returns false if no letter was typed.
+bool GroupHand::goesToLetter(QMenu &menu, QKeyEvent &key)
+{
+    const QString letter = key.text();
+    if (letter.size() != 1 || !letter[0].isLetter() || (key.modifiers() & ~Qt::ShiftModifier))
+        return false;
+    key.accept(); // What the key means to the window it does not mean here.
+    if (key.type() == QEvent::ShortcutOverride)
+        return true;
+    const QList<QAction *> actions = menu.actions();
+    const qsizetype from = actions.indexOf(menu.activeAction());
+    for (qsizetype i = 1; i <= actions.size(); ++i)
+        if (QAction *next = actions[(from + i) % actions.size()];
+            next->text().remove(QLatin1Char('&')).startsWith(letter, Qt::CaseInsensitive)) {
+            menu.setActiveAction(next);
+            break;
+        }
+    return true;
 }
 
 void GroupHand::typeOpacity(const QModelIndex &row, const Group &group, const GroupCells &cells)
@@ -105,6 +126,9 @@ void GroupHand::close(QWidget &field)
 /// Esc gives up the number that is typed, as it does with a name.
 bool GroupHand::eventFilter(QObject *watched, QEvent *event)
 {
+    if (auto *menu = qobject_cast<QMenu *>(watched);
+        menu && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride))
+        return goesToLetter(*menu, *static_cast<QKeyEvent *>(event));
     auto *field = qobject_cast<EntryField *>(watched);
     if (!field || event->type() != QEvent::KeyPress || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
         return QObject::eventFilter(watched, event);

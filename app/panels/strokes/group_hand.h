@@ -9,6 +9,7 @@
 
 #include <optional>
 
+class QKeyEvent;
 class QMenu;
 class QModelIndex;
 class QMouseEvent;
@@ -47,6 +48,7 @@ signals:
     void said(const QString &text);
 
 private:
+    static bool goesToLetter(QMenu &menu, QKeyEvent &key);
     void close(QWidget &field);
     void setOpacity(GroupId group, double opacity, ValueEntry *entry);
     std::optional<float> opacityOf(GroupId group) const;

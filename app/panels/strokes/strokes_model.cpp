@@ -349,8 +349,8 @@ QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
 {
     const DraggedRows rows = draggedOf(indexes);
     // Other windows take the strokes themselves.
-    QMimeData *data =
-        clipboard::mimeOf(clipboard::asPainting(*m_tree.painting(), {rows.strokes, {}}), m_editor.clock().time());
+    QMimeData *data = clipboard::mimeOf(clipboard::asPainting(*m_tree.painting(), {rows.strokes, {}}),
+                                        m_editor.clock().time(), std::as_const(m_editor).extras().resolution);
     data->setData(rowsMime, rows.toBytes(this));
     return data;
 }

@@ -10,6 +10,7 @@
 #include "app/panels/strokes/strokes_view.h"
 #include "app/session/editor.h"
 #include "app/widgets/habits/held_button.h"
+#include "app/widgets/habits/search_field.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/menu_titles.h"
@@ -41,7 +42,7 @@ StrokesPanel::StrokesPanel(Editor &editor, const QList<QAction *> &more, QWidget
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 0);
     column->setSpacing(8);
-    m_search = new QLineEdit(this);
+    m_search = new SearchField(this);
     m_search->setObjectName("strokesSearch");
     m_search->setPlaceholderText(tr("Search"));
     m_search->setClearButtonEnabled(true);

@@ -5,8 +5,10 @@
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/files/image_layer.h"
 #include "app/session/settings/settings.h"
+#include "model/painting/stroke_values.h"
 #include "undo/fill_edits.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 
 #include <algorithm>
 #include <array>
@@ -125,7 +127,8 @@ void addRoleRows(Commands &table, Editor &editor)
     using enum Command;
     const auto roles = std::make_shared<SelectedRoles>(editor);
     const auto add = [&](GroupRole role, CommandRow &row) {
-        row.when([roles, role] { return !(*roles)(role).possible.empty(); }, Commands::tr("Select a group that this can be."))
+        row.when([roles, role] { return !(*roles)(role).possible.empty(); },
+                 Commands::tr("Select a group that this can be."))
             .checkedWhen([roles, role] { return (*roles)(role).all(); })
             .runs([&editor, role] { commands::toggleSelectedRole(editor, role); });
     };
@@ -148,6 +151,34 @@ std::ptrdiff_t actingGroups(const Painting &painting)
 {
     return std::ranges::count_if(painting.groups, [](const Group &group) { return group.isIsolated() || group.wash; });
 }
+
+/// Whether strokes or groups of a painting are locked or hidden, at the cost of the strokes that changed since it was
+/// asked last.
+class ClosedStrokes {
+public:
+    bool anyLocked(const Painting &painting)
+    {
+        return anyStroke(painting, locked) || std::ranges::any_of(painting.groups, &Group::locked);
+    }
+    bool anyHidden(const Painting &painting)
+    {
+        return anyStroke(painting, hidden) ||
+               std::ranges::any_of(painting.groups, [](const Group &group) { return !group.visible || group.solo; });
+    }
+
+private:
+    static constexpr std::uint8_t locked = 1, hidden = 2;
+
+    bool anyStroke(const Painting &painting, std::uint8_t how)
+    {
+        m_strokes.follow(painting.strokes, [](const Stroke &stroke) {
+            return std::uint8_t((stroke.locked ? locked : 0) | (stroke.visible ? 0 : hidden));
+        });
+        return std::any_of(m_strokes.begin(), m_strokes.end(), [how](std::uint8_t is) { return (is & how) != 0; });
+    }
+
+    StrokeValues<std::uint8_t> m_strokes;
+};
 
 void addGroupRows(Commands &table, Editor &editor)
 {
@@ -172,17 +203,26 @@ void addGroupRows(Commands &table, Editor &editor)
              Commands::tr("Make plain strokes of the letters of the selected texts; they cannot be typed in any more"))
         .when([&editor] { return canTurnTexts(editor.unsettled()); }, Commands::tr("Select a text."))
         .runs([&editor] { editor.push(textsToStrokes(editor.document()), Commands::tr("Text to strokes")); });
+    table
+        .add(ReleaseTexts, "releaseTexts", Commands::tr("Release Text from Stroke"), "", {},
+             Commands::tr("Let the selected texts keep their curves, whatever becomes of the strokes that they follow"))
+        .when([&editor] { return canReleaseTexts(editor.unsettled()); },
+              Commands::tr("Select a text that follows a stroke."))
+        .runs([&editor] { editor.push(releaseTexts(editor.document()), Commands::tr("Release text from stroke")); });
     table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
         .when(selected)
         .runs([&editor] { commands::lockSelected(editor); });
+    const auto closed = std::make_shared<ClosedStrokes>();
     table.add(UnlockAll, "unlockAll", Commands::tr("U&nlock All"), "unlock", key(Commands::tr("Ctrl+Alt+2")))
-        .when(anyStrokes(editor))
+        .when([closed, &editor] { return closed->anyLocked(*editor.unsettled().painting()); },
+              Commands::tr("Nothing is locked."))
         .runs([&editor] { commands::unlockAllStrokes(editor); });
     table.add(HideStrokes, "hide", Commands::tr("&Hide"), "eye-off", key(Commands::tr("Ctrl+3")))
         .when(selected)
         .runs([&editor] { commands::hideSelected(editor); });
     table.add(ShowAll, "showAll", Commands::tr("Sho&w All"), "eye", key(Commands::tr("Ctrl+Alt+3")))
-        .when(anyStrokes(editor))
+        .when([closed, &editor] { return closed->anyHidden(*editor.unsettled().painting()); },
+              Commands::tr("Nothing is hidden."))
         .runs([&editor] { commands::showAllStrokes(editor); });
 }
 
@@ -206,18 +246,22 @@ void addFillRows(Commands &table, Editor &editor)
     table
         .add(FillStrokes, "fill", Commands::tr("&Fill"), "", key(Commands::tr("Ctrl+Shift+F")),
              Commands::tr("Wet what the selected strokes enclose; the inspector has its values"))
-        .when([&editor] {
-            return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return !stroke.fill; });
-        }, Commands::tr("Select strokes without a fill."))
+        .when(
+            [&editor] {
+                return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return !stroke.fill; });
+            },
+            Commands::tr("Select strokes without a fill."))
         .runs([&editor] {
             editor.push(addFills(editor.document(), editor.document().selection().strokes), Commands::tr("Fill"));
         });
     table
         .add(RemoveFills, "removeFill", Commands::tr("Remove Fill"), "", {},
              Commands::tr("Leave of the selected strokes their outlines"))
-        .when([&editor] {
-            return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return bool(stroke.fill); });
-        }, Commands::tr("Select a filled stroke."))
+        .when(
+            [&editor] {
+                return anySelectedStroke(editor.unsettled(), [](const Stroke &stroke) { return bool(stroke.fill); });
+            },
+            Commands::tr("Select a filled stroke."))
         .runs([&editor] {
             editor.push(removeFills(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Remove fill"));
@@ -225,10 +269,12 @@ void addFillRows(Commands &table, Editor &editor)
     table
         .add(AddGradients, "addGradient", Commands::tr("Add Gradient"), "", {},
              Commands::tr("The colour of the selected fills fades from left to right; needs a fill of one colour"))
-        .when([&editor] {
-            return anySelectedStroke(editor.unsettled(),
-                                     [](const Stroke &stroke) { return stroke.fill && !stroke.fill->gradient; });
-        }, Commands::tr("Select a fill of one colour."))
+        .when(
+            [&editor] {
+                return anySelectedStroke(editor.unsettled(),
+                                         [](const Stroke &stroke) { return stroke.fill && !stroke.fill->gradient; });
+            },
+            Commands::tr("Select a fill of one colour."))
         .runs([&editor] {
             editor.push(addGradients(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Add gradient"));
@@ -236,10 +282,12 @@ void addFillRows(Commands &table, Editor &editor)
     table
         .add(RemoveGradients, "removeGradient", Commands::tr("Remove Gradient"), "", {},
              Commands::tr("The selected fills have their first colour everywhere; needs a fill with a gradient"))
-        .when([&editor] {
-            return anySelectedStroke(editor.unsettled(),
-                                     [](const Stroke &stroke) { return stroke.fill && stroke.fill->gradient; });
-        }, Commands::tr("Select a fill with a gradient."))
+        .when(
+            [&editor] {
+                return anySelectedStroke(editor.unsettled(),
+                                         [](const Stroke &stroke) { return stroke.fill && stroke.fill->gradient; });
+            },
+            Commands::tr("Select a fill with a gradient."))
         .runs([&editor] {
             editor.push(removeGradients(editor.document(), editor.document().selection().strokes),
                         Commands::tr("Remove gradient"));
@@ -252,7 +300,8 @@ void addChainRows(Commands &table, Editor &editor)
     table
         .add(CombineStrokes, "combine", Commands::tr("&Combine"), "", key(Commands::tr("Ctrl+Alt+K")),
              Commands::tr("Make one stroke of the selected ones, whose paint adds up"))
-        .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; }, Commands::tr("Select two strokes or more."))
+        .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; },
+              Commands::tr("Select two strokes or more."))
         .runs([&editor, &table] {
             if (const QString why = commands::combineSelected(editor); !why.isEmpty())
                 emit table.said(why, 8000);

@@ -9,6 +9,7 @@
 #include "model/formats/messages.h"
 #include "model/painting/editable.h"
 #include "model/painting/influence.h"
+#include "model/painting/resolution.h"
 #include "model/shaping/erasing/erase.h"
 #include "render/backends.h"
 #include "undo/edits.h"
@@ -41,9 +42,9 @@ constexpr char imageMime[] = "application/x-qt-image";
 Rect reachOf(const Painting &painting, Microseconds time)
 {
     const Rect reach = influenceOf(painting, time);
-    return reach.isEmpty() ? reach
-                           : Rect{std::floor(reach.left), std::floor(reach.top), std::ceil(reach.right),
-                                  std::ceil(reach.bottom)};
+    return reach.isEmpty()
+               ? reach
+               : Rect{std::floor(reach.left), std::floor(reach.top), std::ceil(reach.right), std::ceil(reach.bottom)};
 }
 
 QImage renderTransparent(const PaintingPtr &painting, Microseconds time)
@@ -243,12 +244,16 @@ Painting asPainting(const Painting &painting, const Selection &selection)
         placed.push_back(std::make_shared<const Stroke>(std::move(plain)));
     }
     result.strokes = std::move(placed);
+    forgetLostCurves(result);
     return result;
 }
 
-QMimeData *mimeOf(Painting painting, Microseconds time)
+QMimeData *mimeOf(Painting painting, Microseconds time, double resolution)
 {
-    return new StrokesMimeData(std::move(painting), time);
+    auto *data = new StrokesMimeData(std::move(painting), time);
+    if (isResolution(resolution))
+        data->setData(resolutionMime, QByteArray::number(resolution, 'g', 17));
+    return data;
 }
 
 bool canPaste(const QMimeData *data)
@@ -278,7 +283,8 @@ QString copy(Editor &editor, const Selection &selection)
     if (painting.strokes.empty())
         return selection.isEmpty() ? QString() : erasuresAlone();
     const SvgStrokes losses = lossesOf(painting);
-    QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
+    QGuiApplication::clipboard()->setMimeData(
+        mimeOf(std::move(painting), editor.clock().time(), std::as_const(editor).extras().resolution));
     return leftOutOf(losses);
 }
 
@@ -300,7 +306,8 @@ QString paste(Editor &editor, const QMimeData &data, const Landing &landing)
             readTextForm(data.data(strokesMime), QCoreApplication::translate("Clipboard", "Clipboard"));
         if (!read)
             return read.error();
-        return addStrokes(editor, *read, landing, pasting);
+        const double from = data.data(resolutionMime).toDouble(), to = std::as_const(editor).extras().resolution;
+        return addStrokes(editor, atRealSize(*read, from, to), landing, pasting);
     }
     if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
         Result<SvgDrawing> drawing = readSvgDrawing(svg);

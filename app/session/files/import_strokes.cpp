@@ -4,14 +4,18 @@
 #include "app/session/editor.h"
 #include "model/formats/messages.h"
 #include "model/formats/picture_links.h"
+#include "model/painting/resolution.h"
 #include "model/painting/validate.h"
 #include "model/shaping/transform.h"
 #include "undo/edits.h"
+#include "undo/text_links.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <utility>
 
 namespace suffuse {
 
@@ -158,19 +162,23 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
         group.solo = false; // Where it hid what comes, it will not.
     const Visibility isSeen(groups);
     int refused = 0;
+    std::unordered_map<StrokeId, StrokeId> ids;
     for (Stroke &stroke : strokes) {
-        stroke.id = document.takeStrokeId();
+        const StrokeId original = std::exchange(stroke.id, document.takeStrokeId());
         stroke.group = fresh.contains(stroke.group) ? fresh[stroke.group] : 0;
         stroke.origin = stroke.origin + by;
         if (!problemOf(stroke).isEmpty()) {
             ++refused;
             continue;
         }
+        ids.emplace(original, stroke.id);
         edit.order->push_back(stroke.id);
         if (landing.selects && isSeen(stroke))
             edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
+    if (edit.groups)
+        linkCopies(std::span(*edit.groups).subspan(document.painting()->groups.size()), ids, by);
     const bool comes = !edit.strokes.empty();
     if (comes) {
         if (!paints.empty())
@@ -194,6 +202,24 @@ QString addStrokes(Editor &editor, const Painting &added, const Landing &landing
              : QString()});
 }
 
+Painting atRealSize(Painting painting, double from, double to)
+{
+    if (!isResolution(from) || !isResolution(to) || from == to)
+        return painting;
+    const Affine map = Affine::scaling({}, to / from, to / from);
+    StrokeList strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        strokes.push_back(std::make_shared<const Stroke>(transformed(*stroke, map, SpreadRule::Scales)));
+    painting.strokes = std::move(strokes);
+    for (Group &group : painting.groups)
+        if (group.text) {
+            Text text = *group.text;
+            text.place = map * text.place;
+            group.text = std::move(text);
+        }
+    return painting;
+}
+
 Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre)
 {
     const Result<LoadedDocument> file = loadDocument(path, &editor.brush());
@@ -201,7 +227,8 @@ Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point ce
         return Error{file.error()};
     if (file->painting.strokes.empty() && file->losses.empty())
         return fileError(path, QCoreApplication::translate("Import", "there are no strokes in it"));
-    const Painting painting = withAbsoluteLinks(file->painting, QFileInfo(path).absolutePath());
+    const Painting painting = atRealSize(withAbsoluteLinks(file->painting, QFileInfo(path).absolutePath()),
+                                         file->extras.resolution, std::as_const(editor).extras().resolution);
     const QString refused = addStrokes(editor, inOneGroup(painting, QFileInfo(path).completeBaseName()), centre,
                                        QCoreApplication::translate("Import", "Import strokes"));
     return ImportReport{file->losses, joinedSentences({refused, file->leftOut, file->missing})};

@@ -15,7 +15,8 @@ QString &journals()
 JournalHead headOf(const Editor &editor)
 {
     const QString &path = editor.filePath();
-    return {editor.ownName(), path.isEmpty() ? editor.suggestedPath() : path, editor.fileHash()};
+    return {editor.ownName(), path.isEmpty() ? editor.suggestedPath() : path, editor.fileHash(),
+            editor.extras().resolution};
 }
 
 } // namespace

@@ -7,6 +7,9 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+
+#include <utility>
 
 namespace suffuse {
 
@@ -21,6 +24,22 @@ QStringList sampleFiles()
             return files;
     }
     return {};
+}
+
+QString sampleTitle(const QString &path)
+{
+    const QString name = QFileInfo(path).completeBaseName();
+    static const std::pair<const char *, const char *> titles[] = {
+        {"flat", QT_TRANSLATE_NOOP("suffuse::Samples", "Harbour")},
+        {"ink-landscape", QT_TRANSLATE_NOOP("suffuse::Samples", "Ink Landscape")},
+        {"lanterns", QT_TRANSLATE_NOOP("suffuse::Samples", "Lanterns")},
+        {"moonrise", QT_TRANSLATE_NOOP("suffuse::Samples", "Moonrise")},
+        {"sheet", QT_TRANSLATE_NOOP("suffuse::Samples", "Sheet of Strokes")},
+        {"still-life", QT_TRANSLATE_NOOP("suffuse::Samples", "Still Life")}};
+    for (const auto &[file, title] : titles)
+        if (name == QLatin1String(file))
+            return QCoreApplication::translate("suffuse::Samples", title);
+    return name;
 }
 
 QImage keptPreview(const QString &path)

@@ -23,14 +23,16 @@ struct CanvasAids {
     bool showGrid = false;
     double gridStep = 20;      ///< canvas units
     bool showOutlines = true;  ///< outlines of the selected strokes
-    bool showErasures = false; ///< lines along what takes paint away, of the selected strokes
+    bool showErasures = false; ///< lines along what takes paint away
     bool showBeyond = false;   ///< paint beyond the canvas, under a veil
     bool showSymmetry = true;  ///< axes of the symmetry, and what drags them
     bool showRulers = false;
     RulerUnits rulerUnits = RulerUnits::Canvas;
-    bool showGuides = true;    ///< nothing snaps to those that are not seen
+    bool showGuides = true; ///< nothing snaps to those that are not seen
     bool snapToGuides = true;
-    bool lockGuides = false;   ///< no press takes hold of one
+    bool lockGuides = false;    ///< no press takes hold of one
+    bool showAssistants = true; ///< no stroke follows those that are not seen
+    bool snapToAssistants = true;
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 
@@ -62,7 +64,8 @@ public:
     /// Returns the nearest node within reach, else the guides or lines of the grid within reach, else the point itself.
     Snap snap(Point point, const View &view, double dpr) const;
     /// For points that move together by `by`: returns the move that brings one of them to a node or, along each axis,
-    /// to a guide or a line of the grid; `by` itself where none comes near. `at` gets the place to which it was brought.
+    /// to a guide or a line of the grid; `by` itself where none comes near. `at` gets the place to which it was
+    /// brought.
     Snap snapMove(const std::vector<Point> &points, Point by, const View &view, double dpr, Point *at = nullptr) const;
 
 private:

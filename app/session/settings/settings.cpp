@@ -118,6 +118,8 @@ CanvasAids canvasAids()
     aids.showGuides = s.value("aids/showGuides", aids.showGuides).toBool();
     aids.snapToGuides = s.value("aids/snapToGuides", aids.snapToGuides).toBool();
     aids.lockGuides = s.value("aids/lockGuides", aids.lockGuides).toBool();
+    aids.showAssistants = s.value("aids/showAssistants", aids.showAssistants).toBool();
+    aids.snapToAssistants = s.value("aids/snapToAssistants", aids.snapToAssistants).toBool();
     const double step = s.value("aids/gridStep", aids.gridStep).toDouble();
     if (step >= minGridStep && step <= maxGridStep)
         aids.gridStep = step;
@@ -140,6 +142,8 @@ void setCanvasAids(const CanvasAids &aids)
     s.setValue("aids/showGuides", aids.showGuides);
     s.setValue("aids/snapToGuides", aids.snapToGuides);
     s.setValue("aids/lockGuides", aids.lockGuides);
+    s.setValue("aids/showAssistants", aids.showAssistants);
+    s.setValue("aids/snapToAssistants", aids.snapToAssistants);
 }
 
 PenSettings penSettings()

@@ -1,6 +1,7 @@
 #include "app/tools/brush/brush_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/overlay/assistant_lines.h"
 #include "app/session/current_layer.h"
 #include "app/session/drawing_aids.h"
 #include "app/session/editor.h"
@@ -145,9 +146,19 @@ void BrushTool::press(const PointerEvent &event)
         first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
     const double stringLength = double(brush.stabiliser.length) * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
-    m_builder->add(sampleOf(first));
-    showDraft();
+    beginAssisted();
+    build(m_assisted.take(sampleOf(first)));
     showOutlineAt(event);
+}
+
+void BrushTool::beginAssisted()
+{
+    constexpr double atEnd = 1; // what goes on with a stroke must not jump
+    const CanvasAids &aids = m_canvas.aids();
+    const double pixel = m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    m_assisted.begin(aids.showAssistants && aids.snapToAssistants ? m_editor.aids().assistants()
+                                                                  : std::vector<Assistant>(),
+                     AssistedPen::usualTravel * pixel, (m_extended ? atEnd : AssistedPen::usualReach) * pixel);
 }
 
 PenSample BrushTool::sampleOf(const PointerEvent &event) const
@@ -163,10 +174,18 @@ PenSample BrushTool::sampleOf(const PointerEvent &event) const
 void BrushTool::add(const PointerEvent &event)
 {
     m_lastTime = std::max(m_lastTime, event.time);
-    if (const auto sample = m_stabiliser.take(sampleOf(event))) {
-        m_builder->add(*sample);
+    if (const auto sample = m_stabiliser.take(sampleOf(event)))
+        build(m_assisted.take(*sample));
+}
+
+void BrushTool::build(const std::vector<PenSample> &samples)
+{
+    if (samples.size() > 1 && m_assisted.track()) // They have waited until it was decided, and the line is to be seen.
+        m_canvas.updateOverlay();
+    for (const PenSample &sample : samples)
+        m_builder->add(sample);
+    if (!samples.empty())
         showDraft();
-    }
 }
 
 void BrushTool::showDraft()
@@ -197,10 +216,13 @@ void BrushTool::release(const PointerEvent &event)
     // A pen reports pressure 0 when it lifts, which is no paint.
     if (event.device == PointerDevice::Mouse || event.pressure > 0)
         if (const auto last = m_stabiliser.finish(sampleOf(event)))
-            m_builder->add(*last);
+            build(m_assisted.take(*last));
+    build(m_assisted.finish());
     m_builder->finish();
     const StrokePtr stroke = m_builder->stroke();
     m_builder.reset();
+    if (m_assisted.track())
+        m_canvas.updateOverlay();
     Document &document = m_editor.document();
     document.setDraft(nullptr);
     if (stroke && problemOf(*stroke).isEmpty()) {
@@ -238,6 +260,7 @@ void BrushTool::cancel()
     if (!m_builder)
         return;
     m_builder.reset();
+    m_canvas.updateOverlay();
     m_editor.document().setDraft(nullptr);
     m_editor.clock().hold(false);
 }
@@ -295,6 +318,8 @@ double BrushTool::circle(const View &view, double dpr) const
 void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_picker.paint(painter, dpr);
+    if (m_builder && m_assisted.track())
+        paintTrack(painter, *m_assisted.track(), view, m_canvas.overlayColours(), dpr);
     if (m_hovering && !m_picker.isActive())
         paintOutline(painter, view, dpr);
     paintNote(painter, dpr); // The note is painted last, so that no circle crosses it.

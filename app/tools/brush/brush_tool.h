@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/painting/assisted_pen.h"
 #include "app/session/painting/stabiliser.h"
 #include "app/session/painting/stroke_copies.h"
 #include "app/tools/brush/brush_sizing.h"
@@ -51,7 +52,10 @@ public:
     double circle(const View &view, double dpr) const;
 
 private:
+    /// Decides with the first sample what assistants the new stroke may follow.
+    void beginAssisted();
     void add(const PointerEvent &event);
+    void build(const std::vector<PenSample> &samples);
     void showDraft();
     PenSample sampleOf(const PointerEvent &event) const;
     void paintString(QPainter &painter, const View &view, double dpr) const;
@@ -68,6 +72,7 @@ private:
     std::unique_ptr<StrokeBuilder> m_builder;
     StrokeCopies m_copies; ///< of the stroke in hand
     PenStabiliser m_stabiliser;
+    AssistedPen m_assisted; ///< behind the stabiliser, whose string would cut corners
     BrushSizing m_sizing;
     Microseconds m_lastTime = 0;
     std::optional<NodeRef> m_extended; ///< the end that the stroke in hand continues

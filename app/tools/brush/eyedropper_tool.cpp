@@ -45,7 +45,8 @@ std::optional<Colour> strokeColourAt(const Painting &painting, Microseconds time
         return {};
     const StrokePtr stroke = painting.find(hit->stroke);
     if (stroke->fill && stroke->fill->age(time) > 0) { // It is the fill's if that has the greater share.
-        const DensityOfFill::Value fill = DensityOfFill(*stroke, time)(point - stroke->origin);
+        const Point at = point - stroke->origin;
+        const DensityOfFill::Value fill = DensityOfFill(*stroke, time, at)(at);
         if (fill.density > 0.5 * seenPaint(*stroke, time, point).density) {
             LocalPaint paint;
             paint.add(*stroke->fill, stroke->style, fill.density, fill.place);

@@ -92,7 +92,7 @@ void NodesInReach::findCurve(Point point, double reach, NodeHit &hit) const
             hit.place = place;
         }
     }
-    if (!hit.curve && m_canvas.showsAllErasures())
+    if (!hit.curve && m_canvas.showsErasures())
         if (const auto erasure = erasureAt(*painting, point, reach)) {
             hit.curve = erasure->stroke;
             hit.place = {erasure->segment, erasure->p};

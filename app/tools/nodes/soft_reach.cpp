@@ -83,7 +83,7 @@ double SoftReach::stepped(double reach, double steps, const View &view, double d
 void SoftReach::addTo(QHBoxLayout &row)
 {
     m_field = addNumber(row, tr("Reach"),
-                        tr("How far along the stroke a dragged node or curve takes along what lies near, canvas units; "
+                        tr("How far along the stroke a dragged node or curve takes along what lies near; "
                            "0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)"),
                         [this](double reach) { choose(reach); });
     m_field->setRange(0, greatestReach);

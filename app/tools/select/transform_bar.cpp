@@ -40,10 +40,10 @@ TransformBar::TransformBar(Editor &editor, Commands &commands, QWidget *parent)
 void TransformBar::addNumbers(QHBoxLayout &row)
 {
     //: left edge of the selection
-    addField(row, Number::X, tr("X"), tr("Left edge of the selected strokes' curves, canvas units"));
-    addField(row, Number::Y, tr("Y"), tr("Upper edge of the selected strokes' curves, canvas units"));
+    addField(row, Number::X, tr("X"), tr("Left edge of the selected strokes' curves"));
+    addField(row, Number::Y, tr("Y"), tr("Upper edge of the selected strokes' curves"));
     //: width
-    addField(row, Number::Width, tr("W"), tr("Width of the selected strokes' curves, canvas units"));
+    addField(row, Number::Width, tr("W"), tr("Width of the selected strokes' curves"));
     m_proportions = new QToolButton(this);
     m_proportions->setIcon(icon("proportions"));
     m_proportions->setCheckable(true);
@@ -53,7 +53,7 @@ void TransformBar::addNumbers(QHBoxLayout &row)
     m_proportions->setAccessibleName(tr("Keep the proportions"));
     row.addWidget(m_proportions);
     //: height
-    addField(row, Number::Height, tr("H"), tr("Height of the selected strokes' curves, canvas units"));
+    addField(row, Number::Height, tr("H"), tr("Height of the selected strokes' curves"));
     NumberField *angle = addField(row, Number::Angle, tr("∠"), tr("Rotate the selected strokes by this angle"));
     // The values are degrees already, so only the unit of the display is taken.
     angle->setDisplay({.unit = angleDisplay().unit});
@@ -69,7 +69,7 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
     field->setAccessibleName(tip);
     if (number != Number::Angle)
         field->setDisplay(lengthDisplay());
-    field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.0") + canvasUnit()) + 12);
+    field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.0") + millimetreUnit()) + 12);
     const bool size = number == Number::Width || number == Number::Height;
     field->setRange(size ? smallestBox : -farthestBox, farthestBox);
     field->setStep(1);

@@ -37,17 +37,17 @@ NextNodeFields::NextNodeFields(QHBoxLayout &row) : QObject(row.parentWidget())
     };
     //: of the next node of an outline
     add(Number::X, "x",
-        {tr("X"), tr("Where the next node is set, from the left, canvas units. Return sets it, and so does a click"),
-         lengthDisplay(), -farthest, farthest},
+        {tr("X"), tr("Where the next node is set, from the left. Return sets it, and so does a click"), lengthDisplay(),
+         -farthest, farthest},
         1);
     //: of the next node of an outline
     add(Number::Y, "y",
-        {tr("Y"), tr("Where the next node is set, from the top, canvas units. Return sets it, and so does a click"),
-         lengthDisplay(), -farthest, farthest},
+        {tr("Y"), tr("Where the next node is set, from the top. Return sets it, and so does a click"), lengthDisplay(),
+         -farthest, farthest},
         1);
     add(Number::Length, "length",
-        {tr("Length"), tr("From the last node to the next one, canvas units. Return sets it, and so does a click"),
-         lengthDisplay(), 0, farthest},
+        {tr("Length"), tr("From the last node to the next one. Return sets it, and so does a click"), lengthDisplay(),
+         0, farthest},
         1);
     add(Number::Angle, "angle",
         {tr("Angle"),

@@ -2,6 +2,7 @@
 
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/look/section.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/numbers/quantity.h"
 
@@ -33,8 +34,7 @@ EraserChoice EraserChoice::stored()
     choice.soft = soft == "lift" || (soft.isEmpty() && !mode.isEmpty()) ? EraserMode::Lift : EraserMode::Fade;
     choice.scope = scope == "all" ? EraserScope::All : scope == "group" ? EraserScope::Group : EraserScope::Selected;
     choice.strength = numberIn("eraser/strength", choice.strength, leastStrength, 1);
-    choice.softness =
-        numberIn("eraser/softness", choice.softness, SoftTip::leastSoftness, SoftTip::greatestSoftness);
+    choice.softness = numberIn("eraser/softness", choice.softness, SoftTip::leastSoftness, SoftTip::greatestSoftness);
     return choice;
 }
 
@@ -78,6 +78,10 @@ EraserFields::EraserFields(QHBoxLayout &row, const std::function<void()> &addSiz
     m_scopes = addChoices(row, {tr("Selected Strokes"), tr("Current Group"), tr("All Strokes")},
                           tr("From which strokes; without a selection, the first choice means all"),
                           [this](int i) { change([i](EraserChoice &choice) { choice.scope = EraserScope(i); }); });
+    m_lifts = quietLabel(tr("Sharp edges draw in."), row.parentWidget());
+    m_lifts->setWordWrap(false);
+    row.addSpacing(10);
+    row.addWidget(m_lifts);
     row.addStretch();
 }
 
@@ -116,6 +120,7 @@ void EraserFields::show(const EraserChoice &choice)
     m_softness->setValue(choice.softness);
     m_strength->setEnabled(choice.mode != EraserMode::Cut);
     m_softness->setEnabled(choice.mode != EraserMode::Cut);
+    m_lifts->setVisible(choice.mode == EraserMode::Lift);
 }
 
 } // namespace suffuse

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 
 namespace suffuse {
 
@@ -55,6 +56,8 @@ public:
     void show(const EraserChoice &choice);
     /// Says what the scope of the selected strokes means now: all, where none is selected.
     void setAnySelected(bool selected);
+    /// What the row says of the way in which paint is lifted; seen in that mode alone.
+    QLabel *liftNote() const { return m_lifts; }
 
 signals:
     /// Emitted when somebody has changed it by hand.
@@ -70,6 +73,7 @@ private:
     QComboBox *m_scopes = nullptr;
     NumberField *m_strength = nullptr;
     NumberField *m_softness = nullptr;
+    QLabel *m_lifts = nullptr; ///< what lifting does to sharp edges
 };
 
 } // namespace suffuse

@@ -80,7 +80,7 @@ TextRow::TextRow(QWidget *parent) : QWidget(parent)
         field->setObjectName(QLatin1String(name));
         return field;
     };
-    m_size = add("size", {tr("Size"), tr("The em of the font, canvas units"), lengthDisplay(), 0.01, 1e6}, &Text::size);
+    m_size = add("size", {tr("Size"), tr("The em of the font"), lengthDisplay(), 0.01, 1e6}, &Text::size);
     FieldSpec spacing = shareSpec(tr("Spacing"), tr("Room that is added between letters, of the size"));
     spacing.minimum = -1;
     spacing.maximum = 10;
@@ -99,7 +99,8 @@ TextRow::TextRow(QWidget *parent) : QWidget(parent)
     connect(m_vertical, &QCheckBox::clicked, this,
             [this](bool on) { emitChange([on](Text &text) { text.vertical = on; }); });
     row->addSpacing(10);
-    m_bend = addButton(*row, "bend", tr("On Selected Stroke"), tr("Set the text along the selected stroke"));
+    m_bend = addButton(*row, "bend", tr("On Selected Stroke"),
+                       tr("Set the text along the selected stroke, which it follows from then on"));
     connect(m_bend, &QAbstractButton::clicked, this, &TextRow::bendWanted);
     m_straighten = addButton(*row, "straighten", tr("Straight"), tr("Take the text off its curve"));
     connect(m_straighten, &QAbstractButton::clicked, this, &TextRow::straightenWanted);

@@ -5,6 +5,7 @@
 #include "app/tools/text/text_row.h"
 #include "app/tools/text/text_style.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 
 namespace suffuse {
 
@@ -25,20 +26,10 @@ Text atItsSize(Text text)
     for (Cubic &curve : text.curve)
         for (Point &p : curve.p)
             p = scale * p;
+    if (text.follows != 0)
+        text.followMap = Affine{scale, 0, 0, scale, {}} * text.followMap;
     text.place = text.place * Affine{1 / scale, 0, 0, 1 / scale, {}};
     return text;
-}
-
-/// The first chain of a stroke that lays paint or bounds it.
-std::vector<Cubic> firstChain(const Stroke &stroke)
-{
-    std::vector<Cubic> curves;
-    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        if (k > 0 && stroke.beginsChain(k))
-            break;
-        curves.push_back(stroke.cubicOf(stroke.segments[k]));
-    }
-    return curves;
 }
 
 } // namespace
@@ -110,36 +101,36 @@ void TextValues::changeValues(const TextRow::Change &how)
     showRow();
 }
 
-std::vector<Cubic> TextValues::selectedCurve() const
+StrokePtr TextValues::selectedStroke() const
 {
     const Painting &painting = *m_editor.document().painting();
     const std::set<StrokeId> &among = m_entry.isOpen() ? m_chosen : m_editor.selection().strokes;
-    std::vector<Cubic> curve;
+    StrokePtr topmost;
     for (const StrokePtr &stroke : painting.strokes)
         if (among.contains(stroke->id) && !textAround(painting, *stroke))
-            curve = firstChain(*stroke);
-    if (curve.size() > std::size_t(Text::mostCurves))
-        curve.clear();
-    return curve;
+            topmost = stroke;
+    return topmost;
 }
 
 void TextValues::bend()
 {
-    std::vector<Cubic> curve = selectedCurve();
-    if (!curve.empty())
-        setOnCurve(std::move(curve));
+    const StrokePtr stroke = selectedStroke();
+    if (stroke && !baselineOf(*stroke).empty())
+        setOnCurve(baselineOf(*stroke), stroke->id);
 }
 
 void TextValues::straighten()
 {
-    setOnCurve({});
+    setOnCurve({}, 0);
 }
 
-/// Sets the text in hand, or the selected one, along a curve in canvas units; where there is none, a new text begins
-/// there. An empty curve: it becomes straight where its curve began.
-void TextValues::setOnCurve(std::vector<Cubic> curve)
+/// Sets the text in hand, or the selected one, along the curve of a stroke, in canvas units; where there is none, a new
+/// text begins there. An empty curve: it becomes straight where its curve began.
+void TextValues::setOnCurve(const std::vector<Cubic> &curve, StrokeId stroke)
 {
-    const auto how = [&curve](Text &text) {
+    const auto how = [&](Text &text) {
+        text.follows = stroke;
+        text.followMap = {};
         if (curve.empty()) {
             if (!text.curve.empty())
                 text.place.offset = text.place(text.curve.front().p[0]);
@@ -147,7 +138,7 @@ void TextValues::setOnCurve(std::vector<Cubic> curve)
             return;
         }
         text = atItsSize(std::move(text));
-        text.place = {};
+        text.place = text.followMap = {};
         text.curve = curve;
     };
     if (!m_entry.isOpen()) {
@@ -164,6 +155,7 @@ void TextValues::setOnCurve(std::vector<Cubic> curve)
             Text begun = m_style;
             begun.vertical = false;
             begun.curve = curve;
+            begun.follows = stroke;
             m_entry.begin(begun);
             m_canvas.setFocus();
             return;

@@ -30,10 +30,10 @@ signals:
 
 private:
     void changeValues(const TextRow::Change &how);
-    std::vector<Cubic> selectedCurve() const;
+    StrokePtr selectedStroke() const;
     void bend();
     void straighten();
-    void setOnCurve(std::vector<Cubic> curve);
+    void setOnCurve(const std::vector<Cubic> &curve, StrokeId stroke);
 
     CanvasWidget &m_canvas;
     Editor &m_editor;

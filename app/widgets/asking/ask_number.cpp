@@ -2,6 +2,7 @@
 
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/numbers/decimal_box.h"
+#include "app/widgets/numbers/length_units.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -18,6 +19,8 @@ std::optional<double> askNumber(QWidget *parent, const NumberQuestion &question)
     auto *label = new QLabel(question.label, &dialog);
     auto *box = new DecimalBox(&dialog);
     box->setDecimals(question.decimals);
+    if (question.isLength)
+        box->setDisplay(lengthDisplay(parent));
     box->setRange(question.minimum, question.maximum);
     box->setValue(question.value);
     box->setKeyboardTracking(false);

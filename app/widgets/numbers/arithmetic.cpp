@@ -1,11 +1,13 @@
 #include "app/widgets/numbers/arithmetic.h"
 
 #include "app/widgets/numbers/display.h"
+#include "model/painting/resolution.h"
 
 #include <QLocale>
 #include <QRegularExpression>
 
 #include <cmath>
+#include <functional>
 
 namespace suffuse {
 
@@ -89,7 +91,7 @@ private:
 };
 
 /// A unit that may be typed in a field of another unit, and what it is worth there.
-struct LengthUnit {
+struct OtherUnit {
     const char *name;
     const char *field;
     double factor;
@@ -98,24 +100,48 @@ struct LengthUnit {
 /// The name in the table of a unit as fields show it.
 QString plainUnit(const QString &shown)
 {
-    const std::pair<QString, const char *> names[] = {
-        {canvasUnit(), "u"}, {secondsUnit(), "s"}, {diffusionUnit(), "u²/s"}};
+    const std::pair<QString, const char *> names[] = {{canvasUnit(), "u"},
+                                                      {millimetreUnit(), "mm"},
+                                                      {inchUnit(), "in"},
+                                                      {secondsUnit(), "s"},
+                                                      {diffusionUnit(), "u²/s"}};
     for (const auto &[unit, name] : names)
         if (shown == unit.trimmed())
             return QString::fromUtf8(name);
     return shown;
 }
 
-double worthOf(const QString &shownName, const QString &shownField)
+/// Millimetres in a unit of paper; in px and canvas units by the resolution. 0: it is no length, or nobody knows.
+double millimetresOf(const QString &name, double resolution)
+{
+    if (name == QLatin1String("u") || name == QLatin1String("px"))
+        return resolution > 0 ? millimetresOfInch / resolution : 0;
+    static const std::pair<const char *, double> units[] = {
+        {"mm", 1}, {"cm", 10}, {"in", millimetresOfInch}, {"pt", millimetresOfInch / 72}};
+    for (const auto &[unit, worth] : units)
+        if (name == QLatin1String(unit))
+            return worth;
+    return 0;
+}
+
+double worthOf(const QString &shownName, const QString &shownField, double resolution)
 {
     const QString name = plainUnit(shownName), field = plainUnit(shownField);
-    static const LengthUnit units[] = {
-        {"ms", "s", 1e-3},    {"min", "s", 60}, {"px", "u", 1}, {"deg", "°", 1}, {"rad", "°", 57.29577951308232},
+    static const OtherUnit units[] = {
+        {"ms", "s", 1e-3},
+        {"min", "s", 60},
+        {"px", "u", 1},
+        {"u", "px", 1},
+        {"deg", "°", 1},
         {"px²/s", "u²/s", 1},
+        {"rad", "°", 57.29577951308232},
     };
     if (name.isEmpty() || name == field)
         return 1;
-    for (const LengthUnit &unit : units)
+    const double typed = millimetresOf(name, resolution), shown = millimetresOf(field, resolution);
+    if (typed > 0 && shown > 0)
+        return typed / shown;
+    for (const OtherUnit &unit : units)
         if (name == QString::fromUtf8(unit.name) && field == QString::fromUtf8(unit.field))
             return unit.factor;
     return 0;
@@ -156,6 +182,25 @@ std::optional<QString> withPlainNumbers(const QString &text)
     return result + text.mid(at);
 }
 
+/// The text without units of length behind numbers, each number times what its unit is worth. No value where one is
+/// worth nothing.
+std::optional<QString> withPlainLengths(const QString &text, const std::function<double(const QString &)> &worth)
+{
+    static const QRegularExpression length(QStringLiteral("([\\d.]+)(mm|cm|in|pt|px|u)"));
+    QString result;
+    qsizetype at = 0;
+    for (auto it = length.globalMatch(text); it.hasNext();) {
+        const QRegularExpressionMatch match = it.next();
+        const double by = worth(match.captured(2));
+        if (by == 0)
+            return std::nullopt;
+        result += text.mid(at, match.capturedStart() - at) + '(' + match.captured(1) + '*' +
+                  QString::number(by, 'g', 17) + ')';
+        at = match.capturedEnd();
+    }
+    return result + text.mid(at);
+}
+
 /// The place where the unit at the end begins: behind the last digit, point, comma or bracket.
 qsizetype unitStart(const QString &text)
 {
@@ -187,8 +232,7 @@ bool worksOnCurrent(const QString &compacted)
 /// itself.
 bool isShareOfLength(const QString &name, const QString &field)
 {
-    const QString length = plainUnit(field);
-    return name == QLatin1String("%") && (length == QLatin1String("u") || length == QLatin1String("px"));
+    return name == QLatin1String("%") && millimetresOf(plainUnit(field), 1) > 0;
 }
 
 } // namespace
@@ -199,25 +243,31 @@ bool isRelative(const QString &text, const QString &unit)
     return worksOnCurrent(t) || isShareOfLength(t.mid(unitStart(t)), unit);
 }
 
-QString foreignUnit(const QString &text, const QString &unit)
+QString foreignUnit(const QString &text, const QString &unit, double resolution)
 {
     const QString t = compact(text);
     const QString name = t.mid(unitStart(t));
     const bool letters = !name.isEmpty() && (name[0].isLetter() || QString("%°\"'").contains(name[0]));
-    const bool isKnown = worthOf(name, unit) != 0 || isShareOfLength(name, unit);
+    const bool isKnown = worthOf(name, unit, resolution) != 0 || isShareOfLength(name, unit);
     return letters && unitStart(t) > 0 && !isKnown ? name : QString();
 }
 
-std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit)
+std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit,
+                                         double resolution)
 {
     const QString whole = compact(text);
     const qsizetype end = unitStart(whole);
-    const std::optional<QString> plain = withPlainNumbers(whole.left(end));
+    std::optional<QString> plain = withPlainNumbers(whole.left(end));
     const bool isShare = isShareOfLength(whole.mid(end), unit);
     if (!plain || plain->isEmpty() || (isShare && !current))
         return std::nullopt;
-    const double worth = isShare ? *current / 100 : worthOf(whole.mid(end), unit);
+    const double worth = isShare ? *current / 100 : worthOf(whole.mid(end), unit, resolution);
     if (worth == 0 && !isShare)
+        return std::nullopt;
+    plain = withPlainLengths(*plain, [&](const QString &name) {
+        return isShare ? 0 : worthOf(name, unit, resolution) / worth; // Per cent of what is there go with no length.
+    });
+    if (!plain)
         return std::nullopt;
     QString t = *plain;
     if (!worksOnCurrent(t)) {

@@ -6,19 +6,41 @@
 #include <QKeyEvent>
 #include <QToolTip>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse {
 
 namespace {
 
-/// The value of what stands in a box, with the box's suffix or without it.
-std::optional<double> valueIn(const QString &text, const QString &suffix, double current)
+/// The value of what stands in a box, with the box's suffix or without it, in a unit.
+std::optional<double> valueIn(const QString &text, const QString &suffix, double current, const QString &unit,
+                              double resolution = 0)
 {
     QString number = text;
     if (!suffix.isEmpty() && number.endsWith(suffix))
         number.chop(suffix.size());
-    return evaluateArithmetic(number.trimmed(), current, suffix.trimmed());
+    return evaluateArithmetic(number.trimmed(), current, unit, resolution);
+}
+
+QString inWords(const DecimalBox &box, double value)
+{
+    return box.inWords(value);
+}
+
+QString inWords(const WholeBox &box, int value)
+{
+    return box.locale().toString(value);
+}
+
+QString unitOf(const DecimalBox &box)
+{
+    return box.unit();
+}
+
+QString unitOf(const WholeBox &box)
+{
+    return box.suffix().trimmed();
 }
 
 QValidator::State stateOf(const std::optional<double> &number, double minimum, double maximum)
@@ -33,12 +55,9 @@ void sayWhyRefused(Box &box, const std::optional<double> &read)
     if (box.hasAcceptableInput())
         return;
     const QString text = box.cleanText();
-    const auto inWords = [&box](double value) {
-        return box.locale().toString(value, 'f', QLocale::FloatingPointShortest);
-    };
     const QString why = read ? NumberField::tr("%1 is out of range: %2 to %3 is possible.")
-                                   .arg(text, inWords(box.minimum()), inWords(box.maximum()))
-                             : NumberField::whyUnread(text, box.suffix().trimmed());
+                                   .arg(text, inWords(box, box.minimum()), inWords(box, box.maximum()))
+                             : NumberField::whyUnread(text, unitOf(box));
     // After what Return and Tab do to the focus, which hides tool tips.
     QMetaObject::invokeMethod(
         &box, [&box, why] { QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), why, &box); },
@@ -84,7 +103,40 @@ void WholeBox::focusOutEvent(QFocusEvent *event)
 
 std::optional<double> DecimalBox::read(const QString &text) const
 {
-    return valueIn(text, suffix(), value());
+    if (!m_display)
+        return valueIn(text, suffix(), value(), unit());
+    const std::optional<double> shown =
+        valueIn(text, suffix(), m_display->toShown(value()), unit(), m_display->resolution);
+    return shown ? std::optional(m_display->toValue(*shown)) : std::nullopt;
+}
+
+void DecimalBox::setDisplay(const Display &display)
+{
+    m_display = display;
+    setSuffix(display.unit);
+    setSingleStep(display.step);
+}
+
+QString DecimalBox::inWords(double value) const
+{
+    return m_display ? textFromValue(value) : locale().toString(value, 'f', QLocale::FloatingPointShortest);
+}
+
+QString DecimalBox::textFromValue(double value) const
+{
+    if (!m_display)
+        return QDoubleSpinBox::textFromValue(value);
+    const int finer = std::max(0, int(std::ceil(-std::log10(std::abs(m_display->factor)))));
+    QLocale plain = locale();
+    plain.setNumberOptions(plain.numberOptions() | QLocale::OmitGroupSeparator);
+    QString text = plain.toString(m_display->toShown(value), 'f', decimals() + finer);
+    if (text.contains(plain.decimalPoint())) {
+        while (text.endsWith(QLatin1Char('0')))
+            text.chop(1);
+        if (text.endsWith(plain.decimalPoint()))
+            text.chop(1);
+    }
+    return text;
 }
 
 double DecimalBox::valueFromText(const QString &text) const
@@ -105,7 +157,7 @@ WholeBox::WholeBox(QWidget *parent) : QSpinBox(parent)
 
 std::optional<double> WholeBox::read(const QString &text) const
 {
-    std::optional<double> number = valueIn(text, suffix(), value());
+    std::optional<double> number = valueIn(text, suffix(), value(), suffix().trimmed());
     if (number)
         number = std::round(*number);
     return number;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/widgets/numbers/display.h"
+
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
@@ -17,6 +19,13 @@ class DecimalBox : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;
 
+    /// Shows and reads the value by a factor and in its unit, with as many digits as tell it from its neighbours.
+    void setDisplay(const Display &display);
+    QString textFromValue(double value) const override;
+    /// A number, as the box shows it, in a sentence.
+    QString inWords(double value) const;
+    /// The unit in which numbers are typed where they have none; that of the suffix unless a display says it.
+    QString unit() const { return (m_display ? m_display->unit : suffix()).trimmed(); }
     double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
 
@@ -26,6 +35,8 @@ protected:
 
 private:
     std::optional<double> read(const QString &text) const;
+
+    std::optional<Display> m_display;
 };
 
 /// The same for whole numbers, to which results are rounded. What is typed counts when it is finished.

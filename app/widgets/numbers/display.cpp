@@ -51,6 +51,16 @@ QString canvasUnit()
     return QCoreApplication::translate("suffuse::NumberField", " u");
 }
 
+QString millimetreUnit()
+{
+    return QCoreApplication::translate("suffuse::NumberField", " mm");
+}
+
+QString inchUnit()
+{
+    return QCoreApplication::translate("suffuse::NumberField", " in");
+}
+
 QString secondsUnit()
 {
     return QCoreApplication::translate("suffuse::NumberField", " s");
@@ -63,7 +73,7 @@ QString diffusionUnit()
 
 Display lengthDisplay()
 {
-    return {.unit = canvasUnit()};
+    return {.unit = canvasUnit(), .isLength = true};
 }
 
 Display timeDisplay()

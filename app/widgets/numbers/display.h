@@ -12,6 +12,10 @@ struct Display {
     double factor = 1;
     double offset = 0;
     int decimals = -1; ///< at most so many decimals; −1: some four digits in all
+    /// Of lengths, how many canvas units an inch has, so that millimetres and inches can be typed; 0: it is not known.
+    double resolution = 0;
+    bool isLength = false; ///< a length of the canvas: fields show it in the unit of their window (LengthUnits)
+    double step = 1;       ///< what a step of 1 is, in values
 
     double toShown(double value) const { return value * factor + offset; }
     double toValue(double shown) const { return (shown - offset) / factor + 0.0; } // + 0.0: a zero has no sign
@@ -24,10 +28,12 @@ struct Display {
 
 /// Units as they stand behind a number, translated: those of the canvas' lengths, of time and of diffusion.
 QString canvasUnit();
+QString millimetreUnit();
+QString inchUnit();
 QString secondsUnit();
 QString diffusionUnit();
 
-/// Displays lengths of the canvas, in units.
+/// Displays lengths of the canvas: in units or, in a field, as its window does.
 Display lengthDisplay();
 Display timeDisplay();      ///< a time in seconds
 Display diffusionDisplay(); ///< D in units² a second

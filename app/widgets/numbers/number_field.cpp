@@ -2,6 +2,7 @@
 
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/arithmetic.h"
+#include "app/widgets/numbers/length_units.h"
 
 #include <QDialog>
 #include <QKeyEvent>
@@ -44,6 +45,24 @@ void NumberField::setDisplay(const Display &display)
     show(m_value);
 }
 
+Display NumberField::display() const
+{
+    return m_display.isLength ? lengthDisplay(this) : m_display;
+}
+
+void NumberField::followUnits()
+{
+    if (m_display.isLength && !(hasFocus() && isModified()))
+        show(m_value);
+}
+
+/// It may have come into another window.
+void NumberField::showEvent(QShowEvent *event)
+{
+    followUnits();
+    EntryField::showEvent(event);
+}
+
 void NumberField::complain(const QString &hint)
 {
     m_complains = !hint.isEmpty();
@@ -72,12 +91,12 @@ void NumberField::setMixedText(const QString &text)
 void NumberField::show(std::optional<double> value)
 {
     const QString mixed = m_mixedText.isEmpty() ? QStringLiteral("—") : m_mixedText;
-    replaceText(value ? m_display.text(*value) : mixed);
+    replaceText(value ? display().text(*value) : mixed);
 }
 
-QString NumberField::whyUnread(const QString &text, const QString &unit)
+QString NumberField::whyUnread(const QString &text, const QString &unit, double resolution)
 {
-    const QString foreign = foreignUnit(text, unit);
+    const QString foreign = foreignUnit(text, unit, resolution);
     if (foreign.isEmpty())
         return tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(text);
     return unit.isEmpty() ? tr("“%1” is not possible here: this number has no unit.").arg(foreign)
@@ -88,10 +107,11 @@ QString NumberField::whyUnread(const QString &text, const QString &unit)
 /// exponent.
 QString NumberField::inWords(double value) const
 {
-    const double shown = m_display.toShown(value), size = std::abs(shown);
+    const Display display = this->display();
+    const double shown = display.toShown(value), size = std::abs(shown);
     const bool isLarge = size >= 1e6 && size < 1e16, isSmall = size >= 1e-9 && size < 1e-3;
     if (!isSmall)
-        return isLarge ? QLocale().toString(shown, 'f', 0) : m_display.number(value);
+        return isLarge ? QLocale().toString(shown, 'f', 0) : display.number(value);
     QString text = QLocale().toString(shown, 'f', 9);
     while (text.endsWith('0'))
         text.chop(1);
@@ -104,37 +124,41 @@ QString NumberField::rangeHint(double value) const
     if (m_display.isReversed())
         std::swap(low, high);
     // A tiny number says nothing to somebody who has typed none at all.
-    if (const double shown = m_display.toShown(low); shown > 0 && shown < (m_display.toShown(value) > 0 ? 1e-30 : 1e-4))
+    if (const double shown = display().toShown(low); shown > 0 && shown < (display().toShown(value) > 0 ? 1e-30 : 1e-4))
         return tr("%1 is out of range: more than 0 and up to %2 is possible.").arg(inWords(value), inWords(high));
     return tr("%1 is out of range: %2 to %3 is possible.").arg(inWords(value), inWords(low), inWords(high));
 }
 
 void NumberField::take(const QString &typedText)
 {
-    const QString unit = m_display.unit.trimmed();
+    const Display display = this->display();
+    const QString unit = display.unit.trimmed();
+    const auto evaluated = [=](std::optional<double> current) {
+        return evaluateArithmetic(typedText, current, unit, display.resolution);
+    };
     if (typedText.trimmed().isEmpty()) { // Nothing is meant by it.
         show(m_value);
         complain({});
         return;
     }
-    if (!m_value && isRelative(typedText, unit) && evaluateArithmetic(typedText, 1.0, unit)) {
+    if (!m_value && isRelative(typedText, unit) && evaluated(1.0)) {
         show(m_value);
         complain({});
-        const auto map = [typedText, unit, display = m_display](double value) -> std::optional<double> {
-            const std::optional<double> shown = evaluateArithmetic(typedText, display.toShown(value), unit);
+        const auto map = [=](double value) -> std::optional<double> {
+            const std::optional<double> shown = evaluated(display.toShown(value));
             return shown ? std::optional(display.toValue(*shown)) : std::nullopt;
         };
         emit enteredRelative(map);
         return;
     }
-    const std::optional<double> current = m_value ? std::optional(m_display.toShown(*m_value)) : std::nullopt;
-    const std::optional<double> typed = evaluateArithmetic(typedText, current, unit);
+    const std::optional<double> current = m_value ? std::optional(display.toShown(*m_value)) : std::nullopt;
+    const std::optional<double> typed = evaluated(current);
     if (!typed) {
         show(m_value);
-        complain(whyUnread(typedText, unit));
+        complain(whyUnread(typedText, unit, display.resolution));
         return;
     }
-    const double exact = m_display.toValue(*typed), value = m_integer ? std::round(exact) : exact;
+    const double exact = display.toValue(*typed), value = m_integer ? std::round(exact) : exact;
     if (!(value >= m_minimum && value <= m_maximum)) {
         show(m_value);
         complain(rangeHint(exact));
@@ -161,7 +185,7 @@ void NumberField::stepBy(double steps)
     const double up = m_display.isReversed() ? -steps : steps; // up means up in the shown sense
     // By shares a number goes by factors, so that as many steps down as up come back to it.
     const bool byFactors = !(m_step > 0) && *m_value != 0;
-    const double step = m_step > 0 ? m_step : m_minimum;
+    const double step = m_step > 0 ? m_step * display().step : m_minimum;
     const double next = byFactors ? *m_value * std::pow(1.1, *m_value > 0 ? up : -up) : *m_value + up * step;
     const double value = std::clamp(next, m_minimum, m_maximum);
     if (value == *m_value)
@@ -182,8 +206,8 @@ void NumberField::keyPressEvent(QKeyEvent *event)
         const bool typed = isReturn && isModified();
         EntryField::keyPressEvent(event);
         if (typed && m_complains) {
-            // A dialog does not go on with another number than the typed one. In a panel the keyboard stays, so that the
-            // keys that are to mend the number are not the canvas', where Delete deletes strokes.
+            // A dialog does not go on with another number than the typed one. In a panel the keyboard stays, so that
+            // the keys that are to mend the number are not the canvas', where Delete deletes strokes.
             event->accept();
             selectAll();
         }

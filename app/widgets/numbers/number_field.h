@@ -28,6 +28,10 @@ public:
     void setUnit(const QString &unit);
     /// Sets unit, factor, sense and decimals of the number that is shown and typed.
     void setDisplay(const Display &display);
+    /// The same as it is here and now: a length is shown as in all of the window.
+    Display display() const;
+    /// A length is to be shown as the window shows lengths from now on.
+    void followUnits();
     /// Sets the step of the arrow keys; 0: a tenth of the value.
     void setStep(double step) { m_step = step; }
     /// Allows whole numbers only.
@@ -44,7 +48,7 @@ public:
     std::optional<double> value() const { return m_value; }
 
     /// Why a text is no number for a field with this unit, in a sentence.
-    static QString whyUnread(const QString &text, const QString &unit);
+    static QString whyUnread(const QString &text, const QString &unit, double resolution = 0);
 
 signals:
     /// The user has entered a valid number, by Return or by leaving the field.
@@ -63,6 +67,7 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
+    void showEvent(QShowEvent *event) override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

@@ -31,7 +31,7 @@ FieldSpec densitySpec()
 {
     return {.name = QuantityText::tr("Density φ"),
             .toolTip = QuantityText::tr("How much paint the segment gives off along its length."),
-            .display = lengthDisplay(),
+            .display = {.unit = canvasUnit()},
             .sliderMinimum = 0.1,
             .sliderMaximum = 1000,
             .logarithmic = true};
@@ -170,7 +170,7 @@ Display displayOf(Unit unit)
     case Unit::None:
         break;
     case Unit::Length:
-        return lengthDisplay();
+        return {.unit = canvasUnit()};
     case Unit::Diffusion:
         return diffusionDisplay();
     case Unit::Seconds:

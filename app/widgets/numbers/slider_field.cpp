@@ -130,7 +130,7 @@ QString SliderField::changeText() const
         return {};
     if (changeKind() == ValueChange::Scale)
         return QStringLiteral("×") + QLocale().toString(*m_amount, 'f', *m_amount < 1 ? 3 : 2);
-    Display display = m_spec.display;
+    Display display = m_number->display();
     const double shown = *m_amount * display.factor;
     display.factor = 1;
     display.offset = 0;

@@ -139,7 +139,8 @@ FileOpening *FileOpening::openBackup(const QString &backup)
         return opened;
     }
     return show([&](OpenPainting &open) {
-        open.editor.openRecovered(std::move(state->painting), painting.fileName(), painting.absoluteFilePath());
+        open.editor.openRecovered(std::move(state->painting), painting.fileName(), painting.absoluteFilePath(),
+                                  state->extras.resolution);
     });
 }
 
@@ -148,7 +149,7 @@ FileOpening *FileOpening::openRecovered(LostDocument document)
     return show([&](OpenPainting &open) {
         open.journal.replaceNext(std::move(document.file));
         open.editor.openRecovered(std::move(document.content.painting), document.content.head.name,
-                                  document.content.head.path);
+                                  document.content.head.path, document.content.head.resolution);
     });
 }
 

@@ -1,6 +1,7 @@
 #include "app/window/layout/status_line.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/rulers.h"
 #include "app/session/commands/commands.h"
 #include "app/session/open_painting.h"
 #include "app/widgets/asking/messages.h"
@@ -43,8 +44,8 @@ protected:
     }
 };
 
-/// Qt's own bar cuts a message off where the numbers begin. All of it is in the tool tip. Unlike of a hint, the part of a
-/// sentence that there is room for tells something: what was lost, for example, and that there is more of it.
+/// Qt's own bar cuts a message off where the numbers begin. All of it is in the tool tip. Unlike of a hint, the part of
+/// a sentence that there is room for tells something: what was lost, for example, and that there is more of it.
 class MessageBar : public QStatusBar {
 public:
     explicit MessageBar(QWidget *parent) : QStatusBar(parent)
@@ -112,7 +113,8 @@ void StatusLine::makeLabels()
     m_hint->setObjectName("hint");
     m_hint->setContentsMargins(6, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_position = label(tr("Position of the pointer in canvas units"), metrics.horizontalAdvance("00000.0, 00000.0"));
+    m_position =
+        label(tr("Position of the pointer, in what the rulers count"), metrics.horizontalAdvance("00000.0, 00000.0"));
     m_zoom = label(tr("Zoom, and the angle by which the canvas is turned"), metrics.horizontalAdvance("00000 %"));
     m_backend = label(tr("What renders the picture"), 0);
     m_frameTime = label(tr("Time that the last frame took"), metrics.horizontalAdvance("0000.0 ms"));
@@ -138,10 +140,11 @@ void StatusLine::showHint()
         m_hint->setToolTip(m_keyboard);
         return;
     }
-    const QString hint = m_place.canvas.keyboardPen().isOn()
-                             ? tr("Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and "
-                                  "lifts it; + and - change its pressure; Esc puts it away.")
-                             : m_place.canvas.tool()->hint();
+    const QString hint =
+        m_place.canvas.keyboardPen().isOn()
+            ? tr("Arrow keys move the pen, with Shift far and with Alt finely; Space presses it down and "
+                 "lifts it; + and - change its pressure; Esc puts it away.")
+            : m_place.canvas.tool()->hint();
     const bool isPast = m_place.open.editor.clock().isInPast() && m_place.commands[Command::Brush].isChecked();
     //: instead of what the brush does, while the timeline shows a moment of the past
     const QString past = tr("You paint in the past: what came later covers it.");
@@ -152,11 +155,13 @@ void StatusLine::showHint()
 
 void StatusLine::showPosition(double x, double y)
 {
+    const double unit = m_place.canvas.rulerUnit().units;
     // As many decimals as a pixel shows.
-    const int decimals = std::clamp(int(std::ceil(std::log10(m_place.canvas.view().scale))) + 1, 0, 10);
+    const int decimals = std::clamp(int(std::ceil(std::log10(unit * m_place.canvas.view().scale))) + 1, 0, 10);
     const QLocale l = m_place.window.locale();
     //: a position: x, y
-    showInPlace(*m_position, tr("%1, %2").arg(l.toString(x, 'f', decimals), l.toString(y, 'f', decimals)));
+    showInPlace(*m_position,
+                tr("%1, %2").arg(l.toString(x / unit, 'f', decimals), l.toString(y / unit, 'f', decimals)));
 }
 
 void StatusLine::showZoom()

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/commands/session_rows.h"
+#include "app/tools/assistants/assistant_tool.h"
 #include "app/tools/brush/attribute_brush_tool.h"
 #include "app/tools/brush/brush_tool.h"
 #include "app/tools/brush/eyedropper_tool.h"
@@ -80,10 +81,13 @@ void ToolRack::addTools()
              Commands::tr("Click a stroke: the selected ones get its style, mixing, values and colour"))
         .when(anySelected(m_place.open.editor))
         .runs([this, eyedropper] { eyedropper->beginMatching(m_place.commands); });
+    add(Assistants, "assistants", Commands::tr("Assistants"), "assistants", Qt::Key_L,
+        Commands::tr("Lines, vanishing points and ellipses that lead strokes"),
+        new AssistantTool(canvas, m_place.commands, &canvas));
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
     m_place.commands.makeExclusive({Brush, Select, Segments, Shapes, OutlinePen, LassoFill, Bucket, Text, Redraw, Push,
-                                    Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+                                    Knife, Eraser, AttributeBrush, Eyedropper, Assistants, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,

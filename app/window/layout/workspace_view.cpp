@@ -33,10 +33,11 @@ std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Edit
         symmetry != DrawingAids::usualSymmetry(editor.unsettled().painting()->canvas.area()))
         state.symmetry = symmetry;
     state.guides = editor.aids().guides();
+    state.assistants = editor.aids().assistants();
     if (const auto &kept = editor.extras().view)
         state.print = kept->print;
     const bool isUsual = state.isFitted && !state.time && state.layer == 0 && state.open.empty() && !state.begun &&
-                         !state.symmetry && state.guides.empty() && !state.print;
+                         !state.symmetry && state.guides.empty() && state.assistants.empty() && !state.print;
     return isUsual ? std::nullopt : std::optional(state);
 }
 
@@ -55,6 +56,7 @@ void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &ed
     if (state.symmetry)
         editor.aids().setSymmetry(*state.symmetry);
     editor.aids().setGuides(state.guides);
+    editor.aids().setAssistants(state.assistants);
     if (state.layer != 0)
         editor.layer().choose(state.layer);
     if (state.begun)

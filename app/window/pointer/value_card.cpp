@@ -124,10 +124,10 @@ void ValueCard::keyPressEvent(QKeyEvent *event)
 /// The inspector has the other rows.
 void ValueCard::showFew()
 {
-    const bool fades = !m_segments->erasure()->share()->label()->isHidden(); // Then the share stands for the density.
+    const bool isErasure = !m_segments->erasure()->size()->label()->isHidden(); // It has rows of its own for them.
     for (const Number<Segment> &number : numbersOf<Segment>)
         if (SliderField *row = number.member ? m_segments->row(number.member) : nullptr)
-            row->setVisible(row == m_segments->diffusion() || (row == m_segments->density() && !fades));
+            row->setVisible(!isErasure && (row == m_segments->diffusion() || row == m_segments->density()));
     m_segments->born()->setVisible(false);
     m_segments->rewet()->hide();
 }
@@ -160,6 +160,8 @@ NumberField *ValueCard::firstNumber() const
     const SliderField *field = m_width;
     if (!m_fill->isHidden())
         field = m_fill->row(&Fill::diffusion);
+    else if (!m_segments->erasure()->size()->label()->isHidden())
+        field = m_segments->erasure()->size();
     else if (!m_width->number()->isEnabled())
         field = m_segments->diffusion();
     return field->number();

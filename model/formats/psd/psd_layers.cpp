@@ -71,7 +71,7 @@ struct Record {
     std::vector<std::pair<int, quint32>> channels; ///< their ids, and their sizes in bytes
     QByteArray mode;
     int opacity = 255;
-    bool clips = false, visible = true;
+    bool clips = false, visible = true, locked = false;
     QString name;
     Divider divider = Divider::None;
     PixelArea maskArea;
@@ -240,6 +240,9 @@ private:
             for (quint32 left = cursor.u32(); left > 0 && cursor.left() >= 2; --left)
                 name += QChar(cursor.u16());
             record.name = name.remove(QChar(0));
+        } else if (key == "lspf") { // what is locked: pixels, or all
+            constexpr quint32 pixels = 2, all = 0x80000000;
+            record.locked = cursor.u32() & (pixels | all);
         } else if (key == "lsct" || key == "lsdk") {
             record.divider = Divider(std::min(cursor.u32(), quint32(Divider::End)));
             cursor.skip(4);
@@ -290,6 +293,7 @@ private:
         group.blend = known == blendKeys.end() ? BlendMode::Normal : known->second;
         group.name = record.name;
         group.visible = record.visible;
+        group.locked = record.locked;
         group.clips = record.clips;
         group.opacity = float(record.opacity) / 255;
     }

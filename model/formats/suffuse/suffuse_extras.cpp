@@ -38,6 +38,7 @@ std::optional<BegunLayer> readBegun(const QCborValue &value)
 }
 
 constexpr int mostGuides = 1000; ///< that are read
+constexpr int mostAssistants = 100;
 
 QCborMap writeSymmetry(const Symmetry &symmetry)
 {
@@ -83,6 +84,42 @@ void readPlaces(const QCborValue &value, bool upright, std::vector<Guide> &guide
     for (const QCborValue &place : value.toArray())
         if (const double at = place.toDouble(std::nan("")); std::abs(at) <= largestCoordinate && guides.size() < mostGuides)
             guides.push_back({upright, at});
+}
+
+/// Each is a list of its kind and the coordinates of its points.
+QCborArray writeAssistants(const std::vector<Assistant> &assistants)
+{
+    QCborArray list;
+    for (const Assistant &assistant : assistants) {
+        QCborArray numbers{int(assistant.kind)};
+        for (const Point &point : assistant.points) {
+            numbers.append(point.x);
+            numbers.append(point.y);
+        }
+        list.append(numbers);
+    }
+    return list;
+}
+
+/// Those of a kind that is not known, without all of their points, or with numbers that are none are passed over.
+std::vector<Assistant> readAssistants(const QCborValue &value)
+{
+    std::vector<Assistant> assistants;
+    for (const QCborValue &item : value.toArray()) {
+        const QCborArray numbers = item.toArray();
+        const qint64 kind = integerIn(numbers.at(0), -1);
+        if (kind < 0 || kind > int(AssistantKind::Concentric) || assistants.size() == mostAssistants)
+            continue;
+        Assistant assistant{AssistantKind(kind), {}};
+        if (numbers.size() != 1 + 2 * qsizetype(Assistant::pointsOf(assistant.kind)))
+            continue;
+        for (qsizetype i = 1; i < numbers.size(); i += 2)
+            assistant.points.push_back(
+                {numbers.at(i).toDouble(std::nan("")), numbers.at(i + 1).toDouble(std::nan(""))});
+        if (assistant.isSound())
+            assistants.push_back(std::move(assistant));
+    }
+    return assistants;
 }
 
 QCborMap writePrint(const PrintSetup &print)
@@ -186,6 +223,8 @@ QByteArray writeView(const WorkspaceState &view)
     if (!view.guides.empty())
         map.insert(QLatin1String("guides"), QCborMap{{QLatin1String("level"), writePlaces(view.guides, false)},
                                                      {QLatin1String("upright"), writePlaces(view.guides, true)}});
+    if (!view.assistants.empty())
+        map.insert(QLatin1String("assistants"), writeAssistants(view.assistants));
     if (view.print)
         map.insert(QLatin1String("print"), writePrint(*view.print));
     return QCborValue(map).toCbor();
@@ -218,6 +257,7 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     const QCborMap guides = in.take("guides").toMap();
     readPlaces(guides[QLatin1String("level")], false, view.guides);
     readPlaces(guides[QLatin1String("upright")], true, view.guides);
+    view.assistants = readAssistants(in.take("assistants"));
     view.print = readPrint(in.take("print"));
     ok = ok && (view.isFitted || centre.size() == 2) && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&

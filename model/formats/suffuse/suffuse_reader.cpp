@@ -49,6 +49,7 @@ public:
             return Error{sound.error()};
         if (const QString problem = problemOf(m_out.painting); !problem.isEmpty())
             return fileError(m_fileName, problem);
+        forgetLostCurves(m_out.painting);
         m_out.format = FileFormat::Suffuse;
         return std::move(m_out);
     }

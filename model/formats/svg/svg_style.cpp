@@ -53,7 +53,7 @@ const QSet<QString> &knownProperties()
                        "stop-opacity fill-rule clip-rule marker marker-start marker-mid marker-end clip-path mask "
                        "filter mix-blend-mode isolation transform vector-effect overflow paint-order font-size "
                        "font-family font-weight "
-                       "font-style text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
+                       "font-style font-stretch font-width font-variant font-variant-caps text-anchor letter-spacing word-spacing baseline-shift dominant-baseline "
                        "alignment-baseline text-decoration text-decoration-line direction writing-mode white-space")
             .split(u' ');
     static const QSet<QString> names(list.begin(), list.end());

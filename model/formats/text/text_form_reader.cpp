@@ -11,7 +11,7 @@ namespace {
 using Names = std::string_view;
 
 /// The greatest version that is read.
-constexpr int textFormVersion = 4;
+constexpr int textFormVersion = 5;
 
 class TextFormReader {
 public:
@@ -31,6 +31,7 @@ public:
                                              .arg(needed));
         if (const QString problem = problemOf(m_painting); !problem.isEmpty())
             return fileError(m_fileName, problem);
+        forgetLostCurves(m_painting);
         return std::move(m_painting);
     }
 

@@ -16,7 +16,11 @@ struct alignas(16) NearNode {
     std::uint32_t padding;
 };
 
-/// What a warp has in its block's fast memory. With `varies`, values may vary along strokes.
+/// Which of a stroke's nodes are looked for: all of one that does not fade, those of paint, or those that make it
+/// paler.
+enum class NearKind { All, Paint, Fading };
+
+/// What a warp has in its block's fast memory. With `varies`, values may vary along strokes, and strokes may fade.
 template <bool varies>
 struct GradientScratch {
     static constexpr int batch = 8;                    ///< so many nodes have tables at once
@@ -30,7 +34,8 @@ struct GradientScratch {
     alignas(16) float sums[3][gradientSize];    ///< of a stroke; on the way back, the derivatives by them
     alignas(16) float colours[3][gradientSize]; ///< R, Y, B; on the way back, the derivatives by them
     alignas(16) float planes[varies ? valuePlanes : 1][varies ? gradientSize : 4];
-    alignas(16) float own[varies ? gradientSize : 4]; ///< derivatives by the density of one segment
+    alignas(16) float own[varies ? gradientSize : 4];  ///< derivatives by the density of one segment
+    alignas(16) float left[varies ? gradientSize : 4]; ///< e^(−φ_f); on the way back, derivatives by φ_f
 };
 
 /// A lane has two pixels side by side in each of four rows.
@@ -72,21 +77,27 @@ public:
         warp.each([&](int lane) {
             density[lane] = slope[lane] = 0;
             for (std::uint32_t i = stroke.firstNode + std::uint32_t(lane); i < stroke.endNode; i += warpLanes)
-                addBounds(work.nodes[i], density[lane], slope[lane]);
+                if (isOf(work.nodes[i], paintOf(stroke)))
+                    addBounds(work.nodes[i], density[lane], slope[lane]);
         });
         const float most = warp.sum(density), steepest = warp.sum(slope);
         return !vanishes(stroke.kind, level, most * 1.001f, 0.5f * steepest * 1.001f);
     }
 
+    static SUFFUSE_PROGRAM NearKind paintOf(const GradientStroke &stroke)
+    {
+        return varies && stroke.fades ? NearKind::Paint : NearKind::All;
+    }
+
     /// Writes those of the nodes [from, from + 32), as far as `end`, that reach the tile to the scratch memory. Returns
     /// how many they are.
-    SUFFUSE_PROGRAM int gather(std::uint32_t from, std::uint32_t end)
+    SUFFUSE_PROGRAM int gather(std::uint32_t from, std::uint32_t end, NearKind kind)
     {
         Var<NearNode> node;
         Var<int> isNear;
         warp.each([&](int lane) {
             const std::uint32_t i = from + std::uint32_t(lane);
-            isNear[lane] = i < end && take(work.nodes[i], node[lane]);
+            isNear[lane] = i < end && isOf(work.nodes[i], kind) && take(work.nodes[i], node[lane]);
         });
         const std::uint32_t mask = warp.ballot([&](int lane) { return isNear[lane] != 0; });
         warp.each([&](int lane) {
@@ -107,6 +118,10 @@ private:
     {
         constexpr float half = 0.5f * (gradientSide - 1);
         return math::max_(math::abs_(place - half) - half, 0.0f);
+    }
+    SUFFUSE_PROGRAM bool isOf(const GradientNode &node, NearKind kind) const
+    {
+        return kind == NearKind::All || (work.segments[node.segment].fade != 0) == (kind == NearKind::Fading);
     }
     SUFFUSE_PROGRAM bool isListed(const GradientNode &node) const
     {

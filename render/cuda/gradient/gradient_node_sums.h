@@ -30,12 +30,13 @@ public:
         : m_place(place), m_warp(place.warp), m_scratch(place.scratch)
     {}
 
-    /// Adds nodes to sums; with `planes` also to what varies.
+    /// Adds nodes of a kind to sums; with `planes` also to what varies.
     template <bool withPlanes>
-    SUFFUSE_PROGRAM void add(std::uint32_t first, std::uint32_t end, Var<LaneSums> &sums, Var<LanePlanes> *planes)
+    SUFFUSE_PROGRAM void add(std::uint32_t first, std::uint32_t end, NearKind kind, Var<LaneSums> &sums,
+                             Var<LanePlanes> *planes)
     {
         for (std::uint32_t from = first; from < end; from += warpLanes) {
-            const int count = m_place.gather(from, end);
+            const int count = m_place.gather(from, end, kind);
             SUFFUSE_ROLLED
             for (int at = 0; at < count; at += Scratch::batch) {
                 const int n = count - at < Scratch::batch ? count - at : Scratch::batch;

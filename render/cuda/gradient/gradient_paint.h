@@ -31,7 +31,7 @@ public:
                 for (int i = 0; i < lanePixels; ++i) {
                     const int at = pairOf(lane, i / 2) + i % 2;
                     const Sample p = sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at],
-                                              m_scratch.sums[2][at], planesAt(at));
+                                              m_scratch.sums[2][at], planesAt(at), 1);
                     any = any || style.seen(p.phi, p.square);
                 }
                 return any;
@@ -75,6 +75,9 @@ private:
     using Sample = math::PaintSample<float>;
     using Slopes = math::PaintSlopes<float>;
 
+    /// Where e^(−φ_f) is kept.
+    static constexpr int keptLeft = (keptPlanes + valuePlanes) * gradientSize;
+
     template <class Use>
     SUFFUSE_PROGRAM bool withStyle(const GradientStroke &s, Use use)
     {
@@ -108,13 +111,20 @@ private:
             return nullptr;
     }
 
-    /// `planes`: the first value's sum at the pixel; those of the others follow in planes of a tile's size.
+    /// e^(−φ_f) at a pixel, as `sampleAt` takes it.
+    SUFFUSE_PROGRAM float leftAt(int at) const { return varies ? m_scratch.left[varies ? at : 0] : 1; }
+
+    /// `planes`: the first value's sum at the pixel; those of the others follow in planes of a tile's size. `left`
+    /// counts where the stroke fades.
     SUFFUSE_PROGRAM Sample sampleAt(const GradientStroke &stroke, int at, float phi, float gx, float gy,
-                                    const float *planes) const
+                                    const float *planes, float left) const
     {
         Sample p(phi, gx, gy);
         for (int i = 0; i < gradientValues; ++i)
             p.value[i] = stroke.constant[i];
+        if constexpr (varies)
+            if (stroke.fades)
+                p.left = left;
         if (varies && stroke.varies) {
             p.inverse = math::reciprocal_(math::max_(planes[gradientValues * gradientSize], 1e-30f));
             for (int i = 0; i < gradientValues; ++i)
@@ -128,8 +138,8 @@ private:
     template <class Style>
     SUFFUSE_PROGRAM void mixPixel(const GradientStroke &stroke, const Style &style, int at)
     {
-        const Sample p =
-            sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at], m_scratch.sums[2][at], planesAt(at));
+        const Sample p = sampleAt(stroke, at, m_scratch.sums[0][at], m_scratch.sums[1][at], m_scratch.sums[2][at],
+                                  planesAt(at), leftAt(at));
         if (!style.seen(p.phi, p.square))
             return;
         float mean = 1;
@@ -137,7 +147,7 @@ private:
             mean = math::clamp01(style.template slopes<false>(p.phi, p.square).mean);
         for (int c = 0; c < 3; ++c)
             m_scratch.colours[c][at] =
-                math::mixed(m_scratch.colours[c][at], p.value[c], mean * p.value[3], stroke.keep);
+                math::mixed(m_scratch.colours[c][at], p.value[c], mean * p.value[3] * p.left, stroke.keep);
     }
 
     SUFFUSE_PROGRAM void keep(const GradientStroke &stroke, int at, float *kept) const
@@ -150,6 +160,9 @@ private:
         if (varies && stroke.varies)
             for (int i = 0; i < valuePlanes; ++i)
                 Warp::writeTwo(kept + (keptPlanes + i) * gradientSize + at, Warp::readTwo(m_scratch.planes[i] + at));
+        if constexpr (varies)
+            if (stroke.fades)
+                Warp::writeTwo(kept + keptLeft + at, Warp::readTwo(m_scratch.left + at));
     }
 
     /// Returns 1 if any derivative by sums is not 0 for sure.
@@ -167,16 +180,18 @@ private:
         SUFFUSE_UNROLL
         for (int j = 0; j < 2; ++j) {
             const float sums[3] = {was[0][j], was[1][j], was[2][j]}, below[3] = {was[3][j], was[4][j], was[5][j]};
-            some |= pixelBack(stroke, style, at + j, sums, below, kept + keptPlanes * gradientSize + at + j, totals);
+            const float left = varies && stroke.fades ? kept[keptLeft + at + j] : 1;
+            some |=
+                pixelBack(stroke, style, at + j, sums, below, kept + keptPlanes * gradientSize + at + j, left, totals);
         }
         return some;
     }
 
     template <class Style>
     SUFFUSE_PROGRAM int pixelBack(const GradientStroke &stroke, const Style &style, int at, const float (&sums)[3],
-                                  const float (&below)[3], const float *planes, LaneTotals &totals)
+                                  const float (&below)[3], const float *planes, float left, LaneTotals &totals)
     {
-        const Sample p = sampleAt(stroke, at, sums[0], sums[1], sums[2], planes);
+        const Sample p = sampleAt(stroke, at, sums[0], sums[1], sums[2], planes, left);
         const bool isFull = style.full(p.phi, p.square);
         if (!style.seen(p.phi, p.square)) {
             for (auto &plane : m_scratch.sums)
@@ -184,6 +199,9 @@ private:
             if (varies && stroke.varies)
                 for (int i = 0; i < valuePlanes; ++i)
                     m_scratch.planes[i][at] = 0;
+            if constexpr (varies)
+                if (stroke.fades)
+                    m_scratch.left[at] = 0;
             return 0;
         }
         math::MeanSlopes<float> m{1, 0, 0, {0, 0, 0}};
@@ -206,6 +224,8 @@ private:
         m_scratch.sums[1][at] = 2 * slopes.bySquare * sums[1];
         m_scratch.sums[2][at] = 2 * slopes.bySquare * sums[2];
         if constexpr (varies) {
+            if (stroke.fades)
+                m_scratch.left[at] = slopes.byFading;
             if (stroke.varies) {
                 valuesBack(p, slopes, at);
                 return 1;
@@ -213,7 +233,7 @@ private:
         }
         for (int i = 0; i < gradientValues; ++i)
             totals.value[i] += slopes.value[i];
-        return !isFull;
+        return !isFull || stroke.fades;
     }
 
     /// Puts the derivatives by sums of values, and by φ⁺, in the place of these sums.

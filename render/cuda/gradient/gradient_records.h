@@ -12,7 +12,7 @@ inline constexpr int gradientSide = 16, gradientSize = gradientSide * gradientSi
 /// R, Y, B, opacity, ω.
 inline constexpr int gradientValues = 5;
 /// Planes of a tile that are kept of a stroke for the way back: φ, −½∂φ/∂x, −½∂φ/∂y, R, Y, B below it; and, where
-/// values vary along strokes, Σφ_k·value and φ⁺.
+/// values vary along strokes, Σφ_k·value and φ⁺, and e^(−φ_f).
 inline constexpr int keptPlanes = 6, valuePlanes = gradientValues + 1;
 
 /// A segment in canvas units, as render/gradient/flat_scene.h has it, and what was chosen of its nodes.
@@ -24,7 +24,7 @@ struct GradientSegment {
     std::uint32_t firstEntry; ///< of its nodes' entries
     std::uint16_t mostX,
         mostY; ///< Each node meets at most so many columns and rows of tiles, and has an entry for each.
-    std::uint32_t lift;
+    std::uint32_t lift, fade;
 };
 
 /// A stroke, whose segments and nodes lie side by side.
@@ -36,6 +36,7 @@ struct GradientStroke {
     float constant[gradientValues]; ///< what does not vary
     StyleKind kind;
     bool varies;
+    bool fades; ///< whether some segments make it paler
 };
 
 /// A node of a quadrature, by polynomials of its segment's control points.
@@ -82,7 +83,7 @@ struct GradientWork {
     float background[3] = {0, 0, 0};                  ///< R, Y, B
     const float *paper = nullptr;                     ///< η of each pixel, row by row; null: 1
     bool byXi = true;
-    bool varies = false; ///< whether any stroke's values vary
+    bool varies = false; ///< whether any stroke's values vary, or any fades
 
     const GradientSegment *segments = nullptr;
     std::uint32_t segmentCount = 0;
@@ -114,7 +115,7 @@ enum GradientStatus { nextGradientTile, mostStrokesShown, gradientStatusWords };
 
 /// Floats of one stroke in a slot.
 template <bool varies>
-inline constexpr std::uint32_t keptFloats = std::uint32_t((varies ? keptPlanes + valuePlanes : keptPlanes) *
+inline constexpr std::uint32_t keptFloats = std::uint32_t((varies ? keptPlanes + valuePlanes + 1 : keptPlanes) *
                                                           gradientSize);
 
 } // namespace suffuse::cuda

@@ -68,19 +68,21 @@ private:
         if (varies && stroke.varies) {
             Var<LanePlanes> planes;
             m_warp.each([&](int lane) { planes[lane] = {}; });
-            nodes().template add<varies>(stroke.firstNode, stroke.endNode, sums, &planes);
+            nodes().template add<varies>(stroke.firstNode, stroke.endNode, Place::paintOf(stroke), sums, &planes);
             m_warp.each([&](int lane) {
                 for (int i = 0; i < valuePlanes; ++i)
                     writePlane(lane, m_scratch.planes[i], planes[lane].v[i]);
             });
         } else
-            nodes().template add<false>(stroke.firstNode, stroke.endNode, sums,
-                                        static_cast<Var<LanePlanes> *>(nullptr));
+            addPlain(stroke.firstNode, stroke.endNode, Place::paintOf(stroke), sums);
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
             for (int i = 0; i < 3; ++i)
                 writePlane(lane, m_scratch.sums[i], sums[lane].v[i]);
         });
+        if constexpr (varies)
+            if (stroke.fades)
+                fade(stroke);
         const bool keeps = goesBack() && m_count < m_work.slotStrokes;
         if (!paint().mix(stroke, keeps ? m_kept + std::size_t(m_count) * keptFloats<varies> : nullptr))
             return;
@@ -90,6 +92,24 @@ private:
                     m_shown[m_count] = index;
             });
         ++m_count;
+    }
+
+    SUFFUSE_PROGRAM void addPlain(std::uint32_t first, std::uint32_t end, NearKind kind, Var<LaneSums> &sums)
+    {
+        nodes().template add<false>(first, end, kind, sums, static_cast<Var<LanePlanes> *>(nullptr));
+    }
+
+    /// Writes e^(−φ_f) of a stroke.
+    SUFFUSE_PROGRAM void fade(const GradientStroke &stroke)
+    {
+        Var<LaneSums> sums;
+        m_warp.each([&](int lane) { sums[lane] = {}; });
+        addPlain(stroke.firstNode, stroke.endNode, NearKind::Fading, sums);
+        m_warp.each([&](int lane) {
+            for (float &value : sums[lane].v[0])
+                value = math::exp2_(float(-math::log2e) * value);
+            writePlane(lane, m_scratch.left, sums[lane].v[0]);
+        });
     }
 
     static SUFFUSE_PROGRAM void writePlane(int lane, float *plane, const float (&values)[lanePixels])
@@ -155,10 +175,24 @@ private:
                 totals.xi[j] = total(lanes, [j](const LaneTotals &t) { return t.xi[j]; });
         if (varies && stroke.varies) {
             backVarying(stroke, totals);
-            return;
+        } else {
+            sumValues(lanes, totals);
+            backTo(stroke.firstNode, stroke.endNode, Place::paintOf(stroke), any, m_scratch.sums[0], totals);
         }
-        sumValues(lanes, totals);
-        backTo(stroke.firstNode, stroke.endNode, any, m_scratch.sums[0], totals);
+        if constexpr (varies)
+            if (stroke.fades)
+                backFading(stroke);
+    }
+
+    /// The slopes of φ_f count nowhere.
+    SUFFUSE_PROGRAM void backFading(const GradientStroke &stroke)
+    {
+        m_warp.each([&](int lane) {
+            for (int at = lane; at < gradientSize; at += warpLanes)
+                m_scratch.sums[1][at] = m_scratch.sums[2][at] = 0;
+        });
+        LaneTotals none = {};
+        backTo(stroke.firstNode, stroke.endNode, NearKind::Fading, true, m_scratch.left, none);
     }
 
     template <class Get>
@@ -175,12 +209,13 @@ private:
             totals.value[j] = total(lanes, [j](const LaneTotals &t) { return t.value[j]; });
     }
 
-    /// Goes back to nodes. `totals` stand with the first of them that reaches the tile, and are 0 then.
-    SUFFUSE_PROGRAM void backTo(std::uint32_t first, std::uint32_t end, bool any, const float *g, LaneTotals &totals)
+    /// Goes back to nodes of a kind. `totals` stand with the first of them that reaches the tile, and are 0 then.
+    SUFFUSE_PROGRAM void backTo(std::uint32_t first, std::uint32_t end, NearKind kind, bool any, const float *g,
+                                LaneTotals &totals)
     {
         bool written = false;
         for (std::uint32_t from = first; from < end; from += warpLanes) {
-            const int count = m_place.gather(from, end);
+            const int count = m_place.gather(from, end, kind);
             if (count == 0)
                 continue;
             if (!written)
@@ -211,14 +246,15 @@ private:
     {
         for (std::uint32_t k = stroke.first; k < stroke.end; ++k) {
             const GradientSegment &segment = m_work.segments[k];
+            if (segment.fade)
+                continue;
             if (segment.lift) {
-                backTo(segment.firstNode, segment.endNode, true, m_scratch.sums[0], totals);
+                backTo(segment.firstNode, segment.endNode, NearKind::All, true, m_scratch.sums[0], totals);
                 continue;
             }
             Var<LaneSums> sums;
             m_warp.each([&](int lane) { sums[lane] = {}; });
-            nodes().template add<false>(segment.firstNode, segment.endNode, sums,
-                                        static_cast<Var<LanePlanes> *>(nullptr));
+            addPlain(segment.firstNode, segment.endNode, NearKind::All, sums);
             Var<LaneTotals> lanes;
             m_warp.each([&](int lane) {
                 lanes[lane] = {};
@@ -227,7 +263,7 @@ private:
                     addOwn(segment, pairOf(lane, i / 2) + i % 2, sums[lane].v[0][i], lanes[lane]);
             });
             sumValues(lanes, totals);
-            backTo(segment.firstNode, segment.endNode, true, m_scratch.own, totals);
+            backTo(segment.firstNode, segment.endNode, NearKind::All, true, m_scratch.own, totals);
         }
     }
 

@@ -2,6 +2,9 @@
 #include "app/canvas/handles/rulers.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/drawing_aids.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "app/widgets/numbers/arithmetic.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/window/layout/workspace_view.h"
 #include "model/shaping/transform.h"
 #include "tests/app/session.h"
@@ -91,6 +94,105 @@ private slots:
         QCOMPARE(s.canvas().rulerUnit().units, 300.0);
         s.window.action(Command::RulersInUnits).setChecked(true);
         QCOMPARE(s.canvas().rulerUnit().units, 1.0);
+    }
+
+    /// Whatever a field shows, a length can be typed in any unit; mm and px know each other by the resolution alone.
+    void aLengthIsTypedInAnyUnit()
+    {
+        const struct {
+            const char *text, *unit;
+            double wanted;
+        } rows[] = {{"12 mm", "u", 12 * 150 / 25.4},
+                    {"0.5 in", "u", 75},
+                    {"0,5in", "u", 75},
+                    {"30 px", "u", 30},
+                    {"30 px", "mm", 30 * 25.4 / 150},
+                    {"30 u", "px", 30},
+                    {"1 cm", "mm", 10},
+                    {"72 pt", "in", 1},
+                    {"12", "mm", 12},
+                    {"2*(3+1) mm", "u", 8 * 150 / 25.4},
+                    {"1in + 2mm", "mm", 27.4},
+                    {"1in - 4 px", "u", 146},
+                    {"+1in", "mm", 35.4},
+                    {"50%", "mm", 5}};
+        for (const auto &[text, unit, wanted] : rows) {
+            const std::optional<double> value = evaluateArithmetic(text, 10, unit, 150);
+            QVERIFY2(value && std::abs(*value - wanted) < 1e-9, text);
+        }
+        QVERIFY(!evaluateArithmetic("12 mm", 10, "u"));
+        QVERIFY(!evaluateArithmetic("12 mm", 10, "s", 150));
+        QVERIFY(!evaluateArithmetic("1in + 2", 10, "s", 150));
+        QCOMPARE(evaluateArithmetic("1 in", 10, "mm"), std::optional(25.4));
+    }
+
+    /// Fields show and take what the rulers count, as large as it is on the painting's paper.
+    void fieldsCountAsRulersDo()
+    {
+        Ruled s;
+        s.use(Command::Eraser);
+        auto &eraser = *s.window.findChild<EraserTool *>();
+        NumberField *size = nullptr;
+        for (NumberField *field : eraser.options()->findChildren<NumberField *>())
+            if (field->accessibleName() == "Size")
+                size = field;
+        QVERIFY(size);
+        const auto type = [&](const QString &text) {
+            size->setFocus();
+            size->selectAll();
+            QTest::keyClicks(size, text);
+            QTest::keyClick(size, Qt::Key_Return);
+        };
+        type("12 mm");
+        QCOMPARE(2 * eraser.radius(), 12 * 150 / 25.4);
+        QCOMPARE(size->text(), QString("70.87 u"));
+        s.window.action(Command::RulersInMillimetres).setChecked(true);
+        QCOMPARE(size->text(), QString("12 mm"));
+        type("20");
+        QCOMPARE(2 * eraser.radius(), 20 * 150 / 25.4);
+        type("30 px");
+        QCOMPARE(2 * eraser.radius(), 30.0);
+        QCOMPARE(size->text(), QString("5.08 mm"));
+        s.editor().newPainting(Editor::usualCanvas(), 300);
+        QCOMPARE(size->text(), QString("2.54 mm"));
+        s.window.action(Command::RulersInInches).setChecked(true);
+        QCOMPARE(size->text(), QString("0.1 in"));
+        s.window.action(Command::RulersInUnits).setChecked(true);
+        QCOMPARE(size->text(), QString("30 u"));
+    }
+
+    /// A guide is asked for in that unit, too, and stays where it is if nothing is typed.
+    void aGuideIsPlacedInMillimetres()
+    {
+        Ruled s;
+        s.window.action(Command::RulersInMillimetres).setChecked(true);
+        const auto ask = [&](const QString &typed) {
+            QTimer answer;
+            connect(&answer, &QTimer::timeout, this, [&] {
+                auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+                if (!dialog)
+                    return;
+                answer.stop();
+                auto *box = dialog->findChild<QDoubleSpinBox *>();
+                box->selectAll();
+                QTest::keyClicks(box, typed);
+                dialog->accept();
+            });
+            answer.start(10);
+            s.use(Command::AddUprightGuide);
+        };
+        ask("10");
+        ask("0.5 in");
+        ask("123.25 px");
+        QCOMPARE(s.guides().size(), std::size_t(3));
+        QVERIFY(std::abs(s.guides()[0].place - 10 * 150 / 25.4) < 1e-4);
+        QCOMPARE(s.guides()[1].place, 75.0);
+        QCOMPARE(s.guides()[2].place, 123.25);
+        s.editor().aids().setGuides({{true, 123.2501}});
+        ask({});
+        QCOMPARE(s.guides()[0], (Guide{true, 123.2501}));
+        QCOMPARE(s.guides()[1].place, std::round(s.canvas().view().centre.x));
+        s.window.action(Command::RulersInUnits).setChecked(true);
     }
 
     /// The figure of a tick right below the corner of both rulers is whole: what the ruler shows of "0" does not depend

@@ -147,6 +147,33 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(dialog.difference()->text(), before, waitMs);
     }
 
+    /// Return does not wait for the comparison; what is asked for anew takes it back.
+    void returnIsRememberedWhileItIsCompared()
+    {
+        Editor editor;
+        fill(editor, 2);
+        DrawingDialog hasty(editor);
+        hasty.show();
+        hasty.path()->setText(m_folder.filePath("hasty.svg"));
+        QVERIFY(!hasty.exportButton()->isEnabled());
+        QTest::keyClick(hasty.path(), Qt::Key_Return);
+        QVERIFY2(hasty.hint()->text().contains("as soon as it is compared"), qPrintable(hasty.hint()->text()));
+        QVERIFY(!files().contains("hasty.svg"));
+        QTRY_VERIFY_WITH_TIMEOUT(!hasty.isVisible(), waitMs);
+        QCOMPARE(hasty.result(), int(QDialog::Accepted));
+        QVERIFY(files().contains("hasty.svg"));
+
+        DrawingDialog changed(editor);
+        changed.show();
+        changed.path()->setText(m_folder.filePath("changed.svg"));
+        QTest::keyClick(changed.path(), Qt::Key_Return);
+        QVERIFY(!changed.hint()->text().isEmpty());
+        changed.bands()->setValue(changed.bands()->value() + 1);
+        QVERIFY(changed.hint()->text().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(changed.exportButton()->isEnabled(), waitMs);
+        QVERIFY(changed.isVisible() && !files().contains("changed.svg"));
+    }
+
     void whatHasNoPathIsTold()
     {
         Editor editor;

@@ -187,6 +187,35 @@ private slots:
         QVERIFY(std::abs(dialog.plan().picture.width() - 50.8) < 1e-9);
     }
 
+    /// All of a sheet that is the painting's own is painted, without margins; other paper has its margins again.
+    void thePaintingsOwnSheetIsPaper()
+    {
+        Editor editor;
+        fill(editor);
+        PrintDialog dialog(editor, {});
+        dialog.show();
+        dialog.margins()[2]->setValue(17);
+        choose(dialog.paper(), "Sheet");
+        QVERIFY2(dialog.paper()->currentText().contains("102 × 67.7"), qPrintable(dialog.paper()->currentText()));
+        QVERIFY(!dialog.orientation()->isEnabled());
+        const PagePlan plan = dialog.plan();
+        QCOMPARE(plan.paper, QSizeF(600 / 150.0 * 25.4, 400 / 150.0 * 25.4));
+        QCOMPARE(plan.picture, QRectF(QPointF(), plan.paper));
+        QVERIFY(!plan.isCut());
+        choose(dialog.paper(), "A4");
+        QVERIFY(dialog.orientation()->isEnabled());
+        QCOMPARE(dialog.margins()[2]->value(), 17.0);
+        choose(dialog.paper(), "Sheet");
+        choose(dialog.resolution(), 300);
+        print(dialog, m_folder.filePath("sheet.pdf"));
+        QCOMPARE(PrintDialog(editor, {}).plan().paper, plan.paper);
+        if (QStandardPaths::findExecutable("pdftoppm").isEmpty())
+            QSKIP("pdftoppm is not installed.");
+        const QImage page = drawn(m_folder.filePath("sheet.pdf"), 300);
+        QCOMPARE(page.size(), QSize(1200, 800));
+        QVERIFY(meanDifference(page, expected(editor, plan, 300, true)) <= 0.05);
+    }
+
     void popplerFindsThePicture_data()
     {
         QTest::addColumn<int>("size");

@@ -1,10 +1,15 @@
 // File ▸ Import Strokes…: what other files hold comes into the open painting.
+#include "app/session/files/clipboard.h"
 #include "app/session/files/import_strokes.h"
 #include "app/widgets/asking/messages.h"
 #include "model/shaping/transform.h"
 #include "tests/app/selecting.h"
+#include "undo/edits.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMenu>
+#include <QMimeData>
 #include <QStatusBar>
 #include <QTemporaryDir>
 
@@ -60,6 +65,58 @@ private slots:
     }
     void cleanupTestCase() { setMessageHooks({}); }
     void init() { m_errors.clear(); }
+
+    /// What says how large it is on paper stays as large on paper that says it, with its spread and its text; else it
+    /// keeps its canvas units.
+    void theSizeOnPaperStays()
+    {
+        const auto paintingOf = [](Editor &editor, double resolution) {
+            editor.newPainting(Editor::usualCanvas(), resolution);
+        };
+        const StrokePtr wide = line(1, {100, 200}, {300, 200});
+        Editor from;
+        paintingOf(from, 300);
+        from.push(addStrokes(from.document(), {wide}, true), "line");
+        clipboard::copy(from);
+        const QMimeData &data = *QGuiApplication::clipboard()->mimeData();
+        const struct {
+            double resolution, factor;
+        } rows[] = {{150, 0.5}, {300, 1}, {600, 2}, {0, 1}};
+        for (const auto &[resolution, factor] : rows) {
+            Editor to;
+            paintingOf(to, resolution);
+            const int steps = to.undoStack().count();
+            QCOMPARE(clipboard::paste(to, data, {}), QString());
+            QCOMPARE(to.undoStack().count(), steps + 1);
+            const Stroke pasted = *to.document().painting()->strokes[0];
+            const Rect box = curveBox(pasted);
+            QCOMPARE(box.left, 100 * factor);
+            QCOMPARE(box.width(), 200 * factor);
+            const Segment &was = wide->segments[0], &is = pasted.segments[0];
+            QVERIFY(std::abs(is.spread(is.driesAt()) / was.spread(was.driesAt()) - factor) < 1e-5);
+            to.undoStack().undo();
+            QVERIFY(to.document().painting()->strokes.empty());
+        }
+        Text text;
+        text.string = "a";
+        Painting lettered;
+        lettered.groups = {{1, "a"}};
+        lettered.groups[0].text = text;
+        QCOMPARE(atRealSize(lettered, 300, 150).groups[0].text->place.a, 0.5);
+        QCOMPARE(atRealSize(lettered, 300, 0), lettered);
+    }
+
+    void aFileIsImportedAtItsSizeOnPaper()
+    {
+        DocumentExtras extras;
+        extras.resolution = 300;
+        const QString path = m_folder.filePath("sized.suffuse");
+        QVERIFY(bool(saveDocument(another(), extras, path)));
+        Editor to;
+        to.newPainting(Editor::usualCanvas(), 150);
+        QVERIFY(bool(importStrokes(to, path, {400, 300})));
+        QCOMPARE(curveBox(*to.document().painting()->strokes[0]).width(), 100.0);
+    }
 
     void everyKindIsOneStepAndSelected_data()
     {

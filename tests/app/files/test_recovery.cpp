@@ -75,6 +75,22 @@ private slots:
             QCOMPARE(hashOf(document.content.painting), hashOf(lost.painting()));
     }
 
+    /// It is no part of the picture, and yet what a sheet of paper is.
+    void theSizeOnPaperIsRecovered()
+    {
+        Session lost;
+        lost.editor().newPainting(Editor::usualCanvas(), 300);
+        lost.paintLine({200, 300}, {700, 350});
+        QVERIFY(lost.window.saveTo(m_folder->filePath("sheet.suffuse"))); // The journal says it again then.
+        lost.paintLine({200, 400}, {700, 450});
+        crash(lost);
+        QCOMPARE(findJournals(crashed()).lost.at(0).content.head.resolution, 300.0);
+        Session s;
+        answer(&RecoveryDialog::recoverButton, [](RecoveryDialog &) {});
+        offerRecovery(s.window, crashed());
+        QCOMPARE(s.editor().extras().resolution, 300.0);
+    }
+
     /// What the program adds to names is said in the language of the moment, not in that of the crash.
     void namesFollowTheLanguage()
     {

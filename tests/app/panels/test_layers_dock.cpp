@@ -470,6 +470,35 @@ private slots:
         QCOMPARE(bench.editor.document().painting()->groups[0].opacity, 0.35f);
     }
 
+    /// What undo and redo select stands out again as the layer, as it did then, and is what is deleted.
+    void whatUndoSelectsStandsOut()
+    {
+        Layered bench;
+        bench.select({1, 2});
+        bench.editor.push(groupSelection(bench.editor.document(), "sea"), "group");
+        bench.select({});
+        LayersDock dock(bench.editor);
+        const QModelIndex sky = dock.view().model()->index(1, 0), sea = dock.view().model()->index(2, 0);
+        const auto isMeant = [](const QModelIndex &row) {
+            return row.data(StrokesModel::CurrentLayerRole).toBool() &&
+                   row.data(StrokesModel::WhollySelectedRole).toBool();
+        };
+        dock.click(sky);
+        dock.dragOpacity(-30);
+        QTest::mouseRelease(dock.view().viewport(), Qt::LeftButton, {}, dock.cells().opacity.center() - QPoint(30, 0));
+        dock.click(sea);
+        QVERIFY(isMeant(sea) && !isMeant(sky));
+        bench.editor.undo();
+        QVERIFY(isMeant(sky) && !isMeant(sea));
+        dock.click(sea);
+        bench.editor.redo();
+        bench.editor.laterChanges().flush();
+        QVERIFY(isMeant(sky) && !isMeant(sea));
+        commands::deleteSelected(bench.editor);
+        QVERIFY(!bench.editor.document().painting()->find(3) && bench.editor.document().painting()->find(1));
+        QCOMPARE(bench.editor.document().painting()->strokes.size(), std::size_t(3));
+    }
+
     void theModeIsChosenFromAList()
     {
         Layered bench;
@@ -488,6 +517,30 @@ private slots:
         QCOMPARE(bench.editor.document().painting()->groups[0].blend, BlendMode::Multiply);
         bench.editor.undo();
         QCOMPARE(bench.editor.document().painting()->groups[0].blend, BlendMode::Normal);
+    }
+
+    /// Letters go from entry to entry in the open list, and reach nothing else.
+    void aLetterGoesToAModeInTheList()
+    {
+        Layered bench;
+        LayersDock dock(bench.editor);
+        QMenu menu;
+        dock.view().findChild<GroupHand *>()->fillModes(menu, 1);
+        menu.popup({0, 0});
+        const auto typed = [&](char letter) {
+            QTest::keyClick(&menu, letter);
+            return menu.activeAction() ? menu.activeAction()->text() : QString();
+        };
+        QCOMPARE(typed('m'), QString("Multiply"));
+        QCOMPARE(typed('s'), QString("Screen"));
+        QCOMPARE(typed('m'), QString("Mask Below"));
+        QCOMPARE(typed('m'), QString("Multiply"));
+        QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_M, Qt::NoModifier, "m");
+        key.ignore();
+        QApplication::sendEvent(&menu, &key);
+        QVERIFY(key.isAccepted());
+        QTest::keyClick(&menu, Qt::Key_Return);
+        QCOMPARE(bench.editor.document().painting()->groups[0].blend, BlendMode::Multiply);
     }
 };
 

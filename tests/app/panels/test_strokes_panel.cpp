@@ -230,7 +230,12 @@ private slots:
         QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {},
                           panel.view()->visualRect(panel.viewIndexOf(2).parent()).center());
         QCOMPARE(selected(), (std::set<StrokeId>{2, 4}));
-        panel.search()->clear();
+        QTest::keyClick(panel.search(), Qt::Key_Escape);
+        QVERIFY(!panel.isSearching() && panel.search()->text().isEmpty());
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QApplication::sendEvent(panel.search(), &escape);
+        // The second one leaves the field.
+        QVERIFY(!escape.isAccepted());
         QVERIFY(!panel.view()->isExpanded(panel.viewIndexOf(2).parent())); // as it was
         QVERIFY(group.isValid());
         panel.search()->setText("a"); // the group itself, and 1 and 3 of "sea"

@@ -44,6 +44,15 @@ struct EraserSession : WaveSession {
     }
     QString hint() { return canvas().tool()->hint(); }
     int erasing(StrokeId which) { return int(std::ranges::count_if(stroke(which).segments, &Segment::takesPaint)); }
+    /// Selects what takes paint away of one stroke.
+    void selectErasing()
+    {
+        std::set<SegmentRef> erasing;
+        for (int k = 0; k < int(stroke().segments.size()); ++k)
+            if (stroke().segments[std::size_t(k)].takesPaint())
+                erasing.insert({id, k});
+        editor().document().setSelection({{id}, erasing});
+    }
     QString summary()
     {
         for (const QLabel *label : window.findChild<InspectorPanel *>()->findChildren<QLabel *>())

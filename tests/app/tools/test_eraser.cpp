@@ -276,6 +276,21 @@ private slots:
         s.eraser().setChoice({});
     }
 
+    /// In the row, not only where the pointer rests.
+    void theRowSaysWhatLiftingDoes()
+    {
+        EraserSession s;
+        auto *fields = s.window.findChild<EraserFields *>();
+        QVERIFY(fields && fields->liftNote()->isVisible());
+        QVERIFY(fields->liftNote()->text().contains("edges draw in"));
+        for (const EraserMode mode : {EraserMode::Fade, EraserMode::Cut}) {
+            s.choose(mode);
+            QVERIFY(!fields->liftNote()->isVisible());
+        }
+        s.choose(EraserMode::Lift);
+        QVERIFY(fields->liftNote()->isVisible());
+    }
+
     void aPensPressureIsItsStrength()
     {
         const auto densityOf = [](double pressure) {

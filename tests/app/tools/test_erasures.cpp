@@ -2,6 +2,7 @@
 #include "app/panels/inspector/figures/density_plot.h"
 #include "app/panels/inspector/figures/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/rows/erasure_rows.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/tools/nodes/erasures.h"
 #include "app/widgets/colour/colour_rows.h"
@@ -114,7 +115,7 @@ private slots:
         for (int k = 0; k < int(s.stroke().segments.size()); ++k)
             if (s.stroke().segments[std::size_t(k)].lift)
                 erasing.insert({s.id, k});
-        const auto speaksOfErasures = [&] { return segments.density()->number()->accessibleName() == "Strength φ"; };
+        const auto speaksOfErasures = [&] { return !segments.erasure()->size()->label()->isHidden(); };
         const auto hasWidthHandle = [&] {
             for (double x = 190; x <= 610; x += 4)
                 for (double y = 260; y <= 400; y += 4) {
@@ -429,6 +430,17 @@ private slots:
         QVERIFY(shown() != outlined);
         s.use(Command::ShowErasures);
         QCOMPARE(shown(), outlined);
+        // Those of a stroke that is not selected are shown, too; only their lines are paler.
+        s.editor().document().setSelection({{s.other}, {}});
+        const QImage others = shown();
+        s.use(Command::ShowErasures);
+        QVERIFY(shown() != others);
+        s.use(Command::ShowOutlines);
+        QVERIFY(shown() != lines);
+        s.editor().document().setSelection({});
+        QCOMPARE(shown(), lines);
+        s.use(Command::ShowOutlines);
+        s.use(Command::ShowErasures);
     }
 
     /// What is not begun has no line, as it has no outline.

@@ -246,7 +246,7 @@ private slots:
         emit section.erasure()->kind()->activated(1);
         QVERIFY(s.fading().empty());
         QVERIFY(s.erasing(s.hill) > 0); // It lifts.
-        QTRY_VERIFY(share->label()->isHidden() && !section.density()->label()->isHidden());
+        QTRY_VERIFY(share->label()->isHidden() && !section.erasure()->taken()->label()->isHidden());
         QCOMPARE(section.erasure()->kind()->currentText(), QString("Lift"));
         s.use(Command::Undo);
         QVERIFY(!s.fading().empty());
@@ -278,10 +278,76 @@ private slots:
         QVERIFY(fill.isHidden() && panel.findChild<StyleSection *>()->isHidden());
         s.use(Command::EditHere);
         auto *card = s.window.findChild<ValueCard *>();
-        QVERIFY(card && !card->findChild<SegmentSection *>()->isHidden() && card->findChild<FillSection *>()->isHidden());
+        QVERIFY(card && !card->findChild<SegmentSection *>()->isHidden() &&
+                card->findChild<FillSection *>()->isHidden());
         card->close();
         s.editor().document().setSelection({{s.hill}, {}});
         QTRY_VERIFY(!fill.isHidden());
+    }
+
+    /// Size and strength are those of the eraser, in its units; another strength leaves the size as it is.
+    void sizeAndStrengthAreThoseOfTheEraser()
+    {
+        for (const double strength : {1.0, 0.4})
+            for (const EraserMode mode : {EraserMode::Fade, EraserMode::Lift}) {
+                EraserSession s(mode);
+                s.choose(mode, strength);
+                s.erase({350, 250}, {350, 390});
+                s.dry();
+                s.use(Command::Segments);
+                ErasureRows &rows = *s.window.findChild<InspectorPanel *>()->findChild<SegmentSection *>()->erasure();
+                s.selectErasing();
+                QTRY_COMPARE(rows.size()->number()->text(), QString("24 u"));
+                const int steps = s.steps();
+                rows.size()->number()->selectAll();
+                QTest::keyClicks(rows.size()->number(), "36");
+                QTest::keyClick(rows.size()->number(), Qt::Key_Return);
+                QCOMPARE(s.steps(), steps + 1);
+                QTRY_COMPARE(rows.size()->number()->text(), QString("36 u"));
+                s.use(Command::EditHere);
+                auto *card = s.window.findChild<ValueCard *>();
+                QVERIFY(card && card->segments()->diffusion()->label()->isHidden());
+                QVERIFY(card->segments()->density()->label()->isHidden());
+                QCOMPARE(card->segments()->erasure()->size()->number()->text(), QString("36 u"));
+                QTRY_COMPARE(QApplication::focusWidget(), card->segments()->erasure()->size()->number());
+                card->close();
+                for (const Segment &segment : s.stroke().segments)
+                    if (segment.takesPaint())
+                        QVERIFY(std::abs(segment.spread(segment.driesAt()) / 18 - 0.6) < 0.012);
+                QCOMPARE(rows.share()->label()->isHidden(), mode == EraserMode::Lift);
+                QCOMPARE(rows.taken()->label()->isHidden(), mode == EraserMode::Fade);
+                if (mode == EraserMode::Lift)
+                    continue;
+                QCOMPARE(rows.share()->number()->text(), strength == 1 ? QString("100 %") : QString("40 %"));
+                emit rows.share()->edited(0.5, nullptr);
+                QTRY_COMPARE(rows.share()->number()->text(), QString("50 %"));
+                QCOMPARE(rows.size()->number()->text(), QString("36 u"));
+            }
+    }
+
+    /// Erasures of several sizes are scaled together, and the row goes on saying by how much.
+    void sizesThatDifferAreScaled()
+    {
+        EraserSession s(EraserMode::Fade);
+        s.erase({350, 250}, {350, 390});
+        s.eraser().setRadius(6);
+        s.erase({250, 250}, {250, 390});
+        s.dry();
+        s.use(Command::Segments);
+        ErasureRows &rows = *s.window.findChild<InspectorPanel *>()->findChild<SegmentSection *>()->erasure();
+        s.selectErasing();
+        QTRY_VERIFY(!rows.size()->label()->isHidden());
+        QCOMPARE(rows.size()->number()->text(), QString("—"));
+        const Stroke before = s.stroke();
+        rows.size()->number()->setFocus();
+        QTest::keyClick(rows.size()->number(), Qt::Key_Up);
+        QTRY_COMPARE(rows.size()->number()->text(), QString("×1.10"));
+        for (std::size_t k = 0; k < before.segments.size(); ++k) {
+            const Segment &was = before.segments[k], &now = s.stroke().segments[k];
+            const double by = was.takesPaint() ? 1.1 : 1;
+            QVERIFY(std::abs(now.spread(now.driesAt()) / was.spread(was.driesAt()) - by) < 1e-5);
+            QVERIFY(std::abs(double(now.density) / double(was.density) - by) < 1e-5);
+        }
     }
 
 private:

@@ -392,7 +392,7 @@ private slots:
             for (const Command tool :
                  {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
                   Command::LassoFill, Command::Bucket, Command::Text, Command::Redraw, Command::Push, Command::Knife,
-                  Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+                  Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Assistants, Command::Pan}) {
                 s.use(tool);
                 s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
                 check();

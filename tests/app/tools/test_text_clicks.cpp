@@ -124,8 +124,10 @@ private slots:
         QVERIFY(std::abs(curveBox(*s.letter(1)).bottom - 500) < 2);
         QVERIFY(s.inkOf(1).x > 100 && s.inkOf(1).x < 140);
         QVERIFY(!textOf(s.painting(), s.group())->curve.empty());
+        QCOMPARE(textOf(s.painting(), s.group())->follows, StrokeId(1));
         s.row().findChild<QAbstractButton *>("straighten")->click();
         QVERIFY(textOf(s.painting(), s.group())->curve.empty());
+        QCOMPARE(textOf(s.painting(), s.group())->follows, StrokeId(0));
         QVERIFY(std::abs(curveBox(*s.letter(1)).bottom - 500) < 2);
         s.key(Qt::Key_Escape);
         QCOMPARE(s.steps(), 1);

@@ -71,6 +71,7 @@ Grab grabOf(WaveSession &s, const QString &what)
                                                {"eraser", {Command::Eraser, {350, 270}, {350, 380}}},
                                                {"attributes", {Command::AttributeBrush, {250, 320}, {450, 320}}},
                                                {"eyedropper", {Command::Eyedropper, {250, 320}, {450, 320}}},
+                                               {"assistant", {Command::Assistants, {200, 200}, {500, 250}}},
                                                {"hand", {Command::Pan, {250, 320}, {270, 330}}}};
     Grab grab = grabs.at(what);
     s.use(grab.tool);
@@ -95,7 +96,7 @@ bool hasNewPoints(const Stroke &stroke)
 
 /// What `grabOf` knows.
 constexpr const char *gestures[] = {"brush",  "extend", "move",  "band",   "scale",      "turn",       "node",
-                                    "handle", "curve",  "shape", "pen",    "lasso",  "bucket", "knife", "eraser", "attributes", "eyedropper", "hand"};
+                                    "handle", "curve",  "shape", "pen",    "lasso",  "bucket", "knife", "eraser", "attributes", "eyedropper", "assistant", "hand"};
 
 class TestBadUse : public QObject {
     Q_OBJECT

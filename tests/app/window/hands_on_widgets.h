@@ -11,10 +11,10 @@
 namespace suffuse {
 
 /// Each tool, for tests that go through all of them.
-inline constexpr Command tools[] = {Command::Brush,          Command::Select,     Command::Segments,  Command::Shapes,
-                                    Command::Knife,          Command::OutlinePen, Command::LassoFill, Command::Bucket,
-                                    Command::Text,           Command::Redraw,     Command::Push,      Command::Eraser,
-                                    Command::AttributeBrush, Command::Eyedropper, Command::Pan};
+inline constexpr Command tools[] = {Command::Brush,          Command::Select,     Command::Segments,   Command::Shapes,
+                                    Command::Knife,          Command::OutlinePen, Command::LassoFill,  Command::Bucket,
+                                    Command::Text,           Command::Redraw,     Command::Push,       Command::Eraser,
+                                    Command::AttributeBrush, Command::Eyedropper, Command::Assistants, Command::Pan};
 
 /// Lets the windows of a test keep their settings in a folder of its own, and draw alike everywhere.
 inline void keepSettingsIn(const QTemporaryDir &folder)

@@ -240,7 +240,7 @@ private slots:
         for (const Command tool :
              {Command::Brush, Command::Select, Command::Segments, Command::Shapes, Command::OutlinePen,
               Command::LassoFill, Command::Bucket, Command::Text, Command::Redraw, Command::Push, Command::Knife,
-              Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+              Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Assistants, Command::Pan}) {
             s.use(tool);
             look("with a tool: ");
             const bool scrolls = tool == Command::Text; // that of texts is longer than others

@@ -1,8 +1,10 @@
 // The welcome page: when it comes, what it offers, and what a choice does. And the card of a lesson in the window.
+#include "app/dialogs/sheet_presets.h"
 #include "app/dialogs/welcome/welcome_dialog.h"
 #include "app/session/files/samples.h"
 #include "app/session/settings/greeting.h"
 #include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "app/window/welcome/lesson_card.h"
 #include "app/window/welcome/welcoming.h"
 #include "model/formats/files.h"
@@ -14,6 +16,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTranslator>
 
 using namespace suffuse;
 
@@ -112,7 +115,7 @@ private slots:
         s.use(Command::Welcome);
         QListWidget &list = *pageOf(s)->paintings();
         QListWidgetItem *row = rowOf(list, "kept");
-        QListWidgetItem *sample = rowOf(list, QFileInfo(samples.back()).completeBaseName());
+        QListWidgetItem *sample = rowOf(list, sampleTitle(samples.back()));
         QVERIFY(row && sample);
         const QImage kept = keptPreview(recent);
         QVERIFY(!kept.isNull() && std::max(kept.width(), kept.height()) <= 256);
@@ -120,6 +123,35 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(item->icon().pixmap(84, 60).toImage().pixelColor(42, 30).alpha() > 0, waitMs);
         emit list.itemClicked(row);
         QCOMPARE(s.editor().filePath(), recent);
+    }
+
+    /// Files of samples have English names, and so have the papers of printers; people read neither.
+    void samplesAndPapersHaveNamesInEachLanguage()
+    {
+        QStringList english;
+        const auto titles = [] {
+            QStringList all;
+            for (const QString &sample : sampleFiles())
+                all << sampleTitle(sample);
+            for (const char *paper : {"Letter", "Legal", "Tabloid"})
+                all << paperTitle(QLatin1String(paper));
+            return all;
+        };
+        english = titles();
+        for (const QString &sample : sampleFiles())
+            QVERIFY2(sampleTitle(sample) != QFileInfo(sample).completeBaseName(), qPrintable(sample));
+        QCOMPARE(paperTitle("A4"), QString("A4"));
+        for (const QString &code : translationCodes()) {
+            if (code == "en")
+                continue;
+            QTranslator words;
+            QVERIFY2(words.load(":/i18n/suffuse_" + code + ".qm"), qPrintable(code));
+            QCoreApplication::installTranslator(&words);
+            const QStringList translated = titles();
+            QCoreApplication::removeTranslator(&words);
+            for (qsizetype i = 0; i < english.size(); ++i)
+                QVERIFY2(translated[i] != english[i], qPrintable(code + ": " + english[i]));
+        }
     }
 
     /// What came with the program is not replaced by saving, and is not what one worked on last.
@@ -131,7 +163,7 @@ private slots:
         QVERIFY(s.window.openFile(sample));
         QVERIFY(!s.editor().document().painting()->strokes.empty());
         QVERIFY(s.editor().filePath().isEmpty());
-        QVERIFY(s.window.windowTitle().contains(QFileInfo(sample).completeBaseName()));
+        QVERIFY(s.window.windowTitle().contains(sampleTitle(sample)));
         QCOMPARE(settings::recentFiles(), recent);
     }
 

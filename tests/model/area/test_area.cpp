@@ -1,6 +1,7 @@
 // The boundary of what lies inside an outline, against winding numbers counted at points.
 #include "model/area/boundary.h"
 #include "model/area/outline.h"
+#include "model/paint/fill_density.h"
 #include "model/shaping/curves/split.h"
 #include "model/shaping/erasing/fill_cut.h"
 #include "tests/model/area/windings.h"
@@ -315,6 +316,87 @@ private slots:
         for (int i = 0; i < 200; ++i) {
             const Point x{500 + 200 * u(random), 500 + 200 * u(random)};
             QCOMPARE(enteredAt(boundary, x), int(windingAt({walk}, x) != 0));
+        }
+    }
+
+    /// Wide arcs lie over narrow ones, and steep ones beside ones that are nearly level.
+    void arcsOfAllWidths()
+    {
+        std::mt19937 random(9);
+        std::uniform_real_distribution<double> u(0, 1);
+        for (int turn = 0; turn < 6; ++turn) {
+            Loop walk;
+            Point at{50, 50};
+            for (int k = 0; k < 300; ++k) {
+                const double size = std::exp2(-10 * u(random)), bend = size * 100 * u(random);
+                const auto near = [&](Point p) {
+                    return p + Point{bend * (u(random) - 0.5), bend * (u(random) - 0.5)};
+                };
+                const Point to = at + size * (Point{100 * u(random), 100 * u(random)} - at);
+                walk.push_back({{at, near(at), near(to), to}});
+                at = to;
+            }
+            walk.push_back(straight(at, {50, 50}));
+            QCOMPARE(problemOf({walk}, random, 100, 1e-3), QString());
+        }
+    }
+
+    void chordsTellWhereArcsLie()
+    {
+        std::mt19937 random(10);
+        std::uniform_real_distribution<double> u(0, 1);
+        int told = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const double far = i % 3 == 0 ? 1e9 : 0, height = std::exp2(-30 * u(random));
+            std::array<double, 2> x{u(random), u(random)}, y{height * u(random), height * u(random)};
+            std::ranges::sort(x), std::ranges::sort(y);
+            const RisingArc arc{
+                {{Point{far, far}, {far + x[0], far + y[0]}, {far + x[1], far + y[1]}, {far + 1, far + height}}}};
+            const double level = arc.top() + (arc.bottom() - arc.top()) * u(random), near = 1e-3 * u(random);
+            const Point p{far + 1.2 * u(random) - 0.1, level};
+            const int side = arc.bottom() > arc.top() ? ArcChord(arc).sideOf(p.x, p.y, near) : 0;
+            told += side != 0;
+            if (side < 0)
+                QVERIFY(arc.xAt(level) < p.x - near);
+            if (side > 0)
+                QVERIFY(arc.xAt(level) > p.x + near);
+        }
+        QVERIFY(told > 20'000 / 10);
+    }
+
+    /// What lies in a window is found without what lies elsewhere: the cost of a click is that of what is clicked on.
+    void aWindowSeesTheSameLoops()
+    {
+        std::mt19937 random(12);
+        std::uniform_real_distribution<double> u(-1, 1);
+        Stroke walk = line({{0, 0}, {1, 1}});
+        walk.segments.clear();
+        Point at{0, 0};
+        Segment segment = line({{0, 0}, {1, 1}}).segments.front();
+        for (int k = 0; k < 4000; ++k) {
+            const Point to = 0.99 * at + Point{20 * u(random), 20 * u(random)};
+            const Cubic c = straight(at, to);
+            for (std::size_t i = 0; i < 4; ++i)
+                segment.bezier[i] = {float(c.p[i].x), float(c.p[i].y)};
+            walk.segments.push_back(segment);
+            at = Point() + segment.bezier[3];
+        }
+        Fill fill;
+        fill.density = 1, fill.maxAge = 1, fill.diffusion = 1;
+        walk.fill = fill;
+        const std::vector<Loop> loops = closedOutline(walk);
+        const DensityOfFill whole(walk, 10'000'000);
+        for (int i = 0; i < 10; ++i) {
+            const Point middle{100 * u(random), 100 * u(random)};
+            const Rect window = Rect{middle.x, middle.y, middle.x, middle.y}.grown(10);
+            const std::vector<Loop> shortened = shortenedAround(window, loops);
+            QVERIFY(shortened.empty() || shortened[0].size() < loops[0].size() / 4);
+            for (int k = 0; k < 10; ++k) {
+                const Point x = middle + Point{10 * u(random), 10 * u(random)};
+                QCOMPARE(windingAt(shortened, x, 1), windingAt(loops, x, 1));
+            }
+            // Both are right to about a thousandth.
+            QVERIFY(std::abs(DensityOfFill(walk, 10'000'000, middle)(middle).density - whole(middle).density) < 2e-3);
         }
     }
 };

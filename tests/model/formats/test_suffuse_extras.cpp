@@ -69,6 +69,10 @@ private slots:
         view.begun = BegunLayer{"Shades", true, 2, 5};
         view.symmetry = Symmetry{true, SymmetryKind::Kaleidoscope, {10.5, -3}, 0.25, 7};
         view.guides = {{false, 12.5}, {false, -4}, {true, 1e6}};
+        view.assistants = {{AssistantKind::Ruler, {{1, 2}, {-3.5, 4}}},
+                           {AssistantKind::VanishingPoint, {{1e9, -0.25}}},
+                           {AssistantKind::Perspective, {{0, 0}, {9, 1}, {8, 7}, {-1, 6}}},
+                           {AssistantKind::Concentric, {{5, 5}, {8, 5}, {5, 7}}}};
         view.print = PrintSetup{"Letter", true, {1, 2.5, 3, 4}, PrintSetup::Size::Scaled, 12.5, PrintSetup::Area::Numbers,
                                 Rect::of(-1, 2, 30, 40), PrintSetup::Moment::Time, 1'500'000, false, 720};
         const auto d = readDocument(writeDocument(somePainting(), extras, FileFormat::Suffuse), "a.suffuse");
@@ -194,7 +198,13 @@ private slots:
                             {QLatin1String("symmetry"), symmetry},
                             {QLatin1String("guides"),
                              QCborMap{{QLatin1String("level"), QCborArray{nan, QLatin1String("no"), 5.0}},
-                                      {QLatin1String("upright"), 7}}}};
+                                      {QLatin1String("upright"), 7}}},
+                            {QLatin1String("assistants"),
+                             QCborArray{QCborArray{2, 10.0, 20.0}, QCborArray{2, nan, 20.0}, QCborArray{2, 10.0},
+                                        QCborArray{2, 1e13, 20.0}, QCborArray{2, 10.0, 20.0, 30.0, 40.0},
+                                        QCborArray{6, 10.0, 20.0}, QCborArray{-1, 10.0, 20.0}, QCborArray{},
+                                        QLatin1String("no"), QCborArray{QLatin1String("no"), 1.0, 2.0},
+                                        QCborArray{0, 1, 2, 3, 4}}}};
         test::ChunkList chunks = test::chunksOf(writeSuffuseFile(somePainting()));
         chunks.insert(chunks.begin() + 1, {"view", QCborValue(view).toCbor()});
         const auto d = readDocument(test::fileOf(chunks), QStringLiteral("a.suffuse"));
@@ -202,6 +212,9 @@ private slots:
         QVERIFY(d->extras.view && !d->extras.view->symmetry);
         QCOMPARE(d->extras.view->layer, GroupId(3));
         QCOMPARE(d->extras.view->guides, (std::vector<Guide>{{false, 5}}));
+        QCOMPARE(d->extras.view->assistants,
+                 (std::vector<Assistant>{{AssistantKind::VanishingPoint, {{10, 20}}},
+                                         {AssistantKind::Ruler, {{1, 2}, {3, 4}}}}));
     }
 
     /// CBOR that breaks off anywhere is not looked into.

@@ -238,7 +238,8 @@ private slots:
               "<text opacity='.5' letter-spacing='-3'>ab</text>",
               "<clipPath id='c'><circle r='9'/></clipPath><text clip-path='url(#c)' y='5'>ab</text>",
               "<linearGradient id='g'><stop stop-color='red'/><stop offset='1'/></linearGradient>"
-              "<text fill='url(#g)'>ab</text>"})
+              "<text fill='url(#g)'>ab</text>",
+              "<text font-variant='small-caps'>ab</text>"})
             QVERIFY2(!textIn(other) && !drawn(other).paths.empty(), other);
         // What is said twice alike is one look.
         QVERIFY(textIn("<text fill='red'>a<tspan fill='red'>b</tspan></text>"));
@@ -282,6 +283,16 @@ private slots:
         QVERIFY(asked("font-family='sans-serif'").second.isEmpty());
         QCOMPARE(asked("style='font: italic 600 12px/1.5 Crates, serif'").first,
                  (Face{QStringLiteral("Crates"), 600, true, false}));
+        QCOMPARE(asked("font-family='Boxes' font-stretch='condensed'").first.family, QString("Boxes Condensed"));
+        QCOMPARE(asked("font-family='Boxes' style='font-stretch:75%'").first.family, QString("Boxes Condensed"));
+        QCOMPARE(asked("font-family='Boxes' font-stretch='expanded'").first.family, QString("Boxes"));
+        QCOMPARE(asked("font-family='Crates' font-stretch='condensed'").first.family, QString("Crates"));
+        QVERIFY(asked("font-family='Crates' font-stretch='condensed'").second.isEmpty());
+        QVERIFY(asked("font-variant='small-caps'").first.hasSmallCaps);
+        QVERIFY(!asked("font-variant='small-caps' style='font-variant: normal'").first.hasSmallCaps);
+        QCOMPARE(asked("style='font: small-caps condensed 12px Boxes'").first,
+                 (Face{QStringLiteral("Boxes Condensed"), 400, false, false, false, true}));
+        QVERIFY(!asked("font-variant='small-caps' style='font: 12px Boxes'").first.hasSmallCaps);
         QCOMPARE(asked("style='font-weight:bolder'").first.weight, 700.f);
         QCOMPARE(places("<text style='font: 20px Boxes' x='1' y='9'>ab</text>", 20)[1], (Point{11, 9}));
         QCOMPARE(leftOutOf(drawn("<text font-family='Nothing'>a</text>")),

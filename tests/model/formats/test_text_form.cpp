@@ -191,8 +191,8 @@ private slots:
             "strokes: {…} is not a list");
         row("no strokes", "{\"format\": \"suffuse-text\", \"version\": 1}", "a.json: strokes: is missing");
         row("no format", "{\"version\": 1, \"strokes\": []}", "a.json: format: is missing");
-        row("version", "{\"format\": \"suffuse-text\", \"version\": 5, \"strokes\": []}",
-            "version: 5 is newer than this program");
+        row("version", "{\"format\": \"suffuse-text\", \"version\": 6, \"strokes\": []}",
+            "version: 6 is newer than this program");
         row("a group that blends in version 2",
             "{\"format\": \"suffuse-text\", \"version\": 2, \"strokes\": [], \"groups\": [{\"id\": 1, \"opacity\": "
             "0.5}]}",

@@ -47,7 +47,7 @@ inline bool sameBits(const FlatGradient &a, const FlatGradient &b)
     return areSame(a.segments, b.segments) && areSame(a.strokes, b.strokes);
 }
 
-/// Styles, mixings, colours, paper and lifts, each with each.
+/// Styles, mixings, colours, paper and lifts, each with each; and fades.
 inline std::vector<SceneKind> gradientKinds()
 {
     std::vector<SceneKind> kinds;
@@ -57,6 +57,13 @@ inline std::vector<SceneKind> gradientKinds()
             kind.style = style, kind.pigment = i & 1, kind.oneColour = !(i & 2), kind.paper = i & 4;
             kind.lifts = (i & 8) && style != StyleKind::Edge;
             kind.turnedView = kind.pigment;
+            kinds.push_back(kind);
+        }
+    for (const StyleKind style : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
+        for (int i = 0; i < 4; ++i) {
+            SceneKind kind;
+            kind.style = style, kind.fades = true, kind.oneColour = !(i & 1), kind.paper = i & 2, kind.pigment = i == 1;
+            kind.lifts = i == 3 && style != StyleKind::Edge;
             kinds.push_back(kind);
         }
     return kinds;
@@ -94,8 +101,8 @@ inline void checkGradientKinds(const OpenDevice &open, int strokes, int width, i
         scene.byXi = seed % 5 != 0;
         checkScene(onDevice, scene, seed);
         if (QTest::currentTestFailed()) {
-            qWarning("style %d, mixing %d, varying %d, paper %d, lifts %d", int(kind.style), kind.pigment,
-                     !kind.oneColour, kind.paper, kind.lifts);
+            qWarning("style %d, mixing %d, varying %d, paper %d, lifts %d, fades %d", int(kind.style), kind.pigment,
+                     !kind.oneColour, kind.paper, kind.lifts, kind.fades);
             return;
         }
     }

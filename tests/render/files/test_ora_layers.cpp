@@ -1,5 +1,6 @@
 // The layers of OpenRaster files: they come in as groups with a picture each, and show what the file shows.
 #include "tests/files.h"
+#include "tests/render/files/locked_texts.h"
 #include "tests/render/layers/grouped.h"
 
 #include "model/formats/files.h"
@@ -160,6 +161,15 @@ private slots:
         // It is kept as any painting is.
         const Result<Painting> again = readPainting(writePainting(p, FileFormat::Suffuse), "a.suffuse");
         QVERIFY(again && *again == p);
+    }
+
+    void textsAndLocksComeBack()
+    {
+        FloatPicture picture;
+        const Result<Painting> layers =
+            layersOf(lockedTexts(), View::ofArea(Rect::of(0, 0, 64, 48), 64, 48), 8, picture);
+        QVERIFY2(layers, qPrintable(layers ? QString() : layers.error()));
+        QCOMPARE(namesAndLocks(layers->groups), lockedTextsInFiles);
     }
 
     void everyModeComesBack()

@@ -1,5 +1,6 @@
 // The layers of Photoshop files: those that are written here come in as they look, and other ones as far as they go.
 #include "tests/files.h"
+#include "tests/render/files/locked_texts.h"
 #include "tests/render/layers/grouped.h"
 
 #include "model/formats/files.h"
@@ -187,6 +188,14 @@ private slots:
     }
 
     /// Names, folders, modes, opacities and masks of files that other programs wrote.
+    void textsAndLocksComeBack()
+    {
+        compare(lockedTexts(), View::ofArea(Rect::of(0, 0, 64, 48), 64, 48), 8, "texts", 1);
+        const Result<LoadedDocument> read = loadDocument(path("a.psd"));
+        QVERIFY(read);
+        QCOMPARE(namesAndLocks(read->painting.groups), lockedTextsInFiles);
+    }
+
     void attributes()
     {
         QByteArray unicode;

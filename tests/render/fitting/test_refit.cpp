@@ -142,6 +142,27 @@ private slots:
                  qPrintable(QStringLiteral("%1 %2").arg(is->rootMeanSquare).arg(drawn)));
     }
 
+    /// Strokes that are made paler along a line become fewer that look so.
+    void fadedStrokesBecomeFewer()
+    {
+        Painting painting = eightBetween();
+        for (std::size_t i = 1; i < 9; ++i) {
+            Stroke stroke = *painting.strokes[i];
+            Segment fading = strokeFrom(1, {38, 10}, {38, 45}, red, 5).segments[0];
+            for (Offset &at : fading.bezier)
+                at = toOffset(Point{38, 10} + at, stroke.origin);
+            fading.fade = fading.start = true;
+            fading.born = stroke.segments[0].born;
+            stroke.segments.push_back(fading);
+            painting.strokes[i] = std::make_shared<const Stroke>(stroke);
+        }
+        const Refitted now = refitted(painting, redOnes(), 4);
+        QVERIFY2(now.error.isEmpty(), qPrintable(now.error));
+        QVERIFY(now.painting.strokes.size() <= 6);
+        QVERIFY2(now.after.rootMeanSquare < 4 && now.after.greatest < 40,
+                 qPrintable(QStringLiteral("%1 %2").arg(now.after.rootMeanSquare).arg(now.after.greatest)));
+    }
+
     /// On a sheet that lets through, on white and on black.
     void coverageIsKept()
     {

@@ -319,6 +319,48 @@ private slots:
         }
         QVERIFY(strokesAbove > 0 && withLayers > 0 && keptWithBounds > 0);
     }
+
+    /// A stroke is dragged to and fro, with and without layers. Blocks that it meets neither before nor now are not
+    /// painted again, and whatever differs lies in what a frame says was painted.
+    void aDragPaintsWhatTheStrokeMeets()
+    {
+        const View view = View::ofArea(Rect::of(0, 0, 192, 144), 192, 144);
+        for (const bool inLayers : {false, true}) {
+            std::mt19937_64 random(41);
+            auto p = std::make_shared<Painting>(*painting(randomStrokes(random, 16, 192, 144), 192, 144));
+            if (inLayers)
+                p = std::make_shared<Painting>(*grouped(p, random));
+            for (Group &g : p->groups)
+                g.clips = g.mask = false;
+            Stroke thin = stroke(999, Shape::Straight, {96, 72}, 60, 2, styleOf(StyleKind::Uniform));
+            thin.group = p->strokes[8]->group;
+            p->strokes[8] = std::make_shared<const Stroke>(thin);
+            const auto live = make(Backend::Cpu, 0, 48);
+            FloatPicture picture;
+            QVERIFY(live->render({p, p->end(), view}, picture));
+            int spared = 0;
+            for (int frame = 0; frame < 16; ++frame) {
+                const bool drags = frame % 7 != 6; // Else it lies still for a frame.
+                const FloatPicture before = picture;
+                auto moved = std::make_shared<Stroke>(thin);
+                moved->origin.y += 40 * std::sin(0.9 * frame);
+                p = std::make_shared<Painting>(*p);
+                p->strokes[8] = std::move(moved);
+                const auto stats = live->render({p, p->end(), view, false, drags}, picture);
+                QVERIFY(stats);
+                spared += drags && stats->pixelsEvaluated < 48 * 48 * stats->tilesEvaluated;
+                const FloatPicture exact = test::render(*m_cpu, p, view);
+                QVERIFY(drags ? worst(picture, exact).difference < 1.0 / 1024 : picture.rgba == exact.rgba);
+                for (int y = 0; y < view.height; ++y)
+                    for (int x = 0; x < view.width; ++x)
+                        if (!std::equal(before.at(x, y), before.at(x, y) + 4, picture.at(x, y)))
+                            QVERIFY(std::ranges::any_of(stats->dirty, [&](const PixelRect &r) {
+                                return r.x <= x && x < r.x + r.width && r.y <= y && y < r.y + r.height;
+                            }));
+            }
+            QVERIFY(spared >= 8);
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(TestBlending)

@@ -2,7 +2,7 @@
 
 #include "app/widgets/curves/plot_frame.h"
 #include "app/widgets/look/theme.h"
-#include "app/widgets/numbers/display.h"
+#include "app/widgets/numbers/length_units.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -53,7 +53,7 @@ void CrossSectionPlot::paintEvent(QPaintEvent *)
     painter.drawText(QRectF(0, plot.top() - line / 2.0, 20, line), Qt::AlignRight | Qt::AlignVCenter, "1");
     painter.drawText(QRectF(0, plot.bottom() - line / 2.0, 20, line), Qt::AlignRight | Qt::AlignVCenter, "0");
     painter.drawText(below, Qt::AlignLeft, tr("cross-section"));
-    painter.drawText(below, Qt::AlignRight, QStringLiteral("±") + lengthDisplay().text(range));
+    painter.drawText(below, Qt::AlignRight, QStringLiteral("±") + lengthDisplay(this).text(range));
 
     // The ground shows what the eye sees: each column has the colour that the stroke has there on the background.
     const auto at = [&](const CrossSectionPoint &p) {

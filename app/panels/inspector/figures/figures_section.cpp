@@ -5,7 +5,7 @@
 #include "app/panels/inspector/figures/figure_warnings.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/section.h"
-#include "app/widgets/numbers/display.h"
+#include "app/widgets/numbers/length_units.h"
 #include "app/widgets/numbers/number_field.h"
 
 #include <QGridLayout>
@@ -83,9 +83,9 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
 void FiguresSection::addFigures(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
-    const std::array<QString, figureCount> names{
-        tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"), tr("Fades away"), tr("Softness"),
-        tr("Takes away")};
+    const std::array<QString, figureCount> names{tr("Spread s"),   tr("Spread along"), tr("Peak density"),
+                                                 tr("Half-width"), tr("Fades away"),   tr("Spread s"),
+                                                 tr("Takes away")};
     const std::array<QString, figureCount> tips{
         tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
         tr("How far it has spread along the curve."),
@@ -118,14 +118,17 @@ void FiguresSection::refresh(const Inspected &inspected)
         return;
     m_cutAt = placeOfCut(inspected, m_editor.unsettled().selection().segments.empty());
     refreshCutSoon();
-    const FiguresSummary figures = m_keeper.summaryOf(inspected);
-    showFigures(figures);
-    m_warnings->showHint(figureWarnings(figures).join('\n'));
+    m_shown = m_keeper.summaryOf(inspected);
+    showFigures();
+    m_warnings->showHint(figureWarnings(m_shown).join('\n'));
 }
 
 void FiguresSection::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    if (LengthUnits *units = LengthUnits::of(this)) // It is in its window now.
+        connect(units, &LengthUnits::changed, this, &FiguresSection::showFigures, Qt::UniqueConnection);
+    showFigures();
     refreshCutSoon();
 }
 
@@ -144,8 +147,11 @@ void FiguresSection::refreshCut()
             crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.clock().time(), CrossSectionPlot::samples));
 }
 
-void FiguresSection::showFigures(const FiguresSummary &figures)
+void FiguresSection::showFigures()
 {
+    const FiguresSummary &figures = m_shown;
+    if (figures.segments + figures.erasing == 0)
+        return;
     const auto range = [](const Extent &extent, const QString &unit) {
         return rangeText(extent.least, extent.most, unit);
     };
@@ -158,8 +164,11 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
             label->setVisible(!fill && (i == 1 ? figures.uneven : erasure == (i >= firstOfErasures)));
     if (fill)
         return;
+    const auto lengths = [shown = lengthDisplay(this)](const Extent &extent) {
+        return rangeText(shown.toShown(extent.least), shown.toShown(extent.most), shown.unit);
+    };
     if (erasure) {
-        m_figures[5]->setText(range(figures.reach, canvasUnit()));
+        m_figures[5]->setText(lengths(figures.reach));
         QStringList taken;
         if (figures.share.count > 0)
             taken << shareRange(figures.share);
@@ -172,10 +181,10 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     const bool stays = dries.count < figures.segments;
     const QString seconds = secondsUnit();
     m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
-    m_figures[0]->setText(range(figures.spread, canvasUnit()));
-    m_figures[1]->setText(range(figures.along, canvasUnit()));
+    m_figures[0]->setText(lengths(figures.spread));
+    m_figures[1]->setText(lengths(figures.along));
     m_figures[2]->setText(range(figures.peak, QString()));
-    m_figures[3]->setText(range(figures.halfWidth, canvasUnit()));
+    m_figures[3]->setText(lengths(figures.halfWidth));
     m_figures[4]->setText(dries.count == 0 ? tr("never")
                           : stays          ? tr("partly, from %1").arg(rangeText(dries.least, dries.least, seconds))
                                            : tr("after %1").arg(range(dries, seconds)));

@@ -33,8 +33,8 @@ public:
     /// What stands here instead of all that where only fills are seen.
     QLabel *fillAlone() const { return m_fillAlone; }
     /// The labels of spread, spread along, peak, half-width and fading, in this order, and, where all that is selected
-    /// takes paint away, instead of them those of softness and of what it takes. The second is shown only where spread
-    /// is uneven.
+    /// takes paint away, instead of them those of its spread and of what it takes. The second is shown only where
+    /// spread is uneven.
     QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
 
 protected:
@@ -43,12 +43,13 @@ protected:
 private:
     static constexpr int figureCount = 7, firstOfErasures = 5;
     void addFigures(QVBoxLayout &column);
-    void showFigures(const FiguresSummary &figures);
+    void showFigures();
     void refreshCutSoon();
     void refreshCut();
 
     Editor &m_editor;
     FiguresKeeper m_keeper;
+    FiguresSummary m_shown;
     SegmentRef m_cutAt; ///< the segment at which the stroke is cut
     QTimer m_later;     ///< The cut takes longer than the rest, so the picture is drawn first.
     DensityPlot *m_plot = nullptr;

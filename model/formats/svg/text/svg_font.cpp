@@ -50,6 +50,19 @@ std::optional<double> namedSize(const QString &text, double around)
     return at == sizes.end() ? std::nullopt : std::optional(at->second);
 }
 
+double stretchFrom(const QString &text, double parent)
+{
+    static const std::map<QString, double> stretches{
+        {"ultra-condensed", 50},  {"extra-condensed", 62.5}, {"condensed", 75},
+        {"semi-condensed", 87.5}, {"normal", 100},           {"semi-expanded", 112.5},
+        {"expanded", 125},        {"extra-expanded", 150},   {"ultra-expanded", 200}};
+    if (const auto at = stretches.find(text); at != stretches.end())
+        return at->second;
+    bool ok = false;
+    const double stretch = text.endsWith(u'%') ? text.chopped(1).toDouble(&ok) : 0;
+    return ok && stretch > 0 ? stretch : parent;
+}
+
 double raisedBy(const QString &text, const SvgUnits &units)
 {
     // As browsers raise and lower where a font does not say by how much.
@@ -73,6 +86,10 @@ SvgFont SvgFont::of(const SvgProperties &all, const SvgFont &parent, const SvgUn
     take("font-family", [&](const QString &v) { font.families = familiesFrom(v); });
     take("font-weight", [&](const QString &v) { font.weight = weightFrom(v, parent.weight); });
     take("font-style", [&](const QString &v) { font.italic = v != QLatin1String("normal"); });
+    for (const char *name : {"font-stretch", "font-width"})
+        take(name, [&](const QString &v) { font.stretch = stretchFrom(v, parent.stretch); });
+    for (const char *name : {"font-variant", "font-variant-caps"})
+        take(name, [&](const QString &v) { font.hasSmallCaps = v.split(u' ').contains(QLatin1String("small-caps")); });
     take("letter-spacing", spacing(font.letterSpacing));
     take("word-spacing", spacing(font.wordSpacing));
     take("text-anchor", [&](const QString &v) {
@@ -118,15 +135,18 @@ SvgProperties svgFontShorthand(const QString &text)
     const QRegularExpressionMatch match = form.match(text);
     if (!match.hasMatch() || text.size() > 10'000)
         return {};
-    SvgProperties out{{"font-style", "normal"},
-                      {"font-weight", "normal"},
-                      {"font-size", match.captured(2)},
-                      {"font-family", match.captured(3)}};
+    SvgProperties out{{"font-style", "normal"},   {"font-weight", "normal"},        {"font-variant", "normal"},
+                      {"font-stretch", "normal"}, {"font-size", match.captured(2)}, {"font-family", match.captured(3)}};
     for (const QString &word : match.captured(1).split(u' ', Qt::SkipEmptyParts)) {
         bool isNumber = false;
         word.toInt(&isNumber);
         if (word == QLatin1String("italic") || word == QLatin1String("oblique"))
             out["font-style"] = word;
+        else if (word == QLatin1String("small-caps"))
+            out["font-variant"] = word;
+        else if (word.endsWith(QLatin1String("-condensed")) || word.endsWith(QLatin1String("-expanded")) ||
+                 word == QLatin1String("condensed") || word == QLatin1String("expanded"))
+            out["font-stretch"] = word;
         else if (isNumber || word.startsWith(QLatin1String("bold")) || word == QLatin1String("lighter"))
             out["font-weight"] = word;
     }

@@ -27,6 +27,8 @@ struct SvgFont {
     QStringList families; ///< the first that is installed counts
     float weight = 400;
     bool italic = false;
+    double stretch = 100; ///< per cent of the usual width: below, a narrower family of the same name counts
+    bool hasSmallCaps = false;
     double letterSpacing = 0, wordSpacing = 0; ///< added behind each letter, and behind each space
     TextAlignment anchor = TextAlignment::Start;
     bool isRightToLeft = false; ///< on which side a text starts

@@ -62,6 +62,19 @@ QString SvgTexts::familyOf(const QStringList &given)
     return m_families[key] = m_shaper->familyFor(found.isEmpty() ? families.front() : found);
 }
 
+/// The narrower or wider family that belongs to one, where it is installed: letters are never squeezed.
+QString SvgTexts::withWidth(const QString &family, double stretch)
+{
+    static const QStringList narrow{" Condensed", " Narrow", " SemiCondensed", " ExtraCondensed"},
+        wide{" Expanded", " Extended", " Wide", " SemiExpanded"};
+    if (stretch >= 90 && stretch <= 110)
+        return family;
+    for (const QString &suffix : stretch < 100 ? narrow : wide)
+        if (m_shaper->hasFamily(family + suffix))
+            return family + suffix;
+    return family;
+}
+
 std::optional<SvgSetText> SvgTexts::set(const SvgElement &text, const SvgStyle &style)
 {
     SvgCharacters characters = svgCharacters(text, style, m_tree, mostCharacters);
@@ -72,7 +85,7 @@ std::optional<SvgSetText> SvgTexts::set(const SvgElement &text, const SvgStyle &
     m_isCut = m_isCut || characters.isCut;
     std::vector<QString> families;
     for (const SvgStyle &one : characters.styles)
-        families.push_back(familyOf(one.font.families));
+        families.push_back(withWidth(familyOf(one.font.families), one.font.stretch));
     return svgSetText(std::move(characters), *m_shaper, std::move(families));
 }
 

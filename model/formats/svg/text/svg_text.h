@@ -25,6 +25,7 @@ public:
 
 private:
     QString familyOf(const QStringList &families);
+    QString withWidth(const QString &family, double stretch);
 
     SvgTree &m_tree;
     LetterShaper *const m_shaper; ///< may be null

@@ -119,7 +119,9 @@ private:
             Run &run = m_runs[r];
             const SvgStyle &style = styleOf(run);
             const double size = style.units.fontSize;
-            const Face face{m_families[run.style], style.font.weight, style.font.italic, style.font.letterSpacing != 0};
+            const Face face{
+                m_families[run.style],  style.font.weight, style.font.italic, style.font.letterSpacing != 0, false,
+                style.font.hasSmallCaps};
             run.line = m_shaper.shape(m_in.string.mid(run.from, run.to - run.from), face);
             if (!run.line)
                 return false;
@@ -347,7 +349,7 @@ private:
             m_in.isCut)
             return false;
         const SvgFont &font = styleOf(m_runs.front()).font;
-        if (font.wordSpacing != 0 || font.isUnderlined || font.isOverlined || font.isStruck)
+        if (font.wordSpacing != 0 || font.hasSmallCaps || font.isUnderlined || font.isOverlined || font.isStruck)
             return false;
         return std::ranges::all_of(m_runs, [this](const Run &run) { return run.path == m_runs.front().path; }) &&
                std::ranges::all_of(m_in.characters, [](const SvgCharacter &c) {
