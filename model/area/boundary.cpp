@@ -195,7 +195,9 @@ public:
         if (m_parts.empty())
             return out;
         m_meetings = meetingsOf(m_parts, m_loops, levelWays(), m_effort);
-        if (isSpent())
+        // Each section takes time and memory until it is a piece of the boundary, however soon its winding number is
+        // known.
+        if (!spend(m_effort, 256 * (m_parts.size() + m_meetings.cuts.size())))
             return out;
         cut();
         classify();

@@ -90,7 +90,7 @@ void measurePicking(const Painting &painting)
 void measureOutline(const Painting &painting)
 {
     const Selection all{selectableStrokes(painting, painting.end()), {}};
-    const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
+    const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta};
     SelectionOutline outline;
     QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
     View view = View::ofArea(Rect::of(0, 0, width, height), width, height);

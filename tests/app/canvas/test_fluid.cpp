@@ -239,7 +239,7 @@ private slots:
         Selection all;
         for (const StrokePtr &stroke : painting.strokes)
             all.strokes.insert(stroke->id);
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta};
         const auto drawn = [&](SelectionOutline &outline, const View &view) {
             QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
             image.fill(Qt::white);
@@ -302,13 +302,13 @@ private slots:
     {
         HeldRenderer::Hold hold;
         FrameThread worker({.backend = Backend::Cpu, .threads = 1},
-                            [&hold](const RendererOptions &options) -> Result<std::unique_ptr<Renderer>> {
-                                auto renderer = makeRenderer(options);
-                                if (!renderer)
-                                    return renderer;
-                                return std::unique_ptr<Renderer>(
-                                    std::make_unique<HeldRenderer>(std::move(*renderer), hold));
-                            });
+                           [&hold](const RendererOptions &options) -> Result<std::unique_ptr<Renderer>> {
+                               auto renderer = makeRenderer(options);
+                               if (!renderer)
+                                   return renderer;
+                               return std::unique_ptr<Renderer>(
+                                   std::make_unique<HeldRenderer>(std::move(*renderer), hold));
+                           });
         QVector<quint64> shown;
         QObject here;
         connect(&worker, &FrameThread::frameReady, &here, [&](const FrameInfo &frame) { shown << frame.serial; });

@@ -24,7 +24,7 @@ private slots:
             painting.strokes.push_back(line(StrokeId(i + 1), {5.0 * (i % 100), 20.0 * (i / 100)},
                                             {5.0 * (i % 100) + 4, 20.0 * (i / 100) + 15}));
         Selection all{selectableStrokes(painting, painting.end()), {}};
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta};
         SelectionOutline outline;
         const auto draw = [&](const View &view, const Selection &selection) {
             QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
@@ -73,7 +73,7 @@ private slots:
             segments += painting.strokes[std::size_t(i)]->segments.size();
         }
         QVERIFY(segments <= 600);
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta};
         SelectionOutline outline;
         const auto isThin = [&](const View &view, const Selection &selection) {
             QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
@@ -99,7 +99,7 @@ private slots:
             painting.strokes.push_back(
                 line(StrokeId(i + 1), {10.0 * (i % 40), 20.0 * (i / 40)}, {10.0 * (i % 40) + 8, 20.0 * (i / 40) + 15}));
         const Selection all{selectableStrokes(painting, painting.end()), {}};
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta};
         const View view = View::ofArea(Rect::of(0, 0, 500, 400), 500, 400);
         const auto draw = [&](SelectionOutline &outline, bool moving) {
             QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
@@ -145,8 +145,8 @@ private slots:
             image.fill(Qt::white);
             QPainter painter(&image);
             const Selection all{selectableStrokes(painting, painting.end()), {}};
-            outline.paint(painter, view, painting, all, {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green}, 1,
-                          moving);
+            outline.paint(painter, view, painting, all,
+                          {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta}, 1, moving);
             return image;
         };
         SelectionOutline kept;
@@ -244,7 +244,8 @@ private slots:
             QPainter painter(&image);
             if (!clip.isEmpty())
                 painter.setClipRegion(clip);
-            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, accent, Qt::green}, dpr);
+            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, accent, Qt::green, Qt::magenta},
+                          dpr);
             return image;
         };
         const auto isSame = [&](const Selection &selection, const QColor &accent = QColor(20, 110, 230),
@@ -313,8 +314,8 @@ private slots:
             QImage image(view.width, view.height, QImage::Format_RGB32);
             image.fill(paper);
             QPainter painter(&image);
-            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green},
-                          dpr, moving);
+            outline.paint(painter, view, painting, selection,
+                          {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta}, dpr, moving);
             return image;
         };
         // How thick the line is on average, in colours that differ from the paper by a fifth of all there is.
@@ -371,7 +372,8 @@ private slots:
             image.fill(paper);
             QPainter painter(&image);
             const Selection all{selectableStrokes(painting, painting.end()), {}};
-            outline.paint(painter, view, painting, all, {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green}, 1);
+            outline.paint(painter, view, painting, all,
+                          {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta}, 1);
             double sum = 0, most = 0;
             for (int y = 0; y < 400; ++y)
                 for (int x = 0; x < 400; ++x) {
@@ -406,7 +408,8 @@ private slots:
             QImage image(400, 400, QImage::Format_RGB32);
             image.fill(paper);
             QPainter painter(&image);
-            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green}, 1);
+            outline.paint(painter, view, painting, selection,
+                          {Qt::gray, Qt::black, QColor(20, 110, 230), Qt::green, Qt::magenta}, 1);
             painter.end();
             double sum = 0;
             for (int y = where.top(); y <= where.bottom(); ++y)

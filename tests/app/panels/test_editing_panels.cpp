@@ -63,7 +63,7 @@ private slots:
 
         auto *brushes = s.window.findChild<BrushPanel *>();
         s.window.findChild<QDockWidget *>("brushesDock")->raise();
-        type(*brushes->size()->number(), "12 mm");
+        type(*brushes->size()->number(), "12 kg");
         QVERIFY(isSeen(brushes->findChild<HintLabel *>()));
     }
 
