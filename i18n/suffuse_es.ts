@@ -2469,7 +2469,7 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
     </message>
     <message>
         <source>Cold press</source>
-        <translation>Prensado en frío</translation>
+        <translation>Grano fino</translation>
     </message>
     <message>
         <source>Rough</source>

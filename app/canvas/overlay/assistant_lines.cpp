@@ -20,6 +20,7 @@ constexpr int raysAround = 24;      ///< of one in the view
 constexpr int mostHalvings = 45;    ///< of the angle between rays
 constexpr double markRoom = 13;     ///< around a vanishing point, where rays would meet; logical pixels
 constexpr int arcsOfEllipse = 8;
+constexpr std::size_t mostFans = 12; ///< assistants that show where strokes go; more would hide what is painted
 
 /// Collects lines in device pixels, clipped to what is seen.
 class AssistantPaths {
@@ -28,16 +29,34 @@ public:
         : m_view(view), m_dpr(dpr), m_window(Rect::of(0, 0, view.width, view.height).grown(4 * dpr))
     {}
 
-    QPainterPath body, fan;
+    QPainterPath body, around; ///< `around`: other ellipses, as weak as the fan
+    QList<QLineF> fan;
 
     void add(const Assistant &assistant);
     void addTrack(const AssistantTrack &track);
     const View &view() const { return m_view; }
 
 private:
-    void line(QPainterPath &path, Point a, Point b) const { pixelLine(path, m_view.toPixels(a), m_view.toPixels(b)); }
-    void pixelLine(QPainterPath &path, Point a, Point b) const;
-    void ray(QPainterPath &path, Point from, Point way, bool bothWays) const;
+    // `Lines`: a path or a list.
+    template <class Lines>
+    void line(Lines &to, Point a, Point b) const
+    {
+        pixelLine(to, m_view.toPixels(a), m_view.toPixels(b));
+    }
+    template <class Lines>
+    void pixelLine(Lines &to, Point a, Point b) const
+    {
+        if (clipLine(a, b, m_window))
+            put(to, {a.x, a.y}, {b.x, b.y});
+    }
+    static void put(QPainterPath &path, QPointF a, QPointF b)
+    {
+        path.moveTo(a);
+        path.lineTo(b);
+    }
+    static void put(QList<QLineF> &lines, QPointF a, QPointF b) { lines.append({a, b}); }
+    template <class Lines>
+    void ray(Lines &to, Point from, Point way, bool bothWays) const;
     void ellipse(QPainterPath &path, const AssistantTrack &track) const;
     void addParallels(const Assistant &assistant);
     void addRays(Point vanishing);
@@ -50,16 +69,9 @@ private:
     Rect m_window;
 };
 
-void AssistantPaths::pixelLine(QPainterPath &path, Point a, Point b) const
-{
-    if (!clipLine(a, b, m_window))
-        return;
-    path.moveTo(a.x, a.y);
-    path.lineTo(b.x, b.y);
-}
-
 /// A line in the direction `way` (canvas units) through all of the view, or from beside a vanishing point on.
-void AssistantPaths::ray(QPainterPath &path, Point from, Point way, bool bothWays) const
+template <class Lines>
+void AssistantPaths::ray(Lines &to, Point from, Point way, bool bothWays) const
 {
     View turned = m_view; // Differences of places that are far away would be rounded.
     turned.centre = {};
@@ -69,7 +81,7 @@ void AssistantPaths::ray(QPainterPath &path, Point from, Point way, bool bothWay
     if (!(size > 0) || !std::isfinite(far / size))
         return;
     const Point end = (far / size) * pixel;
-    pixelLine(path, bothWays ? at - end : at + (markRoom * m_dpr / size) * pixel, at + end);
+    pixelLine(to, bothWays ? at - end : at + (markRoom * m_dpr / size) * pixel, at + end);
 }
 
 void AssistantPaths::ellipse(QPainterPath &path, const AssistantTrack &track) const
@@ -199,7 +211,7 @@ void AssistantPaths::addRound(const Assistant &assistant)
         AssistantTrack other = *own;
         other.first *= k;
         other.second *= k;
-        ellipse(fan, other);
+        ellipse(around, other);
     }
 }
 
@@ -233,13 +245,18 @@ void AssistantPaths::add(const Assistant &assistant)
 void paintAssistants(QPainter &painter, const std::vector<Assistant> &assistants, const View &view,
                      const OverlayColours &colours, double dpr)
 {
-    if (assistants.empty())
-        return;
-    AssistantPaths paths(view, dpr);
-    for (const Assistant &assistant : assistants)
+    const auto stroke = [&](const QPainterPath &path, double weight) {
+        strokeTwoTone(painter, path, colours.assistant, dpr, Qt::SolidLine, weight);
+    };
+    for (const Assistant &assistant : assistants) {
+        AssistantPaths paths(view, dpr);
         paths.add(assistant);
-    strokeTwoTone(painter, paths.fan, colours.assistant, dpr, Qt::SolidLine, fanWeight);
-    strokeTwoTone(painter, paths.body, colours.assistant, dpr, Qt::SolidLine, bodyWeight);
+        if (assistants.size() <= mostFans) {
+            strokeTwoTone(painter, paths.fan, colours.assistant, dpr, fanWeight);
+            stroke(paths.around, fanWeight);
+        }
+        stroke(paths.body, bodyWeight);
+    }
 }
 
 void paintTrack(QPainter &painter, const AssistantTrack &track, const View &view, const OverlayColours &colours,

@@ -54,5 +54,7 @@ void paintPlate(QPainter &painter, const QString &text, Point top, double widest
 /// since it is wider.
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine, double weight = 1);
+/// Draws straight lines so, where they cross each other one over the other.
+void strokeTwoTone(QPainter &painter, const QList<QLineF> &lines, const QColor &colour, double width, double weight);
 
 } // namespace suffuse

@@ -81,7 +81,7 @@ void ToolRack::addTools()
              Commands::tr("Click a stroke: the selected ones get its style, mixing, values and colour"))
         .when(anySelected(m_place.open.editor))
         .runs([this, eyedropper] { eyedropper->beginMatching(m_place.commands); });
-    add(Assistants, "assistants", Commands::tr("Assistants"), "assistants", Qt::Key_L,
+    add(Assistants, "assistants", Commands::tr("Assistants"), "assistants", Qt::Key_Y,
         Commands::tr("Lines, vanishing points and ellipses that lead strokes"),
         new AssistantTool(canvas, m_place.commands, &canvas));
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
