@@ -172,7 +172,8 @@ void StrokesPanel::selectFound()
     for (const StrokePtr &stroke : painting.strokes)
         if (!isEditable(*stroke))
             selection.strokes.erase(stroke->id);
-    m_editor.document().setSelection(std::move(selection));
+    if (!selection.strokes.empty()) // Else what is selected stays, and the panel says that nothing was found.
+        m_editor.document().setSelection(std::move(selection));
 }
 
 void StrokesPanel::goToFirstFound()

@@ -10,6 +10,7 @@
 #include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
+#include "app/widgets/numbers/length_units.h"
 #include "undo/text_edits.h"
 #include "undo/transform_edits.h"
 
@@ -393,17 +394,17 @@ void SelectTool::saySelected()
             break;
     }
     //: a stroke in words, and which it is of all, from the bottom: "stroke 3, even, blue, 34 segments: 2 of 12"
-    emit m_commands.said(tr("%1: %2 of %3").arg(wordsOfSelected(painting, selection().strokes)).arg(place).arg(all.size()),
-                         8000);
+    emit m_commands.said(
+        tr("%1: %2 of %3").arg(wordsOfSelected(painting, selection().strokes)).arg(place).arg(all.size()), 8000);
 }
 
 void SelectTool::sayMoved(Point way)
 {
-    const QLocale locale;
+    const Display lengths = lengthDisplay(&m_canvas);
     //: strokes in words, and by how much they were moved: "stroke 3, even, blue, 34 segments: moved by 10, 0"
     emit m_commands.said(tr("%1: moved by %2, %3")
                              .arg(wordsOfSelected(*m_editor.document().painting(), m_canvas.selection().strokes),
-                                  locale.toString(way.x, 'g', 6), locale.toString(way.y, 'g', 6)),
+                                  lengths.number(way.x), lengths.text(way.y)),
                          8000);
 }
 

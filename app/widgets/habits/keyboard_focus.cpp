@@ -231,8 +231,7 @@ QWidget *KeyboardFocus::panelOf(QWidget *widget) const
 
 bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
 {
-    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas ||
-        m_canvas.isAncestorOf(&widget))
+    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas || m_canvas.isAncestorOf(&widget))
         return false;
     if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
         return false; // the widget with the focus has let the event through
@@ -266,8 +265,13 @@ bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys
 bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
 {
     QWidget *panel = panelOf(&widget);
-    if (!panel)
-        return false;
+    if (!panel) {
+        // The tabs of docks that lie over each other belong to none of them.
+        const bool isTabs = qobject_cast<QTabBar *>(&widget) && widget.parentWidget() == &m_window;
+        if (isTabs && key.key() == Qt::Key_Escape)
+            toCanvas();
+        return isTabs && key.key() == Qt::Key_Escape;
+    }
     const bool leaves = key.key() == Qt::Key_Escape || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
     if (panel == &widget) { // nothing in the panel had a use for the key
         if (std::exchange(m_endsName, false))

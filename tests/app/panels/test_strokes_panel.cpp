@@ -230,6 +230,9 @@ private slots:
         QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {},
                           panel.view()->visualRect(panel.viewIndexOf(2).parent()).center());
         QCOMPARE(selected(), (std::set<StrokeId>{2, 4}));
+        panel.search()->setText("zzz"); // Nothing is found, and what is selected stays.
+        QTest::keyClick(panel.search(), Qt::Key_Return);
+        QCOMPARE(selected(), (std::set<StrokeId>{2, 4}));
         QTest::keyClick(panel.search(), Qt::Key_Escape);
         QVERIFY(!panel.isSearching() && panel.search()->text().isEmpty());
         QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);

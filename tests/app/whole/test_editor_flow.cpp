@@ -1,4 +1,5 @@
 // A session as a painter has it: paint, select, change, undo.
+#include "app/session/commands/commands.h"
 #include "app/session/commands/keys.h"
 #include "app/tools/brush/brush_tool.h"
 #include "model/brush/brush_width.h"
@@ -6,6 +7,7 @@
 #include "undo/edits.h"
 
 #include <QDockWidget>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <map>
@@ -382,7 +384,10 @@ private slots:
             view.rotation = turn;
             s.canvas().lookThrough(view);
             const Point from = origin();
+            QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
             QTest::keyClick(&s.canvas(), Qt::Key_Right);
+            const QString moved = said.isEmpty() ? QString() : said.last()[0].toString();
+            QVERIFY2(moved.contains(QString("moved by %1, %2 u").arg(way.x).arg(way.y)), qPrintable(moved));
             QCOMPARE(origin(), (Point{way.x != 0 ? 1.1 : from.x, way.y != 0 ? -1.0 : 0.0}));
             for (int i = 0; i < 30; ++i)
                 QTest::keyClick(&s.canvas(), Qt::Key_Right);

@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QShortcutEvent>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -188,6 +189,16 @@ private slots:
                 QVERIFY(s.canvas().hasFocus());
             }
         QVERIFY2(places > 25, qPrintable(QString::number(places)));
+        int tabs = 0;
+        for (auto *bar : s.window.findChildren<QTabBar *>(Qt::FindDirectChildrenOnly)) { // of docks over each other
+            bar->setFocus();
+            if (!bar->hasFocus())
+                continue;
+            QTest::keyClick(bar, Qt::Key_Escape);
+            QVERIFY(s.canvas().hasFocus());
+            ++tabs;
+        }
+        QVERIFY(tabs > 0);
     }
 
     /// A click on what cannot be typed into leaves the keyboard to the canvas.
