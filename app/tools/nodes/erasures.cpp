@@ -21,6 +21,7 @@ struct ErasurePart {
     Point from, to;
     Point start, end; ///< the directions at its ends
     double length = 0;
+    int copy = 0; ///< how many copies of it were there before, as in pasted strokes
 
     /// How fast the hand went, in units a microsecond; 0 where the births do not tell.
     double speed() const
@@ -48,6 +49,45 @@ bool goesStraightOn(const ErasurePart &before, const ErasurePart &after)
     return std::ranges::all_of(std::array{before.speed(), after.speed()}, [speed](double known) {
         return known == 0 || (speed < factor * known && speed > known / factor);
     });
+}
+
+constexpr double touching = 0.01; // canvas units; strokes round places in different ways
+
+/// Whether two parts lie at the same place. Births that are all the same do not tell which end came first.
+bool lieAtOnePlace(const ErasurePart &a, const ErasurePart &b)
+{
+    const auto meet = [](Point p, Point q) { return length(p - q) < touching; };
+    return (meet(a.from, b.from) && meet(a.to, b.to)) || (meet(a.from, b.to) && meet(a.to, b.from));
+}
+
+/// Whether a part is that of another stroke once more, elsewhere. One path of the hand has the same births in several
+/// strokes only at the same place; but what has a single birth may be from farther along the line that the hand drew
+/// in that moment.
+bool isCopy(const ErasurePart &a, const ErasurePart &b)
+{
+    if (a.stroke == b.stroke || a.births != b.births || lieAtOnePlace(a, b))
+        return false;
+    constexpr double within = 0.95; // the cosine of 18°
+    const Point way = b.from - a.from;
+    const double along = std::abs(a.start.x * way.x + a.start.y * way.y);
+    return a.births.front() != a.births.back() || !(along > within * length(way) * length(a.start));
+}
+
+/// Counts copies by the age of their strokes, so that those of strokes that were copied together have the same count.
+/// The parts are in the order of their births.
+void countCopies(std::span<ErasurePart> parts)
+{
+    std::vector<ErasurePart *> byAge;
+    for (std::size_t begin = 0, end = 0; begin < parts.size(); begin = end) {
+        byAge.clear();
+        for (; end < parts.size() && parts[end].births.front() == parts[begin].births.front(); ++end)
+            byAge.push_back(&parts[end]);
+        std::ranges::stable_sort(byAge, {}, &ErasurePart::stroke);
+        for (std::size_t i = 1; i < byAge.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (isCopy(*byAge[j], *byAge[i]))
+                    byAge[i]->copy = std::max(byAge[i]->copy, byAge[j]->copy + 1);
+    }
 }
 
 /// The parts in visible, unlocked strokes with the same size and softness as a segment, in the order of their births.
@@ -89,6 +129,7 @@ std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &samp
         }
     }
     std::ranges::stable_sort(parts, {}, [](const ErasurePart &part) { return part.births.front(); });
+    countCopies(parts);
     return parts;
 }
 
@@ -109,8 +150,14 @@ std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &
     if (own.empty())
         return own;
     const Segment &sample = painting.find(segment.stroke)->segments[std::size_t(segment.segment)];
-    const std::vector<ErasurePart> parts = partsLike(painting, sample);
-    constexpr double touching = 0.01; // canvas units; strokes round places in different ways
+    const auto hasSegment = [&segment](const ErasurePart &part) {
+        return part.stroke == segment.stroke && std::ranges::binary_search(part.segments, segment.segment);
+    };
+    std::vector<ErasurePart> parts = partsLike(painting, sample);
+    const auto found = std::ranges::find_if(parts, hasSegment);
+    if (found == parts.end())
+        return own;
+    std::erase_if(parts, [copy = found->copy](const ErasurePart &part) { return part.copy != copy; });
     std::size_t begin = 0, end = 0;
     bool isFound = false;
     Microseconds latest = 0;
@@ -126,11 +173,10 @@ std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &
             latest = part.births.front();
         }
         latest = std::max(latest, part.births.back());
-        isFound =
-            isFound || (part.stroke == segment.stroke && std::ranges::binary_search(part.segments, segment.segment));
+        isFound = isFound || hasSegment(part);
     }
     const std::span<const ErasurePart> whole = std::span(parts).subspan(begin, end - begin);
-    if (!isFound || areDoubled(whole))
+    if (areDoubled(whole))
         return own;
     std::set<SegmentRef> segments = own;
     for (const ErasurePart &part : whole)

@@ -281,6 +281,69 @@ private slots:
         s.use(Command::ShowErasures);
     }
 
+    /// A copy of a stroke has births like the original's, but its erasure is another one; those of strokes that were
+    /// copied together belong together.
+    void theErasureOfACopyIsItsOwn()
+    {
+        for (const EraserMode mode : {EraserMode::Lift, EraserMode::Fade})
+            for (const bool duplicates : {true, false})
+                for (const bool both : {true, false}) {
+                    EraserSession s(mode);
+                    s.erase({350, 250}, {350, 500}); // through both
+                    s.dry();
+                    const auto whole = [&s](StrokeId id) {
+                        return wholeErasureOf(s.painting(), {id, int(s.stroke(id).segments.size()) - 1});
+                    };
+                    const auto erasing = [&s](const std::set<StrokeId> &ids) {
+                        std::set<SegmentRef> found;
+                        for (const StrokeId id : ids)
+                            for (int k = 0; k < int(s.stroke(id).segments.size()); ++k)
+                                if (s.stroke(id).segments[std::size_t(k)].takesPaint())
+                                    found.insert({id, k});
+                        return found;
+                    };
+                    const std::set<StrokeId> originals{s.id, s.other};
+                    QCOMPARE(whole(s.id), erasing(originals));
+                    s.editor().document().setSelection({both ? originals : std::set<StrokeId>{s.id}, {}});
+                    if (!duplicates)
+                        s.use(Command::Copy);
+                    s.use(duplicates ? Command::Duplicate : Command::PasteInPlace);
+                    const std::set<StrokeId> copies = s.selection().strokes;
+                    QCOMPARE(copies.size(), std::size_t(both ? 2 : 1));
+                    QVERIFY(!copies.contains(s.id));
+                    s.editor().push(
+                        transformSelection(s.editor().document(), Affine::translation({40, 30}), SpreadRule::Stays),
+                        "move");
+                    for (const StrokeId id : copies)
+                        QCOMPARE(whole(id), erasing(copies));
+                    for (const StrokeId id : originals)
+                        QCOMPARE(whole(id), erasing(originals));
+                }
+    }
+
+    /// A fast hand passes several strokes, as letters, in one moment: its births are the same all along that line.
+    void aFastHandsErasureIsNoCopy()
+    {
+        Painting painting;
+        const auto add = [&painting](StrokeId id, Point by) {
+            Stroke stroke = *makeStroke(id, 1, 10);
+            Segment segment = stroke.segments[0];
+            segment.bezier = {Offset{-5, 0}, Offset{-2, 0}, Offset{2, 0}, Offset{5, 0}};
+            segment.start = segment.lift = true;
+            segment.maxAge = 0.1f;
+            segment.born = 5'000'000;
+            stroke.segments.push_back(segment);
+            stroke.origin = Point{100, 100} + by;
+            painting.strokes.push_back(std::make_shared<const Stroke>(stroke));
+        };
+        add(1, {});
+        add(2, {30, 0});
+        add(3, {60, 4}); // a letter that was turned
+        add(4, {10, 50});
+        QCOMPARE(wholeErasureOf(painting, {2, 1}), (std::set<SegmentRef>{{1, 1}, {2, 1}, {3, 1}}));
+        QCOMPARE(wholeErasureOf(painting, {4, 1}), (std::set<SegmentRef>{{4, 1}}));
+    }
+
     /// An erasure is nothing without the paint that it takes away.
     void duplicateDoublesAnErasure()
     {
