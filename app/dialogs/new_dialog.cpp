@@ -6,6 +6,7 @@
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/length_units.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "model/painting/validate.h"
@@ -78,6 +79,7 @@ NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
     column->addLayout(measure);
 
     m_section = new CanvasSection(this);
+    m_lengths = new LengthUnits(*m_section, usualResolution);
     m_section->setMinimumWidth(340);
     m_section->setCanvas(lastCanvas());
     alignFieldLabels(*m_section);
@@ -231,6 +233,8 @@ void NewDialog::showPreset()
         if (isShown(m_sheets[i]) && (index < 0 || m_sheets[i].hasGround))
             index = int(i);
     m_presets->setCurrentIndex(index < 0 ? -1 : m_presets->findData(index));
+    const double resolution = sheet().resolution;
+    m_lengths->setResolution(isResolution(resolution) ? resolution : usualResolution);
 }
 
 std::optional<NewSheet> NewDialog::ask(QWidget *parent)

@@ -12,6 +12,7 @@ class QHBoxLayout;
 namespace suffuse {
 
 class CanvasSection;
+class LengthUnits;
 class NumberField;
 
 /// Asks for size, background and paper of a new painting. It offers the sheets of the welcome page, and takes sides in
@@ -49,6 +50,7 @@ private:
     QComboBox *m_units = nullptr;
     NumberField *m_resolution = nullptr;
     CanvasSection *m_section = nullptr;
+    LengthUnits *m_lengths = nullptr; ///< as large on paper as those of the new sheet
 };
 
 } // namespace suffuse

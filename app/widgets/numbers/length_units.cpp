@@ -7,14 +7,18 @@
 
 namespace suffuse {
 
-LengthUnits::LengthUnits(QWidget &window, Editor &editor)
-    : QObject(&window), m_window(window), m_editor(&editor), m_units(settings::canvasAids().rulerUnits)
+LengthUnits::LengthUnits(QWidget &window, Editor &editor) : LengthUnits(window, usualResolution)
 {
+    m_editor = &editor;
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.reset) // Another painting may be as large on paper as it likes.
             refresh();
     });
 }
+
+LengthUnits::LengthUnits(QWidget &form, double resolution)
+    : QObject(&form), m_window(form), m_resolution(resolution), m_units(settings::canvasAids().rulerUnits)
+{}
 
 LengthUnits *LengthUnits::of(const QWidget *widget)
 {
@@ -30,6 +34,12 @@ void LengthUnits::setUnits(RulerUnits units)
     refresh();
 }
 
+void LengthUnits::setResolution(double resolution)
+{
+    m_resolution = resolution;
+    refresh();
+}
+
 void LengthUnits::refresh()
 {
     for (NumberField *field : m_window.findChildren<NumberField *>())
@@ -40,7 +50,7 @@ void LengthUnits::refresh()
 Display LengthUnits::display() const
 {
     constexpr double inchSteps = 10;
-    const double resolution = m_editor ? m_editor->resolution() : usualResolution;
+    const double resolution = m_editor ? m_editor->resolution() : m_resolution;
     Display display = lengthDisplay();
     display.resolution = resolution;
     if (m_units == RulerUnits::Millimetres) {

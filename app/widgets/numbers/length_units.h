@@ -19,11 +19,15 @@ class LengthUnits : public QObject {
 
 public:
     LengthUnits(QWidget &window, Editor &editor);
+    /// Those of a form for a painting that is not there yet. `resolution`: canvas units an inch.
+    LengthUnits(QWidget &form, double resolution);
 
     /// Those of the window that a widget belongs to; null: there are none.
     static LengthUnits *of(const QWidget *widget);
 
     void setUnits(RulerUnits units);
+    /// Sets how many canvas units an inch has where no painting says it.
+    void setResolution(double resolution);
     Display display() const;
 
 signals:
@@ -34,6 +38,7 @@ private:
 
     QWidget &m_window;
     QPointer<Editor> m_editor; ///< null where the painting has gone before the window
+    double m_resolution;
     RulerUnits m_units;
 };
 

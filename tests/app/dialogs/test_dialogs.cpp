@@ -10,6 +10,7 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
+#include "app/widgets/numbers/length_units.h"
 #include "app/widgets/numbers/number_field.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "tests/app/all_dialogs.h"
@@ -165,6 +166,34 @@ private slots:
         QCOMPARE(dialog.sheet().resolution, 300.0);
         for (const SheetPreset &sheet : sheets)
             QCOMPARE(sheet.sheet().resolution, sheet.paper.isEmpty() ? 0.0 : usualResolution);
+    }
+
+    /// Another painting is open, whose units are of another size on paper.
+    void aNewPapersGrainIsMeasuredByTheNewSheet()
+    {
+        const CanvasAids usual = settings::canvasAids();
+        CanvasAids aids = usual;
+        aids.rulerUnits = RulerUnits::Millimetres;
+        settings::setCanvasAids(aids);
+        QWidget window;
+        new LengthUnits(window, 600);
+        {
+            NewDialog dialog(&window);
+            dialog.show();
+            Canvas canvas = Editor::usualCanvas();
+            canvas.paper.kind = PaperKind::Procedural;
+            canvas.paper.scale = 60;
+            dialog.section()->setCanvas(canvas);
+            NumberField *scale = dialog.section()->paperScale()->number();
+            QCOMPARE(scale->text(), QString("10.16 mm")); // The sheet says nothing: 150 units an inch.
+            dialog.units()->setCurrentIndex(1);
+            emit dialog.units()->activated(1);
+            emit dialog.resolution()->entered(300);
+            QCOMPARE(scale->text(), QString("5.08 mm"));
+            type(*scale, "2.54");
+            QCOMPARE(dialog.canvas().paper.scale, 30.0F);
+        }
+        settings::setCanvasAids(usual);
     }
 
     void settingsAreKeptOrPutBack()
