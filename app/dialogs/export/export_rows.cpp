@@ -132,7 +132,7 @@ void AreaRow::addNumbers(QWidget *parent)
         box->setRange(i < 2 ? -farthestArea : 0.01, farthestArea);
         box->setDecimals(2);
         box->setDisplay(lengths);
-        box->setSuffix({}); // There is room for numbers alone.
+        box->setSuffix({}); // It stands once behind all of them.
         box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setAlignment(Qt::AlignRight);
@@ -152,6 +152,7 @@ void AreaRow::addNumbers(QWidget *parent)
         });
         m_numbers[i] = box;
     }
+    line->addWidget(new QLabel(lengths.unit.trimmed(), m_line));
 }
 
 AreaRow::Choice AreaRow::choice() const

@@ -13,14 +13,19 @@ namespace suffuse {
 
 namespace {
 
+/// What stands in a box, without the box's suffix.
+QString cleanedOf(QString text, const QString &suffix)
+{
+    if (!suffix.isEmpty() && text.endsWith(suffix))
+        text.chop(suffix.size());
+    return text.trimmed();
+}
+
 /// The value of what stands in a box, with the box's suffix or without it, in a unit.
 std::optional<double> valueIn(const QString &text, const QString &suffix, double current, const QString &unit,
                               double resolution = 0)
 {
-    QString number = text;
-    if (!suffix.isEmpty() && number.endsWith(suffix))
-        number.chop(suffix.size());
-    return evaluateArithmetic(number.trimmed(), current, unit, resolution);
+    return evaluateArithmetic(cleanedOf(text, suffix), current, unit, resolution);
 }
 
 QString inWords(const DecimalBox &box, double value)
@@ -119,17 +124,28 @@ void DecimalBox::setDisplay(const Display &display)
 
 QString DecimalBox::inWords(double value) const
 {
-    return m_display ? textFromValue(value) : locale().toString(value, 'f', QLocale::FloatingPointShortest);
+    return m_display ? shownText(value, finestDecimals())
+                     : locale().toString(value, 'f', QLocale::FloatingPointShortest);
 }
 
 QString DecimalBox::textFromValue(double value) const
 {
     if (!m_display)
         return QDoubleSpinBox::textFromValue(value);
-    const int finer = std::max(0, int(std::ceil(-std::log10(std::abs(m_display->factor)))));
+    return shownText(value, std::min(finestDecimals(), m_display->unit == inchUnit() ? 3 : 2));
+}
+
+/// How many decimals of the shown number tell a value from its neighbours.
+int DecimalBox::finestDecimals() const
+{
+    return decimals() + std::max(0, int(std::ceil(-std::log10(std::abs(m_display->factor)))));
+}
+
+QString DecimalBox::shownText(double value, int decimals) const
+{
     QLocale plain = locale();
     plain.setNumberOptions(plain.numberOptions() | QLocale::OmitGroupSeparator);
-    QString text = plain.toString(m_display->toShown(value), 'f', decimals() + finer);
+    QString text = plain.toString(m_display->toShown(value), 'f', decimals);
     if (text.contains(plain.decimalPoint())) {
         while (text.endsWith(QLatin1Char('0')))
             text.chop(1);
@@ -141,6 +157,8 @@ QString DecimalBox::textFromValue(double value) const
 
 double DecimalBox::valueFromText(const QString &text) const
 {
+    if (m_display && cleanedOf(text, suffix()) == textFromValue(value()))
+        return value(); // What stands there untouched has fewer digits than the value.
     const double digits = std::pow(10, decimals());
     return std::round(read(text).value_or(value()) * digits) / digits;
 }

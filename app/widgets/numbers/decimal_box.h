@@ -19,10 +19,11 @@ class DecimalBox : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;
 
-    /// Shows and reads the value by a factor and in its unit, with as many digits as tell it from its neighbours.
+    /// Shows and reads the value by a factor and in its unit, with at most two decimals, of inches three. A number that
+    /// nobody touches keeps the digits that are not shown.
     void setDisplay(const Display &display);
     QString textFromValue(double value) const override;
-    /// A number, as the box shows it, in a sentence.
+    /// A number in a sentence, with as many digits as tell it from its neighbours.
     QString inWords(double value) const;
     /// The unit in which numbers are typed where they have none; that of the suffix unless a display says it.
     QString unit() const { return (m_display ? m_display->unit : suffix()).trimmed(); }
@@ -35,6 +36,8 @@ protected:
 
 private:
     std::optional<double> read(const QString &text) const;
+    int finestDecimals() const;
+    QString shownText(double value, int decimals) const;
 
     std::optional<Display> m_display;
 };

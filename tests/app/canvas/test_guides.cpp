@@ -195,6 +195,30 @@ private slots:
         s.window.action(Command::RulersInUnits).setChecked(true);
     }
 
+    /// The dialog shows as many decimals as other fields, and Return alone moves nothing by those that it does not
+    /// show.
+    void theGuideDialogShowsFewDecimalsAndKeepsAll()
+    {
+        Ruled s;
+        s.window.action(Command::RulersInMillimetres).setChecked(true);
+        s.editor().aids().setGuides({{true, 379.0123}});
+        QString text;
+        QTimer answer;
+        connect(&answer, &QTimer::timeout, this, [&] {
+            if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
+                answer.stop();
+                text = dialog->findChild<QDoubleSpinBox *>()->text();
+                dialog->accept();
+            }
+        });
+        answer.start(10);
+        emit s.canvas().guideAsked(0);
+        QTRY_COMPARE(text, QString("64.18 mm"));
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+        QCOMPARE(s.guides(), (std::vector<Guide>{{true, 379.0123}}));
+        s.window.action(Command::RulersInUnits).setChecked(true);
+    }
+
     /// The figure of a tick right below the corner of both rulers is whole: what the ruler shows of "0" does not depend
     /// on how near the corner is.
     void theFirstFigureIsWhole()

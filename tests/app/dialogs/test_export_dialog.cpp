@@ -3,7 +3,9 @@
 #include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/export/preset_row.h"
 #include "app/dialogs/export/print_rows.h"
+#include "app/session/settings/settings.h"
 #include "app/widgets/look/section.h"
+#include "app/widgets/numbers/length_units.h"
 #include "app/widgets/numbers/time_text.h"
 #include "app/window/main_window.h"
 #include "model/painting/influence.h"
@@ -17,6 +19,7 @@
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStatusBar>
@@ -390,6 +393,33 @@ private slots:
         QCOMPARE(print.widthBox()->value(), 3.0);
         ExportDialog next(bench.editor, shown);
         QCOMPARE(next.print()->unitBox()->currentIndex(), 1);
+    }
+
+    /// The area's numbers count as the rulers do and say so, and what nobody touches keeps what is not shown.
+    void areasSayTheirUnit()
+    {
+        const CanvasAids usual = settings::canvasAids();
+        CanvasAids aids = usual;
+        aids.rulerUnits = RulerUnits::Millimetres;
+        settings::setCanvasAids(aids);
+        Bench bench;
+        QWidget window;
+        new LengthUnits(window, 150);
+        {
+            ExportDialog dialog(bench.editor, shown, &window);
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowActive(&dialog));
+            const Rect area = Rect::of(10, 20, 1240.01, 1754);
+            dialog.area()->setNumbers(area);
+            const auto &numbers = dialog.area()->numbers();
+            QCOMPARE(numbers[2]->text(), QString("209.97"));
+            QTest::keyClick(numbers[2], Qt::Key_Tab);
+            numbers[2]->interpretText();
+            QCOMPARE(dialog.area()->area(), area);
+            const auto labels = numbers[2]->parentWidget()->findChildren<QLabel *>();
+            QVERIFY(std::ranges::any_of(labels, [](const QLabel *label) { return label->text() == "mm"; }));
+        }
+        settings::setCanvasAids(usual);
     }
 
     /// A sheet that was made for paper is exported at its size on paper, whatever another painting was printed at last,
