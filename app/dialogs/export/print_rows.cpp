@@ -52,7 +52,7 @@ void PrintRows::addPrintSize(QGridLayout &grid, int row)
     line->setSpacing(8);
     m_width = new DecimalBox(this);
     m_height = new DecimalBox(this);
-    for (QDoubleSpinBox *box : {m_width, m_height}) {
+    for (DecimalBox *box : {m_width, m_height}) {
         box->setRange(0.01, largest);
         box->setKeyboardTracking(false);
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as the boxes for pixels above
@@ -109,6 +109,16 @@ void PrintRows::setPrinted(double dpi)
     m_inches = m_pixelWidth->value() / dpi;
 }
 
+QDoubleSpinBox *PrintRows::widthBox() const
+{
+    return m_width;
+}
+
+QDoubleSpinBox *PrintRows::heightBox() const
+{
+    return m_height;
+}
+
 double PrintRows::inch() const
 {
     return Unit(m_unit->currentData().toInt()) == Unit::Inches ? 1 : millimetresOfInch;
@@ -116,9 +126,12 @@ double PrintRows::inch() const
 
 void PrintRows::show()
 {
+    const Display paper{.unit = inch() == 1 ? inchUnit() : millimetreUnit(), .resolution = dpi()};
     for (const auto &[print, pixels] : {std::pair(m_width, m_pixelWidth), std::pair(m_height, m_pixelHeight)}) {
         const QSignalBlocker blocker(print);
         print->setDecimals(inch() == 1 ? 2 : 1);
+        print->setDisplay(paper);
+        print->setSuffix({}); // It is chosen beside them.
         print->setValue(pixels->value() / dpi() * inch());
     }
 }

@@ -9,6 +9,8 @@ class QSpinBox;
 
 namespace suffuse {
 
+class DecimalBox;
+
 /// Rows for the size of a picture on paper, and for its resolution. When the resolution changes, pixels or print size
 /// stay, whichever was set last.
 class PrintRows : public QWidget {
@@ -25,8 +27,8 @@ public:
     void setDpi(double dpi);
     /// The picture is as large on paper as its pixels are at this resolution, and stays so when the resolution changes.
     void setPrinted(double dpi);
-    QDoubleSpinBox *widthBox() const { return m_width; }
-    QDoubleSpinBox *heightBox() const { return m_height; }
+    QDoubleSpinBox *widthBox() const;
+    QDoubleSpinBox *heightBox() const;
     QDoubleSpinBox *dpiBox() const { return m_dpi; }
     QComboBox *unitBox() const { return m_unit; }
 
@@ -40,8 +42,8 @@ private:
 
     QSpinBox *m_pixelWidth;
     QSpinBox *m_pixelHeight;
-    QDoubleSpinBox *m_width = nullptr;
-    QDoubleSpinBox *m_height = nullptr;
+    DecimalBox *m_width = nullptr;
+    DecimalBox *m_height = nullptr;
     QComboBox *m_unit = nullptr;
     QDoubleSpinBox *m_dpi = nullptr;
     double m_inches = 0; ///< the width that stays, in inches; 0: the pixels stay

@@ -395,6 +395,26 @@ private slots:
         QCOMPARE(next.print()->unitBox()->currentIndex(), 1);
     }
 
+    void sizesOnPaperAreTypedInAnyUnit()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        PrintRows &print = *dialog.print();
+        print.unitBox()->setCurrentIndex(0);
+        enter(*print.widthBox(), "4in");
+        QCOMPARE(print.widthBox()->value(), 101.6);
+        QCOMPARE(dialog.widthBox()->value(), 600);
+        enter(*print.widthBox(), "12.7cm");
+        QCOMPARE(print.widthBox()->value(), 127.0);
+        print.unitBox()->setCurrentIndex(1);
+        QCOMPARE(print.widthBox()->text(), QString("5")); // The unit stands beside it.
+        enter(*print.widthBox(), "50.8 mm");
+        QCOMPARE(print.widthBox()->value(), 2.0);
+        QCOMPARE(dialog.widthBox()->value(), 300);
+    }
+
     /// The area's numbers count as the rulers do and say so, and what nobody touches keeps what is not shown.
     void areasSayTheirUnit()
     {
@@ -409,7 +429,7 @@ private slots:
             ExportDialog dialog(bench.editor, shown, &window);
             dialog.show();
             QVERIFY(QTest::qWaitForWindowActive(&dialog));
-            const Rect area = Rect::of(10, 20, 1240.01, 1754);
+            const Rect area = Rect::of(10, 20, 1240, 1754);
             dialog.area()->setNumbers(area);
             const auto &numbers = dialog.area()->numbers();
             QCOMPARE(numbers[2]->text(), QString("209.97"));
