@@ -149,6 +149,9 @@ template <class Warp>
 SUFFUSE_CALL int addCover(Warp warp, const FillCover cover, const Fetched &chunk, int records, const FillValues &fill,
                           std::int32_t cellX, std::int32_t cellY, const Block block)
 {
+    SUFFUSE_IN_SHARED(chunk);
+    SUFFUSE_IN_SHARED(*cover.covered);
+    SUFFUSE_IN_SHARED(*cover.borders);
     const FillRegion region = fillRegion(fill, cellX, cellY, block.x, block.y, block.step);
     typename Warp::template Var<std::uint32_t> use;
     std::uint32_t hits = warp.ballot([&](int lane) {
@@ -217,6 +220,9 @@ template <class Warp>
 SUFFUSE_CALL bool markThinFill(Warp warp, const Frame &frame, const ApartJob job, const StrokeRecord &stroke,
                                std::uint8_t *levels)
 {
+    SUFFUSE_IS_LAUNCHED(frame);
+    SUFFUSE_IN_SHARED(stroke);
+    SUFFUSE_IN_SHARED(*levels);
     const std::int32_t cellX = job.column, cellY = job.row;
     const FillValues &fill = frame.fills[stroke.fillValues];
     const float nearby = float(fill.nearby);
