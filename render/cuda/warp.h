@@ -184,12 +184,13 @@ public:
     template <class Found>
     static SUFFUSE_PROGRAM std::uint32_t await(const std::uint32_t *word, Found found)
     {
-        std::uint32_t value = look(word);
+        const volatile std::uint32_t *now = word;
+        std::uint32_t value = *now;
         while (!found(value)) {
 #if __CUDA_ARCH__ >= 700
             __nanosleep(200);
 #endif
-            value = look(word);
+            value = *now;
         }
         __threadfence();
         return value;
