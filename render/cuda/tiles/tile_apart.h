@@ -103,10 +103,9 @@ SUFFUSE_CALL void paintApartPlain(Warp warp, const Frame &frame, const ApartJob 
     warp.publish(apartDone(frame, job.slot, 0), 2 * frame.apartStamp + shows);
 }
 
-/// Takes jobs and does them, until none is left. All jobs have been taken when a warp goes on to tiles, so that no warp
-/// waits for one that waits itself.
+/// Takes jobs of general strokes, or of plain ones, and does them until none is left.
 template <bool general, bool fills, class Warp, class Scratch>
-SUFFUSE_PROGRAM void paintApart(Warp &warp, const Frame &frame, Scratch &scratch)
+SUFFUSE_PROGRAM void takeApart(Warp &warp, const Frame &frame, Scratch &scratch)
 {
     const std::uint32_t *counts = frame.status + firstApartCount + (general ? costlyGeneral : costlyPlain);
     const std::uint32_t costly = counts[0], jobs = costly + counts[1];
@@ -122,6 +121,16 @@ SUFFUSE_PROGRAM void paintApart(Warp &warp, const Frame &frame, Scratch &scratch
         else
             paintApartPlain<fills>(warp, frame, job, scratch.paint);
     }
+}
+
+/// Does all jobs that a warp's tiles may wait for. When it goes on to tiles, all of them have been taken, by it or by
+/// warps that do not wait themselves. So the kernels may run in any order, or at the same time.
+template <bool general, bool fills, class Warp, class Scratch>
+SUFFUSE_PROGRAM void paintApart(Warp &warp, const Frame &frame, Scratch &scratch)
+{
+    if constexpr (general)
+        takeApart<true, fills>(warp, frame, scratch);
+    takeApart<false, fills>(warp, frame, scratch);
 }
 
 } // namespace suffuse::cuda
