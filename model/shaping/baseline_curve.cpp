@@ -1,5 +1,7 @@
 #include "model/shaping/baseline_curve.h"
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -67,6 +69,36 @@ BaselineCurve::Place BaselineCurve::at(double along) const
     if (const double speed = suffuse::length(m_curves[to.curve].derivative(t)); speed > 0)
         t = std::clamp(t - (from.length + lengthBetween(m_curves[to.curve], from.t, t) - along) / speed, from.t, to.t);
     return placeOn(to.curve, t);
+}
+
+double BaselineCurve::besides(Point point, double near) const
+{
+    // How far the point lies ahead falls along the chain. Its zero is enclosed, and then sought by the Illinois rule.
+    constexpr int mostSteps = 60;
+    constexpr double grows = 1.5, exact = 1e-10;
+    const auto ahead = [&](double along) {
+        const Place place = at(along);
+        return dot(point - place.point, place.direction);
+    };
+    double from = near, to = near, atFrom = ahead(near), atTo = atFrom;
+    const double scale = suffuse::length(point - at(near).point) + std::abs(near), way = atFrom < 0 ? -1 : 1;
+    double step = std::max(std::abs(atFrom), exact * scale);
+    for (int i = 0; i < mostSteps && way * atTo > 0; ++i, step *= grows) {
+        from = std::exchange(to, to + way * step);
+        atFrom = std::exchange(atTo, ahead(to));
+    }
+    for (int i = 0; i < mostSteps && atTo != 0 && std::abs(to - from) > exact * scale; ++i) {
+        const double middle = to - (to - from) * (atTo / (atTo - atFrom)), atMiddle = ahead(middle);
+        if ((atMiddle < 0) != (atTo < 0)) {
+            from = to;
+            atFrom = atTo;
+        } else {
+            atFrom *= 0.5;
+        }
+        to = middle;
+        atTo = atMiddle;
+    }
+    return to;
 }
 
 } // namespace suffuse

@@ -19,6 +19,9 @@ public:
     };
     /// The place at a length along the chain; before its start and behind its end on a straight line.
     Place at(double length) const;
+    /// The length near another one at which a point lies straight beside the chain. Of a corner's outer side it is the
+    /// corner's.
+    double besides(Point point, double near) const;
 
 private:
     struct Step {

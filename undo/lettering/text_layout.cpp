@@ -123,12 +123,12 @@ private:
         out.line = int(m_out.lines.size());
         out.rightToLeft = shaped.rightToLeft;
         out.outline = shaped.outline;
+        out.along = at + 0.5 * room * s;
         const double ascent = line.shaped->ascent, descent = line.shaped->descent;
         out.box = {0, -ascent, room, descent};
         if (m_isVertical)
             return hang(std::move(out), shaped, ascent, descent, at);
-        out.place =
-            m_text.curve.empty() ? Affine{s, 0, 0, s, {at, beside()}} : onCurve(at + 0.5 * room * s, 0.5 * room);
+        out.place = m_text.curve.empty() ? Affine{s, 0, 0, s, {at, beside()}} : onCurve(out.along, 0.5 * room);
         const CaretLine left{out.place({0, -ascent}), out.place({0, descent})};
         const CaretLine right{out.place({room, -ascent}), out.place({room, descent})};
         out.before = out.rightToLeft ? right : left;
