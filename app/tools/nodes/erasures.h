@@ -15,7 +15,7 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
 /// unlocked strokes and behind gaps. Nothing in a painting says which parts belong together, so they are told by their
 /// births and size. Parts further apart in time than an erasure takes to dry are parts of another one, unless they
 /// touch, or the hand may have gone straight on from one to the other at its pace. An erasure that was doubled is a
-/// thing of its own, and so is that of a copied stroke, once the copy lies elsewhere.
+/// thing of its own, and so is that of a copied stroke, also where the copy still lies upon it.
 std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &segment);
 /// Whether an erasure of several parts, one of which has the segment, is what is selected.
 bool isWholeErasure(const Painting &painting, const std::set<SegmentRef> &selected, const SegmentRef &segment);
