@@ -244,12 +244,13 @@ std::optional<Selection> withErasure(const Painting &painting, const Selection &
     return chosen;
 }
 
-std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach)
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach,
+                                      const std::set<StrokeId> *only)
 {
     std::optional<ErasurePlace> found;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasErasure() || !isEditable(*stroke))
+        if (!stroke->hasErasure() || (only && !only->contains(stroke->id)) || !isEditable(*stroke))
             continue;
         for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
             const Segment &segment = stroke->segments[k];

@@ -30,9 +30,10 @@ struct ErasurePlace {
     int segment = 0;
     double p = 0;
 };
-/// The place of an erasure of any visible, unlocked stroke that is nearest to a point, at most so many canvas units
-/// away.
-std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach);
+/// The place of an erasure of a visible, unlocked stroke that is nearest to a point, at most so many canvas units
+/// away. `only`: of these strokes; null: of any.
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach,
+                                      const std::set<StrokeId> *only = nullptr);
 /// The nodes of the erasure that a node belongs to; none where it lies on paint.
 std::set<NodeRef> nodesOfErasureAt(const Painting &painting, const NodeRef &node);
 /// The nodes of those of the segments that take paint away.
