@@ -16,6 +16,7 @@
 #include "undo/layers/group_edits.h"
 #include "undo/transform_edits.h"
 
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -372,6 +373,7 @@ private slots:
         const QImage weak = s.pictureNow();
         s.use(Command::Duplicate);
         QCOMPARE(s.editor().undoText(), QString("Duplicate"));
+        QVERIFY(s.window.statusBar()->currentMessage().contains("twice")); // Two lines at one place look like one.
         QCOMPARE(s.painting().strokes.size(), std::size_t(2));             // no stroke more
         const int count = erasure.last - erasure.first + 1;
         QCOMPARE(s.stroke().segments.size(), before.segments.size() + std::size_t(count));
