@@ -5,6 +5,7 @@
 #include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
+#include "model/shaping/baseline_curve.h"
 #include "model/shaping/curves/runs.h"
 
 #include <algorithm>
@@ -137,19 +138,47 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     return stroke;
 }
 
-/// A text of a drawing whose units are `scale` canvas units, and whose point `corner` comes to (0, 0).
-SharedText placedText(const SharedText &text, Point corner, double scale)
+/// Where a drawing's paths are as strokes.
+struct Placing {
+    const SvgDrawing &drawing;
+    Affine map;                ///< from units of the drawing to canvas units
+    std::vector<StrokePtr> of; ///< by path; null where there is no stroke
+};
+
+/// The text that follows the first stroke along whose curve it stands.
+Text linked(Text text, int shape, const Placing &placing)
 {
-    if (!text)
+    const Affine toCurve = std::exchange(text.followMap, {});
+    const BaselineCurve own(text.curve);
+    for (std::size_t i = 0; shape >= 0 && i < placing.of.size(); ++i) {
+        const int lead = placing.drawing.paths[i].lead;
+        if (lead < 0 || !placing.of[i] || placing.drawing.leads[std::size_t(lead)].shape != shape)
+            continue;
+        const auto back = (placing.map * placing.drawing.leads[std::size_t(lead)].map).inverse();
+        const std::vector<Cubic> line =
+            back ? mapped(baselineOf(*placing.of[i]), toCurve * *back) : std::vector<Cubic>();
+        if (line.empty() || !(isSameCurve(text.curve, line) || BaselineCurve(line).endsOf(own)))
+            continue;
+        text.follows = placing.of[i]->id;
+        text.followMap = toCurve * *back;
+        break;
+    }
+    return text;
+}
+
+SharedText placedText(const SvgGroup &group, const Placing &placing)
+{
+    if (!group.text)
         return {};
-    Text placed = *text;
-    placed.place = Affine::scaling({}, scale, scale) * Affine::translation(-1 * corner) * placed.place;
+    Text placed = linked(*group.text, group.follows, placing);
+    placed.place = placing.map * placed.place;
     return problemOf(placed).isEmpty() ? SharedText(std::move(placed)) : SharedText();
 }
 
 /// The groups that have strokes, in them or in groups within them.
-std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const StrokeList &strokes)
+std::vector<Group> heldGroups(const Placing &placing, const StrokeList &strokes)
 {
+    const SvgDrawing &drawing = placing.drawing;
     std::vector<bool> held(drawing.groups.size() + 1, false); // by id
     for (const StrokePtr &stroke : strokes)
         for (GroupId id = stroke->group; id != 0 && !held[id]; id = GroupId(drawing.groups[id - 1].parent + 1))
@@ -162,7 +191,7 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const Str
             group.id = GroupId(i + 1), group.parent = GroupId(drawn.parent + 1);
             group.name = drawn.name;
             group.visible = !drawn.isHidden;
-            group.text = placedText(drawn.text, corner, drawing.scale);
+            group.text = placedText(drawn, placing);
             group.opacity = drawn.opacity, group.blend = drawn.blend, group.isolated = drawn.isIsolated;
         }
     return groups;
@@ -227,15 +256,19 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
     Painting painting;
     painting.canvas.width = wholeUnits(area.width() * drawing.scale);
     painting.canvas.height = wholeUnits(area.height() * drawing.scale);
-    for (const SvgPath &path : drawing.paths) {
+    const Affine map = Affine::scaling({}, drawing.scale, drawing.scale) * Affine::translation({-area.left, -area.top});
+    Placing placing{drawing, map, std::vector<StrokePtr>(drawing.paths.size())};
+    for (std::size_t i = 0; i < drawing.paths.size(); ++i) {
+        const SvgPath &path = drawing.paths[i];
         std::optional<Stroke> stroke = strokeAlong(path, {area.left, area.top}, drawing.scale, brush, born);
         if (!stroke)
             continue;
         stroke->id = StrokeId(painting.strokes.size() + 1);
         stroke->group = GroupId(path.group + 1);
-        painting.strokes.push_back(std::make_shared<const Stroke>(std::move(*stroke)));
+        placing.of[i] = std::make_shared<const Stroke>(std::move(*stroke));
+        painting.strokes.push_back(placing.of[i]);
     }
-    painting.groups = heldGroups(drawing, {area.left, area.top}, painting.strokes);
+    painting.groups = heldGroups(placing, painting.strokes);
     return painting;
 }
 
