@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr qint64 largestSvg = qint64(64) << 20;
 constexpr double largestCanvas = 1e6;
+constexpr std::size_t mostPlaces = 8; ///< of a shape, where texts look for their stroke
 constexpr Style crisp{StyleKind::Uniform, {0.5f, 0.05f, 0}};
 
 /// The values of a segment that is painted with the brush, so that the dry stroke is `width` wide (0: as the brush
@@ -141,25 +143,25 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
 /// Where a drawing's paths are as strokes.
 struct Placing {
     const SvgDrawing &drawing;
-    Affine map;                ///< from units of the drawing to canvas units
-    std::vector<StrokePtr> of; ///< by path; null where there is no stroke
+    Affine map; ///< from units of the drawing to canvas units
+    /// Of shapes along which texts stand, by their numbers: the strokes that they are, with the maps from the shapes.
+    std::map<int, std::vector<std::pair<StrokePtr, Affine>>> leading{};
 };
 
 /// The text that follows the first stroke along whose curve it stands.
 Text linked(Text text, int shape, const Placing &placing)
 {
     const Affine toCurve = std::exchange(text.followMap, {});
+    const auto strokes = placing.leading.find(shape);
+    if (strokes == placing.leading.end())
+        return text;
     const BaselineCurve own(text.curve);
-    for (std::size_t i = 0; shape >= 0 && i < placing.of.size(); ++i) {
-        const int lead = placing.drawing.paths[i].lead;
-        if (lead < 0 || !placing.of[i] || placing.drawing.leads[std::size_t(lead)].shape != shape)
-            continue;
-        const auto back = (placing.map * placing.drawing.leads[std::size_t(lead)].map).inverse();
-        const std::vector<Cubic> line =
-            back ? mapped(baselineOf(*placing.of[i]), toCurve * *back) : std::vector<Cubic>();
+    for (const auto &[stroke, map] : strokes->second) {
+        const std::optional<Affine> back = map.inverse();
+        const std::vector<Cubic> line = back ? mapped(baselineOf(*stroke), toCurve * *back) : std::vector<Cubic>();
         if (line.empty() || !(isSameCurve(text.curve, line) || BaselineCurve(line).endsOf(own)))
             continue;
-        text.follows = placing.of[i]->id;
+        text.follows = stroke->id;
         text.followMap = toCurve * *back;
         break;
     }
@@ -257,16 +259,20 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
     painting.canvas.width = wholeUnits(area.width() * drawing.scale);
     painting.canvas.height = wholeUnits(area.height() * drawing.scale);
     const Affine map = Affine::scaling({}, drawing.scale, drawing.scale) * Affine::translation({-area.left, -area.top});
-    Placing placing{drawing, map, std::vector<StrokePtr>(drawing.paths.size())};
-    for (std::size_t i = 0; i < drawing.paths.size(); ++i) {
-        const SvgPath &path = drawing.paths[i];
+    Placing placing{drawing, map};
+    for (const SvgPath &path : drawing.paths) {
         std::optional<Stroke> stroke = strokeAlong(path, {area.left, area.top}, drawing.scale, brush, born);
         if (!stroke)
             continue;
         stroke->id = StrokeId(painting.strokes.size() + 1);
         stroke->group = GroupId(path.group + 1);
-        placing.of[i] = std::make_shared<const Stroke>(std::move(*stroke));
-        painting.strokes.push_back(placing.of[i]);
+        painting.strokes.push_back(std::make_shared<const Stroke>(std::move(*stroke)));
+        if (path.lead >= 0) {
+            const SvgLead &lead = drawing.leads[std::size_t(path.lead)];
+            // A shape that is used all over the drawing leads by its first places, so that no file takes minutes.
+            if (auto &strokes = placing.leading[lead.shape]; strokes.size() < mostPlaces)
+                strokes.emplace_back(std::as_const(painting.strokes).back(), map * lead.map);
+        }
     }
     painting.groups = heldGroups(placing, painting.strokes);
     return painting;
