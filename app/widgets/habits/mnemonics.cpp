@@ -79,7 +79,8 @@ std::vector<Holder> holdersIn(const QWidget &dialog)
             holders.push_back({widget, pageOf(widget, tabs)});
     }
     // Texts of a single letter come first, since they have no choice.
-    std::ranges::stable_partition(holders, [](const Holder &holder) { return textOf(holder.widget).size() == 1; });
+    std::stable_partition(holders.begin(), holders.end(),
+                          [](const Holder &holder) { return textOf(holder.widget).size() == 1; });
     return holders;
 }
 
