@@ -1927,6 +1927,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Duplizieren</translation>
     </message>
     <message>
+        <source>The erasure is there twice now, and takes twice: drag the copy, or move it with the arrow keys.</source>
+        <translation>Die Radierung ist jetzt doppelt da und nimmt zweimal weg: Ziehen Sie die Kopie, oder verschieben Sie sie mit den Pfeiltasten.</translation>
+    </message>
+    <message>
         <source>Raise</source>
         <translation>Anheben</translation>
     </message>

@@ -1927,6 +1927,10 @@ Códigos de salida: 0 hecho, 1 el trabajo ha fallado, 2 uso incorrecto.</transla
         <translation>Duplicar</translation>
     </message>
     <message>
+        <source>The erasure is there twice now, and takes twice: drag the copy, or move it with the arrow keys.</source>
+        <translation>El borrado está ahora dos veces y quita dos veces: arrastre la copia o muévala con las teclas de flecha.</translation>
+    </message>
+    <message>
         <source>Raise</source>
         <translation>Elevar</translation>
     </message>

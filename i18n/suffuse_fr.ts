@@ -1927,6 +1927,10 @@ Codes de sortie : 0 réussi, 1 le travail a échoué, 2 mauvais usage.</transla
         <translation>Dupliquer</translation>
     </message>
     <message>
+        <source>The erasure is there twice now, and takes twice: drag the copy, or move it with the arrow keys.</source>
+        <translation>L’effacement est maintenant là deux fois et enlève deux fois : faites glisser la copie, ou déplacez-la avec les touches fléchées.</translation>
+    </message>
+    <message>
         <source>Raise</source>
         <translation>Monter</translation>
     </message>

@@ -1908,6 +1908,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>複製</translation>
     </message>
     <message>
+        <source>The erasure is there twice now, and takes twice: drag the copy, or move it with the arrow keys.</source>
+        <translation>消し跡が二重になり、二度取り除いています。コピーをドラッグするか、矢印キーで移動してください。</translation>
+    </message>
+    <message>
         <source>Raise</source>
         <translation>前面へ</translation>
     </message>

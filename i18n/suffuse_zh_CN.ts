@@ -1908,6 +1908,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>再制</translation>
     </message>
     <message>
+        <source>The erasure is there twice now, and takes twice: drag the copy, or move it with the arrow keys.</source>
+        <translation>擦除现在有两份，会去除两次：请拖动副本，或用方向键移动它。</translation>
+    </message>
+    <message>
         <source>Raise</source>
         <translation>上移一层</translation>
     </message>

@@ -5,6 +5,7 @@
 #include "model/shaping/transform.h"
 #include "undo/fill_edits.h"
 #include "undo/history/order_tree.h"
+#include "undo/lettering/letter_erasures.h"
 
 #include <numeric>
 #include <unordered_map>
@@ -283,6 +284,23 @@ StrokePtr following(const Letter &old, const Letter &now)
     return turned ? std::make_shared<const Stroke>(std::move(*turned)) : nullptr;
 }
 
+LetterErasures erasuresIn(const std::vector<Letter> &letters, const Text &before, const Text &after)
+{
+    LetterErasures erasures(before, after);
+    for (const Letter &letter : letters)
+        if (letter.stroke)
+            erasures.note(*letter.stroke);
+    erasures.findLong();
+    return erasures;
+}
+
+/// How a letter went to where it is.
+LetterErasures::Step stepBetween(const Letter &old, const Letter &now)
+{
+    const std::optional<Affine> back = old.place.inverse();
+    return {back ? now.place * *back : Affine(), old.cluster->along, now.cluster->along};
+}
+
 /// A letter that looks as another one.
 Stroke like(const Stroke &neighbour, const Stroke &letter)
 {
@@ -345,15 +363,17 @@ std::optional<std::vector<StrokePtr>> relaidLetters(const Painting &painting, Gr
     if (old.size() != now.size())
         return {};
     findStrokes(painting, group, old);
+    const SharedText was = textOf(painting, group);
+    const LetterErasures erasures = erasuresIn(old, *was, text);
     std::vector<StrokePtr> relaid;
     for (std::size_t k = 0; k < old.size(); ++k) {
         if (!old[k].stroke)
             continue; // It was deleted, and stays so.
-        StrokePtr made = following(old[k], now[k]);
+        const StrokePtr made = erasures.bent(following(old[k], now[k]), stepBetween(old[k], now[k]));
         if (!made)
             return {};
         if (made != old[k].stroke)
-            relaid.push_back(std::move(made));
+            relaid.push_back(made);
     }
     return relaid;
 }
@@ -371,6 +391,7 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
         old = lettersIn(*before, was);
     const std::vector<StrokePtr> others = present ? findStrokes(painting, group, old) : std::vector<StrokePtr>();
     const std::vector<int> stays = stayingLetters(old, was.string, now, text.string, change.at);
+    const LetterErasures erasures = erasuresIn(old, was, text);
 
     Edit edit;
     std::vector<StrokeId> letters;
@@ -393,7 +414,7 @@ Edit setText(Document &document, GroupId group, const Text &text, const LaidText
             next = std::size_t(stays[k]) + 1;
             if (!letter->stroke)
                 continue; // It was deleted, and stays so.
-            made = staying(*letter, now[k]);
+            made = erasures.bent(staying(*letter, now[k]), stepBetween(*letter, now[k]));
             if (!made)
                 return {};
             neighbour = letter->stroke;

@@ -3,13 +3,12 @@
 #include "model/painting/editable.h"
 #include "model/painting/validate.h"
 #include "model/shaping/baseline_curve.h"
+#include "undo/history/restore_edit.h"
 #include "undo/text_edits.h"
 
 namespace suffuse {
 
 namespace {
-
-constexpr double curveRounding = 3e-6; ///< of its extent; what float32 can tell
 
 /// A text that follows no stroke any more, and keeps its curve.
 Text released(Text text)
@@ -19,37 +18,25 @@ Text released(Text text)
     return text;
 }
 
-std::vector<Cubic> underMap(std::vector<Cubic> curves, const Affine &map)
-{
-    for (Cubic &curve : curves)
-        for (Point &p : curve.p)
-            p = map(p);
-    return curves;
-}
-
-bool isSameCurve(const std::vector<Cubic> &a, const std::vector<Cubic> &b)
-{
-    Rect reach;
-    for (const Cubic &curve : b)
-        reach = reach.united(curve.controlBox());
-    const double extent = std::hypot(reach.width(), reach.height()) + 1e-9;
-    if (a.size() == b.size())
-        return std::ranges::equal(a, b, [most = curveRounding * extent](const Cubic &x, const Cubic &y) {
-            return std::ranges::equal(x.p, y.p, [most](Point p, Point q) { return length(p - q) <= most; });
-        });
-    // Uneven maps split segments.
-    const BaselineCurve first(a), second(b);
-    for (int i = 0; i <= 32; ++i)
-        if (length(first.at(first.length() * i / 32).point - second.at(second.length() * i / 32).point) > 1e-3 * extent)
-            return false;
-    return true;
-}
-
 /// How far a curve has been moved, if nothing else was done with it.
 std::optional<Affine> moveBetween(const std::vector<Cubic> &before, const std::vector<Cubic> &after)
 {
     const Affine move = Affine::translation(after.front().p[0] - before.front().p[0]);
-    return isSameCurve(underMap(before, move), after) ? std::optional(move) : std::nullopt;
+    return isSameCurve(mapped(before, move), after) ? std::optional(move) : std::nullopt;
+}
+
+/// What a text follows of a chain, which it followed as it was: all of it, or the part along which it stands.
+std::vector<Cubic> followed(const std::vector<Cubic> &own, const std::vector<Cubic> &was, std::vector<Cubic> is)
+{
+    if (isSameCurve(own, was))
+        return is;
+    const BaselineCurve before(was), now(is);
+    const auto ends = before.endsOf(BaselineCurve(own));
+    if (!ends || !(now.length() > 0))
+        return is;
+    const double stretched = now.length() / before.length();
+    std::vector<Cubic> part = now.between(stretched * ends->first, stretched * ends->second);
+    return part.empty() ? is : part;
 }
 
 /// What an edit makes of a painting, as far as texts need it: its strokes and its groups.
@@ -101,7 +88,7 @@ public:
                 text.followMap = text.followMap * *since;
                 return text;
             }
-        text.curve = underMap(to, text.followMap);
+        text.curve = followed(text.curve, mapped(from, text.followMap), mapped(to, text.followMap));
         return text;
     }
 
@@ -112,7 +99,7 @@ private:
     {
         const std::optional<Affine> back = old.place.inverse();
         const Affine with = back ? m_text.place * *back : Affine();
-        if (isSameCurve(underMap(from, with), to))
+        if (isSameCurve(mapped(from, with), to))
             return with.inverse();
         const std::optional<Affine> move = moveBetween(from, to);
         return move ? move->inverse() : std::nullopt;
@@ -153,16 +140,6 @@ Edit changeTexts(const Document &document, const std::function<SharedText(const 
 
 } // namespace
 
-std::vector<Cubic> baselineOf(const Stroke &stroke)
-{
-    std::vector<Cubic> curves;
-    for (std::size_t k = 0; k < stroke.segments.size() && (k == 0 || !stroke.beginsChain(k)); ++k)
-        curves.push_back(stroke.cubicOf(stroke.segments[k]));
-    if (curves.size() > std::size_t(Text::mostCurves))
-        curves.clear();
-    return curves;
-}
-
 bool leadsOtherTexts(const Painting &painting, const std::map<GroupId, Text> &texts,
                      const std::function<bool(StrokeId)> &isAmong)
 {
@@ -171,8 +148,9 @@ bool leadsOtherTexts(const Painting &painting, const std::map<GroupId, Text> &te
     });
 }
 
-void followCurves(const Painting &before, Edit &edit, const std::function<LaidText(const Text &)> &lay)
+void completeTexts(const Painting &before, Edit &edit, const LayText &lay)
 {
+    followTexts(before, edit);
     const auto follows = [&](const Group &group) {
         return group.text && group.text->follows != 0 && (edit.groups || edit.strokes.contains(group.text->follows));
     };
@@ -186,7 +164,8 @@ void followCurves(const Painting &before, Edit &edit, const std::function<LaidTe
         if (!text || !problemOf(*text).isEmpty())
             continue;
         if (text->curve != group.text->curve) {
-            const auto letters = relaidLetters(now, group.id, lay(*group.text), *text, lay(*text));
+            const std::optional<LaidText> was = lay(*group.text), is = was ? lay(*text) : std::nullopt;
+            const auto letters = is ? relaidLetters(now, group.id, *was, *text, *is) : std::nullopt;
             if (!letters)
                 continue;
             for (const StrokePtr &letter : *letters)
@@ -196,6 +175,16 @@ void followCurves(const Painting &before, Edit &edit, const std::function<LaidTe
     }
     if (groups != now.groups)
         edit.groups = std::move(groups);
+}
+
+Painting withTextsCompleted(const Painting &before, const Painting &after, const LayText &lay)
+{
+    Document document;
+    document.reset(std::make_shared<const Painting>(before));
+    Edit edit = restorePainting(document, after);
+    completeTexts(before, edit, lay);
+    document.exchange(edit);
+    return *document.painting();
 }
 
 void linkCopies(std::span<Group> groups, const std::unordered_map<StrokeId, StrokeId> &copies, Point by)

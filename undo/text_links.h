@@ -5,23 +5,27 @@
 #include "undo/lettering/laid_text.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <unordered_map>
 
 namespace suffuse {
 
-/// The first chain of a stroke, canvas units: what a text on it follows. It is empty where a text cannot have it, since
-/// it has more than `Text::mostCurves` curves.
-std::vector<Cubic> baselineOf(const Stroke &stroke);
 /// Whether a text that is not among some follows one of these strokes, so that it changes with them.
 bool leadsOtherTexts(const Painting &painting, const std::map<GroupId, Text> &texts,
                      const std::function<bool(StrokeId)> &isAmong);
 
-/// Completes an edit: texts whose strokes it moves or reshapes are set along them anew, and texts whose strokes it
-/// removes follow none. A text that it maps itself stays where it is then, and follows its stroke from there. Locked
-/// texts (`isTextLocked`) stay, and letters of texts lead none. `before` is the painting that the edit is meant for,
-/// and `lay` sets a text.
-void followCurves(const Painting &before, Edit &edit, const std::function<LaidText(const Text &)> &lay);
+/// Sets a text; no value where there are no fonts.
+using LayText = std::function<std::optional<LaidText>(const Text &)>;
+
+/// Completes an edit by what becomes of texts, before it is done; whoever does edits calls this for each. Texts follow
+/// their letters (`followTexts`). Texts whose strokes it moves or reshapes are set along them anew, and texts whose
+/// strokes it removes follow none. A text that it maps itself stays where it is then, and follows its stroke from
+/// there. Locked texts (`isTextLocked`), and those that cannot be set, stay, and letters of texts lead none. `before`
+/// is the painting that the edit is meant for.
+void completeTexts(const Painting &before, Edit &edit, const LayText &lay);
+/// The same for another program's work on a painting: what it makes of `before` is `after`.
+Painting withTextsCompleted(const Painting &before, const Painting &after, const LayText &lay);
 
 /// Makes texts that are copies follow the copies of the strokes that their originals follow, which were moved with
 /// them, or none where those were not copied.

@@ -80,8 +80,8 @@ void CanvasLift::lift(const std::set<StrokeId> &strokes)
     if (lifted.segmentCount() < manySegments && !m_frames.isSlowFor(2 * reachedPixels(lifted, view(), time)))
         return;
     m_liftedFrom = painting;
-    m_lift = std::make_shared<const Lift>(painting, std::make_shared<const Painting>(std::move(rest)),
-                                          std::make_shared<const Painting>(std::move(lifted)), time, view());
+    m_lift = std::make_shared<const Lift>(Lift{painting, std::make_shared<const Painting>(std::move(rest)),
+                                               std::make_shared<const Painting>(std::move(lifted)), time, view()});
     m_frames.lift(m_lift);
 }
 

@@ -1,6 +1,8 @@
 #include "app/python/edited_painting.h"
 
+#include "app/python/fonts.h"
 #include "undo/history/back_edit.h"
+#include "undo/text_links.h"
 
 #include <stdexcept>
 
@@ -19,6 +21,7 @@ bool EditedPainting::push(const QString &name, const std::function<Edit(Document
     Edit edit = make(m_document);
     if (edit.isEmpty())
         return false;
+    completeTexts(*m_document.painting(), edit, layByFonts);
     m_document.exchange(edit);
     if (changesNothing(edit, *m_document.painting()))
         return false;
@@ -37,8 +40,9 @@ bool EditedPainting::push(const QString &name, const std::function<Edit(Document
 void EditedPainting::checkThread() const
 {
     if (m_open > 0 && m_owner != std::this_thread::get_id())
-        throw std::runtime_error("another thread has begun a step of this document, which is still open; let threads that "
-                                 "edit one document take a lock around their steps, or give each a Document of its own");
+        throw std::runtime_error(
+            "another thread has begun a step of this document, which is still open; let threads that "
+            "edit one document take a lock around their steps, or give each a Document of its own");
 }
 
 void EditedPainting::exchange(Step &step)

@@ -135,8 +135,7 @@ bool Editor::isStepping() const
 
 Edit Editor::placed(Edit edit)
 {
-    followTexts(*m_document.painting(), edit);
-    followCurves(*m_document.painting(), edit, [this](const Text &text) { return m_layout->lay(text); });
+    completeTexts(*m_document.painting(), edit, [this](const Text &text) { return m_layout->lay(text); });
     m_layer->takeEmptied(edit);
     if (!m_clock.isInPast())
         return edit;

@@ -23,16 +23,23 @@ void keepStyle(const Style &style, float (&bytes)[12])
     std::memcpy(bytes, &style, sizeof(Style));
 }
 
-/// Tells whether a stroke is plain, as StrokeRecord::plain explains it.
-bool isPlain(const SceneStroke &s)
+/// Tells whether a stroke is plain but for its picture, for samples and for nodes beside a crisp fill.
+bool isPlainAtSamples(const SceneStroke &s)
 {
     const SceneFill *fill = s.fill.get();
-    if (fill && (fill->deep || fill->level > 0 || fill->b != 0 || s.shade.colourChannel >= 0))
+    if (fill && (fill->deep || fill->b != 0 || s.shade.colourChannel >= 0))
         return false;
-    if (fill && fill->crisp && !s.nodes.empty())
-        return false;
-    return !s.picture && math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
-           s.shade.fadeChannel < 0 && s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
+    return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
+           s.shade.fadeChannel < 0 && s.separable == int(s.nodes.size()) && s.deep.empty();
+}
+
+/// Sets StrokeRecord::plain and simple, as these explain it.
+void noteKind(const SceneStroke &s, StrokeRecord &record)
+{
+    const bool easy = isPlainAtSamples(s), crisp = s.fill && s.fill->crisp;
+    record.simple = easy && !crisp;
+    record.plain =
+        easy && !s.picture && s.small.empty() && !(s.fill && s.fill->level > 0) && !(crisp && !s.nodes.empty());
 }
 
 /// Finds the pixels that nodes [begin, end) may show in: their boxes and a pixel around them, since coverage looks at
@@ -103,7 +110,7 @@ StrokeRecord strokeRecord(const SceneStroke &s)
     r.hasLevels = s.hasLevels;
     r.channels = std::uint32_t(s.channels);
     r.granulated = s.granulated;
-    r.plain = isPlain(s);
+    noteKind(s, r);
     if (s.fill)
         noteFill(*s.fill, r);
     return r;

@@ -19,6 +19,10 @@
 #define SUFFUSE_UNROLL_BY_2 _Pragma("unroll 2")
 #define SUFFUSE_UNROLL_BY_4 _Pragma("unroll 4")
 #define SUFFUSE_ROLLED _Pragma("unroll 1")
+// A function that is called does not know in which memory its references lie, and loads that may go anywhere are
+// slower. These say that it is shared memory, or what a kernel was launched with.
+#define SUFFUSE_IN_SHARED(reference) __builtin_assume(__isShared(&(reference)))
+#define SUFFUSE_IS_LAUNCHED(reference) __builtin_assume(__isGridConstant(&(reference)))
 #else
 #include <array>
 #include <bit>
@@ -31,6 +35,8 @@
 #define SUFFUSE_UNROLL_BY_2
 #define SUFFUSE_UNROLL_BY_4
 #define SUFFUSE_ROLLED
+#define SUFFUSE_IN_SHARED(reference)
+#define SUFFUSE_IS_LAUNCHED(reference)
 #endif
 
 namespace suffuse::cuda {
@@ -178,12 +184,13 @@ public:
     template <class Found>
     static SUFFUSE_PROGRAM std::uint32_t await(const std::uint32_t *word, Found found)
     {
-        std::uint32_t value = look(word);
+        const volatile std::uint32_t *now = word;
+        std::uint32_t value = *now;
         while (!found(value)) {
 #if __CUDA_ARCH__ >= 700
             __nanosleep(200);
 #endif
-            value = look(word);
+            value = *now;
         }
         __threadfence();
         return value;

@@ -5,17 +5,16 @@
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
+#include "app/tools/text/font_box.h"
+#include "app/tools/tool_options.h"
+#include "tests/app/random_controls.h"
 #include "tests/app/session.h"
 
-#include <QAbstractButton>
-#include <QApplication>
 #include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
+#include <QMap>
+#include <QMenu>
 #include <QMimeData>
-#include <QSlider>
-#include <QTimer>
-#include <QToolButton>
+#include <QRegularExpression>
 #include <QTreeView>
 #include <QWheelEvent>
 
@@ -26,20 +25,12 @@ namespace suffuse {
 class Monkey {
 public:
     Monkey(Session &session, unsigned seed)
-        : m_session(session), m_random(seed), m_tip(device(QPointingDevice::PointerType::Pen)),
-          m_eraser(device(QPointingDevice::PointerType::Eraser))
+        : m_session(session), m_random(seed),
+          m_controls(m_random, [](const QAction &action) { return mayRun(action); }),
+          m_tip(device(QPointingDevice::PointerType::Pen)), m_eraser(device(QPointingDevice::PointerType::Eraser))
     {
         for (const Deed &deed : deeds())
             m_weights += deed.weight;
-        // Whatever waits for an answer gets one.
-        m_answers.setInterval(10);
-        QObject::connect(&m_answers, &QTimer::timeout, [this] {
-            if (QWidget *popup = QApplication::activePopupWidget())
-                popup->close();
-            else if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget()))
-                oneIn(2) ? dialog->accept() : dialog->reject();
-        });
-        m_answers.start();
     }
 
     /// One event or action at random. With the pointer down mostly a drag, but whatever else now and then.
@@ -53,6 +44,7 @@ public:
         (this->*deed.act)();
         if (m_loud)
             qInfo("    %s", qPrintable(m_detail));
+        count(QStringLiteral("event: ") + QLatin1String(deed.name));
         m_trail << QString::fromLatin1(deed.name) + ' ' + m_detail;
         if (m_trail.size() > 30)
             m_trail.removeFirst();
@@ -73,7 +65,22 @@ public:
     /// What it did last, for whoever looks for a mistake.
     QString trail() const { return m_trail.join('\n'); }
 
-    int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(m_random); }
+    /// Counts something by its name; numbers in it do not matter.
+    void count(QString what)
+    {
+        static const QRegularExpression numbers(QStringLiteral("[0-9]+"));
+        ++m_counts[what.replace(numbers, QStringLiteral("n"))];
+    }
+    /// How often what was done: events, commands, tools that were pressed, and whatever the caller has counted.
+    QString counts() const
+    {
+        QString all;
+        for (auto it = m_counts.begin(); it != m_counts.end(); ++it)
+            all += QStringLiteral("%1 %2\n").arg(it.value(), 6).arg(it.key());
+        return all;
+    }
+
+    int below(int n) { return m_controls.below(n); }
     double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(m_random); }
 
 private:
@@ -100,7 +107,11 @@ private:
             {15, "slider", &Monkey::slider},
             {6, "button", &Monkey::button},
             {6, "choice", &Monkey::choice},
+            {30, "option", &Monkey::option},
+            {20, "poke", &Monkey::poke},
+            {12, "type", &Monkey::type},
             {8, "row", &Monkey::strokesRow},
+            {10, "menu of a row", &Monkey::rowMenu},
             {10, "drop", &Monkey::dropRows},
             {4, "search", &Monkey::search},
             {25, "select", &Monkey::select},
@@ -128,7 +139,7 @@ private:
                                    QString(), QPointingDeviceUniqueId(), QCoreApplication::instance());
     }
 
-    bool oneIn(int n) { return below(n) == 0; }
+    bool oneIn(int n) { return m_controls.oneIn(n); }
     CanvasWidget &canvas() { return m_session.canvas(); }
     const Painting &painting() { return m_session.painting(); }
 
@@ -174,6 +185,15 @@ private:
             m_pen = nullptr;
     }
 
+    /// What is in use, with what was chosen for it.
+    void countTool()
+    {
+        QString tool = QString::fromLatin1(canvas().tool()->metaObject()->className()).remove("suffuse::");
+        if (const QWidget *row = canvas().tool()->options())
+            if (const auto *first = row->findChild<QComboBox *>(); first && !qobject_cast<const FontBox *>(first))
+                tool += ", " + first->currentText();
+        count(QStringLiteral("tool: ") + tool);
+    }
     void press()
     {
         if (m_pen)
@@ -182,6 +202,7 @@ private:
         if (!m_down)
             m_button = oneIn(12) ? Qt::MiddleButton : oneIn(12) ? Qt::RightButton : Qt::LeftButton;
         m_down = true;
+        countTool();
         mouse(QEvent::MouseButtonPress, modifiers());
     }
     void move()
@@ -202,6 +223,7 @@ private:
             return;
         m_at = somewhere();
         m_pen = oneIn(3) ? m_eraser : m_tip;
+        countTool();
         pen(QEvent::TabletPress);
     }
     void lift() { m_pen ? pen(QEvent::TabletRelease) : release(); }
@@ -248,20 +270,29 @@ private:
     void home()
     {
         m_session.use(Command::Fit);
+        if (m_session.window.action(Command::HideDocks).isChecked())
+            m_session.use(Command::HideDocks);
         if (oneIn(2))
             m_session.use(Command::ResetRotation);
     }
 
-    /// Whatever opens a window or ends this one is left out; by custom such an action ends in dots.
+    /// Whatever opens a window or ends this one is left out. By custom such an action ends in dots; those that ask how
+    /// paint is to be changed are not left out.
+    static bool mayRun(const QAction &action)
+    {
+        static const QSet<QString> asking{"rename",   "gridStep", "rewet", "recolourArtwork",
+                                          "simplify", "vary",     "offset"};
+        static const QSet<QString> ending{"save", "close", "quit", "fullScreen"};
+        const QString name = action.objectName();
+        return !ending.contains(name) && (asking.contains(name) || !action.text().endsWith(QStringLiteral("…")));
+    }
     void command()
     {
-        using enum Command;
-        const Command which = Command(below(int(About) + 1));
-        QAction &action = m_session.window.action(which);
-        const bool asks = action.text().endsWith(QStringLiteral("…")) && which != RenameStrokes && which != GridStep;
-        if (asks || !action.isEnabled() || which == Save || which == Close || which == Quit || which == FullScreen)
+        QAction &action = m_session.window.action(Command(below(int(Command::About) + 1)));
+        if (!mayRun(action) || !action.isEnabled())
             return;
         m_detail = action.objectName();
+        count(QStringLiteral("command: ") + m_detail);
         action.trigger();
     }
     void undoOrRedo() { m_session.use(oneIn(3) ? Command::Redo : Command::Undo); }
@@ -274,59 +305,41 @@ private:
         stack.setIndex(to);
     }
 
-    /// In a dock or in the row over the canvas; null where there is none in reach.
-    template <typename T>
-    T *any(const std::function<bool(const T &)> &wanted)
-    {
-        QList<T *> found;
-        for (T *widget : m_session.window.findChildren<T *>())
-            if (widget->isEnabled() && widget->isVisible() && wanted(*widget))
-                found << widget;
-        return found.isEmpty() ? nullptr : found[below(int(found.size()))];
-    }
-    void field()
-    {
-        auto *line = any<NumberField>([](const NumberField &) { return true; });
-        if (!line)
-            return;
-        static const char *const texts[] = {"5",   "0.3", "12*1.5", "*1.2", "+2", "-=3",
-                                            "100", "1e9", "x",      "0",    "45", "/3"};
-        line->setFocus();
-        line->setText(QString::fromLatin1(texts[below(int(std::size(texts)))]));
-        m_detail = line->accessibleName() + ' ' + line->text();
-        QTest::keyClick(line, oneIn(4) ? Qt::Key_Up : Qt::Key_Return);
-    }
+    void field() { m_detail = m_controls.field(m_session.window); }
     void slider()
     {
-        auto *slider = any<QSlider>([](const QSlider &) { return true; });
-        if (!slider)
-            return;
-        m_detail = slider->accessibleName();
-        const auto place = [&] { return QPoint(below(std::max(1, slider->width())), slider->height() / 2); };
-        QTest::mousePress(slider, Qt::LeftButton, {}, place());
-        for (int i = below(4); i > 0; --i)
-            QTest::mouseMove(slider, place());
-        if (oneIn(6))
-            m_session.use(Command::Undo);
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, place());
+        m_detail = m_controls.slider(m_session.window, [this] { m_session.use(Command::Undo); });
     }
-    /// None of the title bars' and none that asks.
-    void button()
+    void button() { m_detail = m_controls.button(m_session.window); }
+    void choice() { m_detail = m_controls.choice(m_session.window); }
+    /// In the row over the canvas.
+    void option() { m_detail = m_controls.control(*m_session.window.findChild<ToolOptionsBar *>()); }
+    void poke()
     {
-        auto *button = any<QAbstractButton>([](const QAbstractButton &b) {
-            const auto *tool = qobject_cast<const QToolButton *>(&b);
-            return !b.text().endsWith(QStringLiteral("…")) && !b.objectName().startsWith("qt_") &&
-                   !(tool && (tool->menu() || tool->defaultAction()));
-        });
-        if (!button)
-            return;
-        m_detail = button->accessibleName() + ' ' + button->text() + ' ' + button->toolTip();
-        button->click();
+        m_detail = m_controls.poke(m_session.window);
+        count(QStringLiteral("poke: ") + m_detail);
     }
-    void choice()
+    /// Letters where a text is in hand; anywhere else they would be commands' keys.
+    void type()
     {
-        if (auto *combo = any<QComboBox>([](const QComboBox &) { return true; }))
-            QTest::keyClick(combo, oneIn(2) ? Qt::Key_Down : Qt::Key_Up);
+        static const QStringList texts{"a", "Suf", "fuse", " ", "gj", QStringLiteral("Ä")};
+        if (!canvas().tool()->takesText()) {
+            m_session.use(Command::Text);
+            click();
+        }
+        if (!canvas().tool()->takesText())
+            return;
+        m_detail = texts[below(int(texts.size()))];
+        count(QStringLiteral("typed"));
+        if (oneIn(5)) { // through an input method
+            QInputMethodEvent composed(oneIn(2) ? m_detail : QString(), {});
+            composed.setCommitString(oneIn(2) ? QString() : m_detail);
+            QCoreApplication::sendEvent(&canvas(), &composed);
+        } else if (oneIn(5)) {
+            QTest::keyClick(&canvas(), Qt::Key_Return);
+        } else {
+            QTest::keyClicks(&canvas(), m_detail);
+        }
     }
 
     StrokesPanel &strokes() { return *m_session.window.findChild<StrokesPanel *>(); }
@@ -357,6 +370,20 @@ private:
         else if (QTreeView *view = strokes().view(); view->model()->rowCount() > 0)
             view->setCurrentIndex(view->model()->index(below(view->model()->rowCount()), 0));
     }
+    /// Modes and opacity of groups, above all.
+    void rowMenu()
+    {
+        QAbstractItemModel &model = *strokes().view()->model();
+        if (model.rowCount() == 0)
+            return;
+        QModelIndex row = model.index(below(model.rowCount()), 0);
+        if (const int rows = model.rowCount(row); rows > 0 && oneIn(4))
+            row = model.index(below(rows), 0, row);
+        QMenu menu;
+        strokes().makeMenu(menu, row);
+        m_detail = m_controls.choose(menu);
+        count(QStringLiteral("row: ") + m_detail);
+    }
     void dropRows()
     {
         StrokesModel &model = *strokes().model();
@@ -377,6 +404,13 @@ private:
     void select()
     {
         Selection selection;
+        if (oneIn(4) && !painting().groups.empty()) {
+            const GroupId group = painting().groups[std::size_t(below(int(painting().groups.size())))].id;
+            for (const StrokePtr &stroke : painting().strokes)
+                if (stroke->group == group)
+                    selection.strokes.insert(stroke->id);
+            return m_session.editor().document().setSelection(selection);
+        }
         for (int i = below(4); i > 0 && !painting().strokes.empty(); --i) {
             const Stroke &stroke = *painting().strokes[std::size_t(below(int(painting().strokes.size())))];
             selection.strokes.insert(stroke.id);
@@ -431,7 +465,7 @@ private:
 
     Session &m_session;
     std::mt19937 m_random;
-    QTimer m_answers;
+    RandomControls m_controls;
     QPointingDevice *m_tip, *m_eraser;
     int m_weights = 0;
     bool m_down = false;
@@ -439,6 +473,7 @@ private:
     const QPointingDevice *m_pen = nullptr; ///< that is down
     QPointF m_at;
     QStringList m_trail;
+    QMap<QString, int> m_counts;
     QString m_detail;
     bool m_loud = qEnvironmentVariableIsSet("SUFFUSE_MONKEY_TRACE");
 };

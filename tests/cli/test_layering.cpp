@@ -128,7 +128,8 @@ const QList<Rule> &rules()
          {},
          {"cuda_runtime.h", "cuda_pipeline.h"}},
         {"render/cuda/device/",
-         {"render/cuda/device/", "render/cuda/gradient/", "render/cuda/nodes/", "render/cuda/tiles/", "model/environment.h"},
+         {"render/cuda/device/", "render/cuda/gradient/", "render/cuda/nodes/", "render/cuda/tiles/",
+          "model/environment.h"},
          {"QtCore"},
          {"cuda_runtime.h"}},
         // OpenGL by its types only: no library of it is linked.
@@ -164,9 +165,11 @@ const QList<Rule> &rules()
         {"app/dialogs/", below + QStringList{"app/widgets/", "app/dialogs/"}, widgets, {}},
         {"app/dialogs/print/printers", {"app/dialogs/"}, widgets + QStringList{"QtPrintSupport"}, {}},
         {"app/window/files/running_program", {"app/window/"}, widgets + QStringList{"QtDBus"}, {}},
-        // suffuse-cli links model and render only, and loads what sets texts when it needs it. The linker's header tells its build.
+        // suffuse-cli draws, and edits nothing but texts along strokes that an extension changes; it loads the fonts
+        // for that when it needs them. The linker's header tells its build.
         {"app/cli/",
-         {"model/", "render/", "app/cli/", "app/extensions/", "undo/lettering/module_api.h"},
+         {"model/", "render/", "app/cli/", "app/extensions/", "undo/lettering/module_api.h",
+          "undo/lettering/text_setter.h", "undo/text_links.h"},
          {"QtCore"},
          {"link.h"}},
         // The Python module asks as the command line does.
@@ -176,7 +179,7 @@ const QList<Rule> &rules()
          {"QtCore"},
          {"pybind11"},
          {"undo/history/edit_command.h", "undo/history/kept_history.h", "undo/history/stroke_history.h",
-          "undo/lettering/"}},
+          "undo/lettering/shaped_line.h", "undo/lettering/text_layout.h"}},
     };
     return table;
 }
@@ -439,7 +442,9 @@ void TestLayering::breachesAreFound_data()
         "#include \"undo/edits.h\"\n#include \"app/session/editor.h\"", 2);
     row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);
     row("the Python module without Gui", "app/python/a.cpp",
-        "#include <pybind11/numpy.h>\n#include \"undo/edits.h\"\n#include \"undo/history/edit_command.h\"\n#include <QFont>", 2);
+        "#include <pybind11/numpy.h>\n#include \"undo/edits.h\"\n#include \"undo/history/edit_command.h\"\n#include "
+        "<QFont>",
+        2);
     row("and nobody else with Python", "app/cli/a.cpp", "#include <pybind11/numpy.h>", 1);
     row("the session without windows", "app/session/a.h", "#include <QWidget>\n#include \"app/canvas/a.h\"", 2);
     row("the session with all below", "app/session/frames/a.cpp",

@@ -41,6 +41,31 @@ def quietly(function, *arguments, **options):
         return function(*arguments, **options)
 
 
+def text_along_a_wave(folder, bend=-80, move=0):
+    """A painting, read from a drawing: stroke 1 is a wave, and a text follows it. None where there are no fonts."""
+    import suffuse
+
+    drawing, out = pathlib.Path(folder) / "wave.svg", pathlib.Path(folder) / "wave.suffuse"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300">'
+        f'<path id="p" d="M{20 + move} 100C{100 + move} {100 + bend} {200 + move} 180 {300 + move} 90" fill="none" '
+        'stroke="#268" stroke-width="3" stroke-linecap="round" stroke-linejoin="round"/>'
+        '<text font-size="20"><textPath href="#p">Along it</textPath></text></svg>'
+    )
+    run_cli("convert", drawing, out)
+    painting = suffuse.open(out)
+    if len(painting.texts) == 0:
+        return None
+    assert list(painting.texts["follows"]) == [1], painting.texts
+    return painting
+
+
+def places(painting):
+    """Where the points of all segments are on the canvas, whatever the origins are."""
+    segments = painting.segments
+    return painting.strokes["origin"][segments["stroke"]][:, None, :] + segments["bezier"].astype(float)
+
+
 def three_strokes():
     """A small painting with three strokes of two segments each, which are wet for a second."""
     import suffuse

@@ -1,10 +1,14 @@
 """Edits and their undo steps."""
 
 import concurrent.futures
+import os
 import random
+import subprocess
+import sys
+import tempfile
 import unittest
 
-from support import SAMPLES, three_strokes
+from support import SAMPLES, places, text_along_a_wave, three_strokes
 
 import numpy as np
 import suffuse
@@ -237,6 +241,91 @@ class Documents(unittest.TestCase):
         self.assertEqual(len(self.document.steps), 2)
         self.assertTrue(self.document.undo() and self.document.undo())
         self.assertEqual(self.document.painting, self.painting)
+
+
+class FollowedTexts(unittest.TestCase):
+    """What changes a stroke sets the text along it anew, in the same step."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.painting = text_along_a_wave(self.folder.name)
+        if self.painting is None:
+            self.skipTest("there are no fonts")
+        self.document = suffuse.Document(self.painting)
+
+    def check(self, expected):
+        """The painting is as a drawing of it has it; undo leads back, and redo here."""
+        now = self.document.painting
+        self.assertEqual(len(self.document.steps), 1)
+        np.testing.assert_allclose(places(now), places(expected), atol=2e-3)
+        np.testing.assert_allclose(now.text_curves["bezier"], expected.text_curves["bezier"], atol=2e-3)
+        self.assertEqual(list(now.texts["follows"]), [1])
+        self.assertTrue(self.document.undo())
+        self.assertEqual(self.document.painting, self.painting)
+        self.assertTrue(self.document.redo())
+        self.assertEqual(self.document.painting, now)
+
+    def test_moved(self):
+        self.document.select([1])
+        self.assertTrue(self.document.transform((1, 0, 0, 1, 35, 0)))
+        self.check(text_along_a_wave(self.folder.name, move=35))
+
+    def test_reshaped(self):
+        bent = text_along_a_wave(self.folder.name, bend=40)
+        segments = self.painting.segments.copy()
+        segments["bezier"][0] = bent.segments["bezier"][0]
+        self.assertTrue(self.document.apply(self.painting.replaced(segments=segments)))
+        self.check(bent)
+
+    def test_within_a_step_and_by_threads(self):
+        bent = text_along_a_wave(self.folder.name, bend=40)
+        with self.document.step("both"):
+            self.document.select([1])
+            self.document.transform((1, 0, 0, 1, 35, 0))
+            self.document.transform((1, 0, 0, 1, -35, 0))
+            segments = self.document.painting.segments.copy()
+            segments["bezier"][0] = bent.segments["bezier"][0]
+            with concurrent.futures.ThreadPoolExecutor(4) as pool:  # Others set texts of their own meanwhile.
+                others = [pool.submit(self.moved) for _ in range(8)]
+                self.document.apply(self.document.painting.replaced(segments=segments))
+                for other in others:
+                    np.testing.assert_array_equal(other.result(), others[0].result())
+        self.check(bent)
+
+    def moved(self):
+        document = suffuse.Document(self.painting)
+        document.select([1])
+        document.transform((1, 0, 0, 1, 0, 12))
+        return places(document.painting)
+
+    def test_deleted(self):
+        self.document.select([1])
+        self.assertTrue(self.document.delete())
+        now = self.document.painting
+        self.assertEqual(list(now.texts["follows"]), [0])
+        np.testing.assert_array_equal(places(now), places(self.painting)[self.painting.segments["stroke"] > 0])
+
+    def test_the_process_stays_what_it_was(self):
+        """Neither the language of numbers nor the environment of programs that it starts becomes another one."""
+        program = (
+            "import locale, os, sys, suffuse\n"
+            "locale.setlocale(locale.LC_ALL, 'C')\n"
+            "before = locale.setlocale(locale.LC_ALL), dict(os.environ)\n"
+            "document = suffuse.Document(suffuse.open(sys.argv[1]))\n"
+            "document.select([1])\n"
+            "before_it = document.painting.strokes['origin'][1] + document.painting.segments['bezier'][1, 0]\n"
+            "document.transform((1, 0, 0, 1, 0, 12))\n"
+            "now = document.painting.strokes['origin'][1] + document.painting.segments['bezier'][1, 0]\n"
+            "assert abs(now - before_it - (0, 12)).max() < 1e-3\n"
+            "assert before == (locale.setlocale(locale.LC_ALL), dict(os.environ))\n"
+            "import ctypes; get = ctypes.CDLL(None).getenv; get.restype = ctypes.c_char_p\n"
+            "assert get(b'QT_QPA_PLATFORM') is None\n"
+        )
+        source = os.path.join(self.folder.name, "wave.suffuse")
+        environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
+        done = subprocess.run([sys.executable, "-c", program, source], capture_output=True, text=True, env=environment)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
 
 if __name__ == "__main__":

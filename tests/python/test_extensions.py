@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from support import SAMPLES, SOURCE, run_cli
+from support import SAMPLES, SOURCE, places, run_cli, text_along_a_wave
 
 import numpy as np
 import suffuse
@@ -219,6 +219,29 @@ class Extensions(unittest.TestCase):
             (folder / name).write_text(programs[kind], "utf-8")
             denser = self.run_it(str(folder), "--set", "density=12")
             self.assertTrue((denser.segments["density"] == 12).all())
+
+    def test_texts_follow_what_extensions_change(self):
+        before = text_along_a_wave(self.folder.name)
+        if before is None:
+            self.skipTest("there are no fonts")
+        before.save(self.path("along.suffuse"))
+        bent = text_along_a_wave(self.folder.name, bend=40)
+        folder = pathlib.Path(self.path("bend"))
+        folder.mkdir()
+        manifest = {"format": "suffuse-extension", "version": 1, "id": "bend", "name": "Bend", "form": "suffuse",
+                    "run": ["{python3}", "-B", "{folder}/bend.py"]}
+        (folder / "manifest.json").write_text(json.dumps(manifest), "utf-8")
+        (folder / "bend.py").write_text(
+            "from suffuse import extension\n"
+            "job = extension.job()\n"
+            "segments = job.painting.segments.copy()\n"
+            f"segments['bezier'][0] = {bent.segments['bezier'][0].tolist()}\n"
+            "job.write(job.painting.replaced(segments=segments))\n",
+            "utf-8",
+        )
+        after = self.run_it(str(folder), source=self.path("along.suffuse"))
+        self.assertGreater(np.abs(places(after) - places(before)).max(), 10)
+        np.testing.assert_allclose(places(after), places(bent), atol=2e-3)
 
     def test_a_real_painting(self):
         source = str(SAMPLES / "still-life.suffuse")

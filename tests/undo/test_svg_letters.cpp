@@ -2,8 +2,10 @@
 // goes on where the drawing left off.
 #include "model/document/document.h"
 #include "model/formats/svg/svg_painting.h"
+#include "model/shaping/baseline_curve.h"
 #include "undo/lettering/text_layout.h"
 #include "undo/text_edits.h"
+#include "undo/text_links.h"
 
 #include <QFontDatabase>
 #include <QGuiApplication>
@@ -15,8 +17,9 @@ namespace {
 
 Painting read(const QByteArray &content, QString *leftOut = nullptr)
 {
-    const QByteArray bytes =
-        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 300' width='800'>" + content + "</svg>";
+    const QByteArray bytes = "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
+                             "viewBox='0 0 400 300' width='800'>" +
+                             content + "</svg>";
     const Result<Painting> painting = readSvg(bytes, QStringLiteral("a.svg"), nullptr, leftOut);
     return painting ? *painting : Painting();
 }
@@ -94,6 +97,24 @@ private slots:
                                              "<tspan x='200' y='110'>and four</tspan></text>");
         QTest::newRow("line") << QByteArray("<path id='p' d='M20 100C100 20 200 180 300 90' fill='none'/>"
                                             "<text font-size='20'><textPath href='#p'>Along it</textPath></text>");
+        const QByteArray wave = "<path id='p' d='M20 100C100 20 200 180 300 90' fill='none'/>";
+        QTest::newRow("from a length on") << QByteArray(
+            wave + "<text font-size='20'><textPath xlink:href='#p' startOffset='41'>Along it</textPath></text>");
+        QTest::newRow("from a share on") << QByteArray(
+            wave + "<text font-size='20'><textPath href='#p' startOffset='30%'>Along it</textPath></text>");
+        QTest::newRow("around a share") << QByteArray(wave + "<text font-size='20' text-anchor='middle'><textPath "
+                                                             "href='#p' startOffset='40%'>Along it</textPath></text>");
+        QTest::newRow("up to a share") << QByteArray(wave + "<text font-size='20' text-anchor='end'><textPath "
+                                                            "href='#p' startOffset='90%'>Along it</textPath></text>");
+        QTest::newRow("on a straight line")
+            << QByteArray("<line id='p' x1='10' y1='200' x2='300' y2='120'/><text font-size='20'><textPath href='#p' "
+                          "startOffset='12.5'>Along it</textPath></text>");
+        QTest::newRow("Hebrew on a line") << QByteArray(
+            wave + "<text font-size='20'><textPath href='#p' startOffset='50'>\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d"
+                   "</textPath></text>");
+        QTest::newRow("Hebrew up to its end")
+            << QByteArray(wave + "<text font-size='20' direction='rtl'><textPath href='#p' startOffset='100%'>"
+                                 "\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d</textPath></text>");
         QTest::newRow("Hebrew") << QByteArray("<text x='200' y='50' font-size='30'>\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d"
                                               "</text>");
         QTest::newRow("Hebrew from the right") << QByteArray(
@@ -134,6 +155,75 @@ private slots:
         QCOMPARE(after.strokes[4]->fill->colour, before.strokes[0]->fill->colour);
     }
 
+    /// Wherever the line stands in the drawing: what becomes of its stroke becomes of the text.
+    void textsFollowTheStrokesOfDrawings_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<bool>("follows");
+        const QByteArray wave = "<path id='p' d='M20 100C100 20 200 180 300 90' fill='none' stroke='#268' "
+                                "stroke-width='3' stroke-linecap='round' stroke-linejoin='round'/>";
+        const auto along = [](const QByteArray &offset, const QByteArray &reference = "href='#p'") {
+            return "<textPath " + reference + " startOffset='" + offset + "'>Along it</textPath></text>";
+        };
+        QTest::newRow("whole") << wave + "<text font-size='20'>" + along("0") << true;
+        QTest::newRow("xlink, before it") << "<text font-size='20'>" + along("0", "xlink:href='#p'") + wave << true;
+        QTest::newRow("from a length on") << wave + "<text font-size='20'>" + along("35") << true;
+        QTest::newRow("around a share") << wave + "<text font-size='20' text-anchor='middle'>" + along("45%") << true;
+        QTest::newRow("moved apart") << "<g transform='translate(9 20) rotate(10)'>" + wave +
+                                            "</g><text font-size='20' transform='scale(.8)'>" + along("10")
+                                     << true;
+        QTest::newRow("a line") << QByteArray("<line id='p' x1='20' y1='60' x2='350' y2='80' stroke='#268' "
+                                              "stroke-linecap='round'/><text font-size='20'>") +
+                                       along("20%")
+                                << true;
+        QTest::newRow("an area") << QByteArray("<path id='p' d='M20 100C100 20 200 180 300 90V200H20Z' fill='#268'/>"
+                                               "<text font-size='20'>") +
+                                        along("15")
+                                 << true;
+        QTest::newRow("used elsewhere") << "<defs>" + wave +
+                                               "</defs><use href='#p' x='12' y='40'/>"
+                                               "<text font-size='20'>" +
+                                               along("0")
+                                        << true;
+        QTest::newRow("not painted") << "<defs>" + wave + "</defs><text font-size='20'>" + along("0") << false;
+        QTest::newRow("dashed") << QByteArray(wave).replace("/>", " stroke-dasharray='9'/>") + "<text font-size='20'>" +
+                                       along("0")
+                                << false;
+    }
+    void textsFollowTheStrokesOfDrawings()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(bool, follows);
+        Document document;
+        document.reset(std::make_shared<Painting>(read(content)));
+        const Painting before = *document.painting();
+        const auto group = std::ranges::find_if(before.groups, [](const Group &g) { return bool(g.text); });
+        QVERIFY(group != before.groups.end());
+        QCOMPARE(group->text->follows != 0, follows);
+        if (!follows)
+            return;
+        QVERIFY(textAround(before, *before.find(group->text->follows)) == 0);
+        Edit edit = changeStrokes(document, {group->text->follows}, [](Stroke &stroke) {
+            stroke.segments.front().bezier[1].y += 60;
+            stroke.origin.x += 20;
+        });
+        TextLayout layout;
+        completeTexts(before, edit, [&](const Text &text) { return layout.lay(text); });
+        document.exchange(edit);
+        const Painting &after = *document.painting();
+        const Text text = *textOf(after, group->id);
+        QVERIFY(text.curve != group->text->curve);
+        const BaselineCurve led(mapped(baselineOf(*after.find(text.follows)), text.followMap)),
+            old(mapped(baselineOf(*before.find(text.follows)), group->text->followMap));
+        const auto is = led.endsOf(BaselineCurve(text.curve)), was = old.endsOf(BaselineCurve(group->text->curve));
+        QVERIFY(is && was);
+        QVERIFY(std::abs(is->first / led.length() - was->first / old.length()) < 0.01);
+        QVERIFY(std::abs(is->second / led.length() - was->second / old.length()) < 0.01);
+        Painting lettersAlone = after;
+        std::erase_if(lettersAlone.groups, [&](const Group &g) { return g.id != group->id; });
+        QVERIFY2(apart(lettersAlone) < 1e-2, qPrintable(QString::number(apart(lettersAlone))));
+    }
+
     void otherFontsStandInAndAreNamed()
     {
         QString leftOut;
@@ -155,7 +245,7 @@ private slots:
               "<text y='50' font-size='20'>Old <tspan fill='red'>title</tspan></text>",
               "<text y='50' font-size='20' fill='none' stroke='red' stroke-linejoin='round'>Old title</text>",
               "<path id='p' d='M20 100C100 20 200 180 300 90' fill='none'/>"
-              "<text font-size='20'><textPath href='#p' startOffset='30'>Old title</textPath></text>"}) {
+              "<text font-size='20'><textPath href='#p' startOffset='-30'>Old title</textPath></text>"}) {
             QString leftOut;
             const Painting painting = read(content, &leftOut);
             QCOMPARE(leftOut, said);

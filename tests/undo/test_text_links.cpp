@@ -49,6 +49,34 @@ struct WavePage : TextPage {
     void select(const std::set<StrokeId> &strokes) { document.setSelection({strokes, {}}); }
     std::set<StrokeId> letters(GroupId group) const { return strokesWithin(painting(), group); }
 
+    std::vector<StrokeId> lettersInOrder() { return lettersOf(painting(), text, layout.lay(set())); }
+    double middleOf(StrokeId letter) const { return curveBox(*painting().find(letter)).centre().x; }
+    /// Erases out of a letter along the pieces 0, 1, … of a path, of which it may have some. Each is born 100 µs later.
+    void erase(StrokeId letter, const std::function<std::optional<std::pair<Point, Point>>(int)> &piece)
+    {
+        push(changeStrokes(document, {letter}, [&piece](Stroke &stroke) {
+            bool goesOn = false;
+            for (int k = 0; k < 60; ++k) {
+                const auto ends = piece(k);
+                if (!ends) {
+                    goesOn = false;
+                    continue;
+                }
+                Segment erasure;
+                erasure.lift = true;
+                erasure.start = !std::exchange(goesOn, true);
+                erasure.maxAge = 0.1f;
+                erasure.born = 100 * k;
+                for (int i = 0; i < 4; ++i)
+                    erasure.bezier[std::size_t(i)] =
+                        toOffset(ends->first + (i / 3.0) * (ends->second - ends->first), stroke.origin);
+                if (!erasure.start)
+                    erasure.bezier[0] = stroke.segments.back().bezier[3];
+                stroke.segments.push_back(erasure);
+            }
+        }));
+    }
+
     /// How far the letters of a text are from where it is set, at most; canvas units.
     double strayOf(GroupId group)
     {
@@ -120,6 +148,80 @@ private slots:
         page.push(transformSelection(page.document, Affine::translation({30, -20}), SpreadRule::Scales));
         QVERIFY(length(page.letter(1)->origin - was - Point{30, -20}) < 1e-6);
         QVERIFY(page.strayOf(page.text) < 1e-3);
+    }
+
+    /// What one drag of the eraser took from several letters stays one path where the line bends strongly: its parts
+    /// in letters beside each other still lie upon each other, it keeps its distance from the line, and it comes back.
+    void anErasureOverSeveralLettersBends()
+    {
+        WavePage page;
+        const std::vector<StrokeId> letters = page.lettersInOrder();
+        const auto level = [](Stroke &stroke) {
+            for (Segment &segment : stroke.segments)
+                for (Offset &p : segment.bezier)
+                    p.y = 0;
+        };
+        page.reshape(level);
+        constexpr double above = 20, piece = 8;
+        for (const StrokeId id : letters) // each part of the path in the letters that it may reach
+            page.erase(id, [&page, id](int k) {
+                const Point from{100 + piece * k, 400 - above};
+                const bool reaches = std::abs(from.x + piece / 2 - page.middleOf(id)) < 40;
+                return reaches ? std::optional(std::pair(from, from + Point{piece, 0})) : std::nullopt;
+            });
+        const PaintingPtr straight = page.document.painting();
+        page.reshape([](Stroke &stroke) { stroke.segments[0].bezier[1].y = stroke.segments[0].bezier[2].y = -260; });
+        QVERIFY(page.strayOf(page.text) < 1e-3);
+        const BaselineCurve line(page.set().curve);
+        std::map<Microseconds, Cubic> parts;
+        int shared = 0;
+        for (const StrokeId id : letters) {
+            const StrokePtr letter = page.painting().find(id);
+            for (const Segment &segment : letter->segments) {
+                if (!segment.lift)
+                    continue;
+                const Cubic curve = letter->cubicOf(segment);
+                for (const Point p : {curve.p[0], curve.p[3]}) {
+                    const double along = line.besides(p, piece * double(segment.born) / 100);
+                    QVERIFY(std::abs(length(p - line.at(along).point) - above) < 1e-3);
+                }
+                const auto [other, isNew] = parts.emplace(segment.born, curve);
+                shared += !isNew;
+                for (std::size_t i = 0; i < 4; ++i)
+                    QVERIFY(length(curve.p[i] - other->second.p[i]) < 1e-3);
+            }
+        }
+        QVERIFY(shared > 5);
+        page.reshape(level);
+        for (const StrokeId id : letters) {
+            const StrokePtr was = straight->find(id), is = page.painting().find(id);
+            QCOMPARE(is->segments.size(), was->segments.size());
+            for (std::size_t k = 0; k < is->segments.size(); ++k)
+                for (std::size_t i = 0; i < 4; ++i)
+                    QVERIFY(length(is->origin + is->segments[k].bezier[i] -
+                                   (was->origin + was->segments[k].bezier[i])) < 1e-3);
+        }
+    }
+
+    /// What was erased out of one letter goes with it as it is.
+    void anErasureWithinOneLetterIsTurnedWithIt()
+    {
+        WavePage page;
+        const StrokeId id = page.lettersInOrder()[1];
+        const Stroke before = *page.painting().find(id);
+        const Point corner = before.cubicOf(before.segments.front()).p[0];
+        page.erase(id, [corner](int k) {
+            return k < 2 ? std::optional(std::pair(corner + Point{5.0 * k, 0}, corner + Point{5.0 * k + 5, 0}))
+                         : std::nullopt;
+        });
+        page.reshape([](Stroke &stroke) { stroke.segments[0].bezier[1].y = stroke.segments[0].bezier[2].y = -260; });
+        const StrokePtr after = page.painting().find(id);
+        const Segment &first = after->segments[after->segments.size() - 2], &last = after->segments.back();
+        QVERIFY(first.lift && last.lift);
+        const Point begin = after->cubicOf(first).p[0], end = after->cubicOf(last).p[3];
+        QVERIFY(length(begin - after->cubicOf(after->segments.front()).p[0]) < 1e-3);
+        QVERIFY(std::abs(length(end - begin) - 10) < 1e-3);
+        QVERIFY(std::abs(end.y - begin.y) > 1);
     }
 
     /// A letter keeps what makes it that letter: its colour, and what was drawn otherwise.

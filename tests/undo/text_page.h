@@ -38,8 +38,7 @@ struct TextPage {
     }
     void push(Edit edit)
     {
-        followTexts(painting(), edit);
-        followCurves(painting(), edit, [this](const Text &text) { return layout.lay(text); });
+        completeTexts(painting(), edit, [this](const Text &text) { return layout.lay(text); });
         if (!edit.isEmpty())
             pushStep(stack, document, std::move(edit));
     }

@@ -24,6 +24,7 @@ struct LaidCluster {
     Affine place;                                 ///< from ems to where it stands
     Rect box;                                     ///< what belongs to it, ems
     CaretLine before{}, after{};                  ///< of the caret in front of its first character, and behind its last
+    double along = 0; ///< of its middle along the baseline, canvas units before `Text::place`
 
     bool hasInk() const { return outline != nullptr; }
     /// The corners of its box, in order around it.

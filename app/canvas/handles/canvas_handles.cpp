@@ -1,17 +1,15 @@
 #include "app/canvas/handles/canvas_handles.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace suffuse {
 
 CanvasHandle *CanvasHandles::handleAt(Point pixel) const
 {
-    const auto upwards = std::ranges::reverse_view(m_handles);
-    const auto at =
-        std::ranges::find_if(upwards, [&](const auto &handle) { return handle->cursorAt(pixel).has_value(); });
-    return at == upwards.end() ? nullptr : at->get();
+    const auto at = std::find_if(m_handles.rbegin(), m_handles.rend(),
+                                 [&](const auto &handle) { return handle->cursorAt(pixel).has_value(); });
+    return at == m_handles.rend() ? nullptr : at->get();
 }
 
 bool CanvasHandles::press(const PointerEvent &event)

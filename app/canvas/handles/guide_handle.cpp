@@ -55,8 +55,7 @@ GuideHandle::GuideHandle(DrawingAids &aids, const CanvasView &view, Surroundings
 
 bool GuideHandle::isOnRuler(Point pixel) const
 {
-    const double width = rulerWidth * m_around.dpr();
-    return m_around.aids().showRulers && std::min(pixel.x, pixel.y) < width;
+    return m_around.aids().showRulers && suffuse::isOnRuler(pixel, m_around.dpr());
 }
 
 std::optional<GuideHandle::Hit> GuideHandle::hitAt(Point pixel) const

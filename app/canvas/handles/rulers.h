@@ -24,6 +24,12 @@ RulerUnit unitOf(RulerUnits units, double resolution);
 /// How wide a ruler is, logical pixels.
 inline constexpr double rulerWidth = 18;
 
+/// Whether a pixel of the view (device pixels, as `dpr` to a logical one) lies on one of them, where they are shown.
+inline bool isOnRuler(Point pixel, double dpr)
+{
+    return std::min(pixel.x, pixel.y) < rulerWidth * dpr;
+}
+
 /// What a ruler along an edge of the view counts: that of the two axes of the canvas which lies nearer to the edge's
 /// direction.
 struct RulerScale {

@@ -21,6 +21,23 @@ namespace suffuse {
 namespace {
 
 constexpr int besideChosen = 110; ///< how opaque lines of erasures are that are not selected, where others are
+constexpr int mostChosen = 4000;  ///< selected segments up to which those of erasures have lines above nodes
+
+/// A full line along those of some segments that take paint away, as selected segments have it.
+void paintChosenErasures(QPainter &painter, const View &view, const Painting &painting,
+                         const std::set<SegmentRef> &segments, const OverlayColours &colours, double dpr)
+{
+    if (segments.empty() || segments.size() > std::size_t(mostChosen))
+        return;
+    QPainterPath path;
+    for (const StrokePtr &stroke : painting.strokes)
+        for (auto it = segments.lower_bound({stroke->id, 0}); it != segments.end() && it->stroke == stroke->id; ++it)
+            if (it->segment < int(stroke->segments.size()))
+                if (const Segment &segment = stroke->segments[std::size_t(it->segment)]; segment.takesPaint())
+                    addCurve(path, stroke->cubicOf(segment), view);
+    painter.setRenderHint(QPainter::Antialiasing);
+    strokeTwoTone(painter, path, colours.accent, 2.2 * dpr);
+}
 
 } // namespace
 
@@ -57,13 +74,15 @@ void CanvasOverlay::paint(QPainter &painter, double dpr)
     painter.setRenderHint(QPainter::Antialiasing, false);
     if (!isBare())
         m_missing.paint(painter, m_view.view(), m_editor.unsettled().painting(), m_colours, dpr);
-    paintErasures(painter, dpr); // One of them that is selected is drawn over its line.
     if (showsOutlines())
         paintSelection(painter, dpr);
     painter.restore();
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool() && !isBare())
         tool()->paint(painter, m_view.view(), dpr);
+    painter.save();
+    paintErasures(painter, dpr); // above nodes, which hide all that lies below them in lettering
+    painter.restore();
     m_input.keyboardPen().paint(painter, dpr);
     paintAngle(painter, dpr);
     if (m_aids.showRulers)
@@ -97,8 +116,12 @@ void CanvasOverlay::paintErasures(QPainter &painter, double dpr)
     };
     if (m_aids.showErasures)
         paint(m_erasures, nullptr, !selection.isEmpty());
-    if (!selection.isEmpty() && (m_aids.showErasures || byTool))
-        paint(m_selectedErasures, &selection.strokes, !selection.segments.empty());
+    if (selection.isEmpty() || !(m_aids.showErasures || byTool))
+        return;
+    paint(m_selectedErasures, &selection.strokes, !selection.segments.empty());
+    if (showsOutlines())
+        paintChosenErasures(painter, m_view.view(), *m_editor.unsettled().painting(), selection.segments, m_colours,
+                            dpr);
 }
 
 bool CanvasOverlay::showsErasures() const

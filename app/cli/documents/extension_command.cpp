@@ -8,6 +8,8 @@
 #include "app/extensions/found_extensions.h"
 #include "app/extensions/manifest.h"
 #include "model/formats/files.h"
+#include "undo/lettering/text_setter.h"
+#include "undo/text_links.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -171,9 +173,11 @@ int runOn(const CommandLine &line, const Extension &extension, const QJsonObject
         return fail(QCoreApplication::translate("Cli", "stopped; nothing was written"));
     if (!outcome.error.isEmpty())
         return fail(outcome.error);
-    if (outcome.painting)
-        if (const Result<void> saved = saveDocument(*outcome.painting, {}, line.value("output")); !saved)
+    if (outcome.painting) {
+        const Painting made = withTextsCompleted(*order.painting, *outcome.painting, layAsFilesDo);
+        if (const Result<void> saved = saveDocument(made, {}, line.value("output")); !saved)
             return fail(saved.error());
+    }
     return outcome.said.isEmpty() ? int(Done) : print(outcome.said + '\n');
 }
 

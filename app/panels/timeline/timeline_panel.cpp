@@ -39,7 +39,7 @@ QToolButton *buttonOf(QAction &action, QWidget *parent)
     button->setDefaultAction(&action);
     button->setAutoRaise(true);
     button->setIconSize({18, 18});
-    button->setFocusPolicy(Qt::NoFocus); // The keyboard stays with the canvas or the Timeline.
+    button->setFocusPolicy(Qt::TabFocus); // A click leaves the keyboard with the canvas or the Timeline.
     return button;
 }
 
@@ -88,7 +88,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     fit->setIcon(icon("fit-time"));
     fit->setAutoRaise(true);
     fit->setIconSize({18, 18});
-    fit->setFocusPolicy(Qt::NoFocus);
+    fit->setFocusPolicy(Qt::TabFocus);
     fit->setToolTip(tr("Show all of the time (0). Ctrl+wheel zooms."));
     fit->setAccessibleName(tr("Show all of the time"));
     row->addWidget(fit);

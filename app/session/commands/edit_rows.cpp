@@ -39,7 +39,7 @@ void addEditRows(Commands &table, OpenPainting &open)
         .runs([&editor, say] { say(clipboard::copy(editor)); });
     table.add(Duplicate, "duplicate", Commands::tr("Dup&licate"), "duplicate", {QKeySequence(Commands::tr("Ctrl+D"))})
         .when(selected)
-        .runs([&editor] { commands::duplicateSelected(editor); });
+        .runs([&editor, say] { say(commands::duplicateSelected(editor)); });
     table.add(Deselect, "deselect", Commands::tr("D&eselect"), "", {QKeySequence(Commands::tr("Ctrl+Shift+A"))})
         .when(selected)
         .runs([&editor] { editor.document().setSelection({}); });

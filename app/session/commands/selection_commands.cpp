@@ -83,9 +83,16 @@ QString unseenSelection(const Editor &editor)
                                              int(selection.segments.size()));
 }
 
-void duplicateSelected(Editor &editor)
+QString duplicateSelected(Editor &editor)
 {
+    const PaintingPtr before = editor.document().painting();
     editor.push(duplicateSelection(editor.document(), {0, 0}), QCoreApplication::translate("Commands", "Duplicate"));
+    const bool doublesErasures = !editor.selection().segments.empty() && editor.document().painting() != before;
+    return doublesErasures
+               ? QCoreApplication::translate("Commands",
+                                             "The erasure is there twice now, and takes twice: drag the copy, or move "
+                                             "it with the arrow keys.")
+               : QString();
 }
 
 QString arrangeSelected(Editor &editor, Arrange how)

@@ -16,8 +16,9 @@ QString deleteSelected(Editor &editor);
 /// What to say where something is to be deleted that nobody sees to be selected.
 QString unseenSelection(const Editor &editor);
 /// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
-/// their stroke. Then the copies are selected.
-void duplicateSelected(Editor &editor);
+/// their stroke. Then the copies are selected. Returns what to say of erasures, which are seen to take more and
+/// not to be two.
+QString duplicateSelected(Editor &editor);
 /// Raises or lowers the selected strokes. Returns what to say: the keys are single ones, and a painting tool shows no
 /// selection.
 QString arrangeSelected(Editor &editor, Arrange how);

@@ -15,7 +15,7 @@ namespace {
 
 /// What takes paint away in one chain.
 struct ErasurePart {
-    StrokeId stroke = 0;
+    StrokePtr stroke;
     std::vector<int> segments;
     std::vector<Microseconds> births; ///< in ascending order
     Point from, to;
@@ -60,13 +60,37 @@ bool lieAtOnePlace(const ErasurePart &a, const ErasurePart &b)
     return (meet(a.from, b.from) && meet(a.to, b.to)) || (meet(a.from, b.to) && meet(a.to, b.from));
 }
 
-/// Whether a part is that of another stroke once more, elsewhere. One path of the hand has the same births in several
-/// strokes only at the same place; but what has a single birth may be from farther along the line that the hand drew
-/// in that moment.
+/// Whether one stroke is the other once more: where its paint was laid stroke by stroke of the hand, by its births, and
+/// else by its curves, where these lie.
+bool isPaintCopied(const Stroke &a, const Stroke &b)
+{
+    const auto paintOf = [](const Stroke &stroke) {
+        std::vector<const Segment *> paint;
+        for (const Segment &segment : stroke.segments)
+            if (!segment.takesPaint())
+                paint.push_back(&segment);
+        return paint;
+    };
+    const std::vector<const Segment *> first = paintOf(a), second = paintOf(b);
+    const auto born = [](const Segment *segment) { return segment->born; };
+    if (!std::ranges::equal(first, second, {}, born, born))
+        return false;
+    const bool tellBirths =
+        std::ranges::any_of(first, [&](const Segment *segment) { return segment->born != first.front()->born; });
+    return tellBirths || (a.origin == b.origin && std::ranges::equal(first, second, [](const auto *x, const auto *y) {
+                              return x->bezier == y->bezier;
+                          }));
+}
+
+/// Whether a part is that of another stroke once more. One path of the hand has the same births in several strokes only
+/// at the same place; but what has a single birth may be from farther along the line that the hand drew in that moment.
+/// At one place it is a copy where the stroke is.
 bool isCopy(const ErasurePart &a, const ErasurePart &b)
 {
-    if (a.stroke == b.stroke || a.births != b.births || lieAtOnePlace(a, b))
+    if (a.stroke->id == b.stroke->id || a.births != b.births)
         return false;
+    if (lieAtOnePlace(a, b))
+        return isPaintCopied(*a.stroke, *b.stroke);
     constexpr double within = 0.95; // the cosine of 18°
     const Point way = b.from - a.from;
     const double along = std::abs(a.start.x * way.x + a.start.y * way.y);
@@ -82,7 +106,7 @@ void countCopies(std::span<ErasurePart> parts)
         byAge.clear();
         for (; end < parts.size() && parts[end].births.front() == parts[begin].births.front(); ++end)
             byAge.push_back(&parts[end]);
-        std::ranges::stable_sort(byAge, {}, &ErasurePart::stroke);
+        std::ranges::stable_sort(byAge, {}, [](const ErasurePart *part) { return part->stroke->id; });
         for (std::size_t i = 1; i < byAge.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (isCopy(*byAge[j], *byAge[i]))
@@ -100,7 +124,7 @@ std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &samp
             continue;
         for (const Chain &chain : chainsOf(*stroke)) {
             ErasurePart part;
-            part.stroke = stroke->id;
+            part.stroke = stroke;
             for (int k = chain.first; k <= chain.last; ++k) {
                 const Segment &segment = stroke->segments[std::size_t(k)];
                 if (!segment.takesPaint() || segment.fade != sample.fade || segment.diffusion != sample.diffusion ||
@@ -138,7 +162,7 @@ bool areDoubled(std::span<const ErasurePart> parts)
 {
     std::set<std::tuple<StrokeId, std::size_t, std::vector<Microseconds>>> seen;
     return std::ranges::any_of(parts, [&seen](const ErasurePart &part) {
-        return !seen.emplace(part.stroke, part.segments.size(), part.births).second;
+        return !seen.emplace(part.stroke->id, part.segments.size(), part.births).second;
     });
 }
 
@@ -151,7 +175,7 @@ std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &
         return own;
     const Segment &sample = painting.find(segment.stroke)->segments[std::size_t(segment.segment)];
     const auto hasSegment = [&segment](const ErasurePart &part) {
-        return part.stroke == segment.stroke && std::ranges::binary_search(part.segments, segment.segment);
+        return part.stroke->id == segment.stroke && std::ranges::binary_search(part.segments, segment.segment);
     };
     std::vector<ErasurePart> parts = partsLike(painting, sample);
     const auto found = std::ranges::find_if(parts, hasSegment);
@@ -181,7 +205,7 @@ std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &
     std::set<SegmentRef> segments = own;
     for (const ErasurePart &part : whole)
         for (const int k : part.segments)
-            segments.insert({part.stroke, k});
+            segments.insert({part.stroke->id, k});
     return segments;
 }
 
@@ -220,12 +244,13 @@ std::optional<Selection> withErasure(const Painting &painting, const Selection &
     return chosen;
 }
 
-std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach)
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach,
+                                      const std::set<StrokeId> *only)
 {
     std::optional<ErasurePlace> found;
     const Editable isEditable(painting.groups);
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!stroke->hasErasure() || !isEditable(*stroke))
+        if (!stroke->hasErasure() || (only && !only->contains(stroke->id)) || !isEditable(*stroke))
             continue;
         for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
             const Segment &segment = stroke->segments[k];

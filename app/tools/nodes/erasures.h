@@ -15,7 +15,7 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
 /// unlocked strokes and behind gaps. Nothing in a painting says which parts belong together, so they are told by their
 /// births and size. Parts further apart in time than an erasure takes to dry are parts of another one, unless they
 /// touch, or the hand may have gone straight on from one to the other at its pace. An erasure that was doubled is a
-/// thing of its own, and so is that of a copied stroke, once the copy lies elsewhere.
+/// thing of its own, and so is that of a copied stroke, also where the copy still lies upon it.
 std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &segment);
 /// Whether an erasure of several parts, one of which has the segment, is what is selected.
 bool isWholeErasure(const Painting &painting, const std::set<SegmentRef> &selected, const SegmentRef &segment);
@@ -30,9 +30,10 @@ struct ErasurePlace {
     int segment = 0;
     double p = 0;
 };
-/// The place of an erasure of any visible, unlocked stroke that is nearest to a point, at most so many canvas units
-/// away.
-std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach);
+/// The place of an erasure of a visible, unlocked stroke that is nearest to a point, at most so many canvas units
+/// away. `only`: of these strokes; null: of any.
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach,
+                                      const std::set<StrokeId> *only = nullptr);
 /// The nodes of the erasure that a node belongs to; none where it lies on paint.
 std::set<NodeRef> nodesOfErasureAt(const Painting &painting, const NodeRef &node);
 /// The nodes of those of the segments that take paint away.

@@ -218,7 +218,7 @@ void NodeDrag::showHandle()
         to = view.toCanvas(centre + length(arm) * Point{std::cos(angle), std::sin(angle)});
     }
     const bool breaks = m_now.modifiers & Qt::ShiftModifier;
-    m_gesture.show([&](const Stroke &stroke) {
+    m_gesture.show([&, node = node, after = after](const Stroke &stroke) {
         return withHandleMoved(breaks ? withNodeKind(stroke, {node.node}, NodeKind::Corner) : stroke, node.node, after,
                                to);
     });

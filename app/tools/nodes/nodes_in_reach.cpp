@@ -35,6 +35,12 @@ bool NodesInReach::meansErasure(const NodeRef &node) const
     return !nodes.empty() && std::ranges::none_of(nodes, [this](const NodeRef &n) { return m_nodes.contains(n); });
 }
 
+std::optional<ErasurePlace> NodesInReach::shownErasureAt(Point point, double reach) const
+{
+    const std::set<StrokeId> *only = m_canvas.showsErasures() ? nullptr : &m_canvas.selection().strokes;
+    return erasureAt(*m_editor.layer().reached(), point, reach, only);
+}
+
 std::optional<ErasurePlace> NodesInReach::selectedErasureAt(Point point, double reach) const
 {
     const std::set<SegmentRef> &segments = m_canvas.selection().segments;
@@ -61,6 +67,11 @@ NodeHit NodesInReach::hitAt(const PointerEvent &event, bool narrow) const
         hit.place = {erasure->segment, erasure->p};
         return hit;
     }
+    // Between the nodes of lettering there is no ground without one in reach: over an erasure a node is what is seen of
+    // it.
+    if (hit.mark.node && !m_nodes.contains(*hit.mark.node) && nodesOfErasureAt(*painting, *hit.mark.node).empty() &&
+        shownErasureAt(event.point, reach))
+        hit.mark = markAt(event.pixel, true);
     if (hit.mark.node && meansErasure(*hit.mark.node)) {
         hit.within = std::exchange(hit.mark.node, std::nullopt);
         hit.curve = hit.within->stroke;
@@ -93,7 +104,7 @@ void NodesInReach::findCurve(Point point, double reach, NodeHit &hit) const
         }
     }
     if (!hit.curve && m_canvas.showsErasures())
-        if (const auto erasure = erasureAt(*painting, point, reach)) {
+        if (const auto erasure = shownErasureAt(point, reach)) {
             hit.curve = erasure->stroke;
             hit.place = {erasure->segment, erasure->p};
         }

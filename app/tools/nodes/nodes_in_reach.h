@@ -34,6 +34,8 @@ public:
 
 private:
     bool meansErasure(const NodeRef &node) const;
+    /// The place on an erasure, of those that are shown, that the pointer is over.
+    std::optional<ErasurePlace> shownErasureAt(Point point, double reach) const;
     /// The place on a selected erasure that the pointer is over, where a node or handle of paint is so near that it
     /// would be taken instead: a drag moves what a click has chosen.
     std::optional<ErasurePlace> selectedErasureAt(Point point, double reach) const;

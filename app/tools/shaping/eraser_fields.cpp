@@ -9,6 +9,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -75,9 +77,12 @@ EraserFields::EraserFields(QHBoxLayout &row, const std::function<void()> &addSiz
             choice.softness = std::clamp(value, SoftTip::leastSoftness, SoftTip::greatestSoftness);
         });
     });
-    m_scopes = addChoices(row, {tr("Selected Strokes"), tr("Current Group"), tr("All Strokes")},
-                          tr("From which strokes; without a selection, the first choice means all"),
-                          [this](int i) { change([i](EraserChoice &choice) { choice.scope = EraserScope(i); }); });
+    m_scopes =
+        addChoices(row, {}, tr("From which strokes; without a selection, the first choice means all"), [this](int i) {
+            const auto scope = EraserScope(m_scopes->itemData(i).toInt());
+            change([scope](EraserChoice &choice) { choice.scope = scope; });
+        });
+    showScopes();
     m_lifts = quietLabel(tr("Sharp edges draw in."), row.parentWidget());
     m_lifts->setWordWrap(false);
     row.addSpacing(10);
@@ -107,15 +112,29 @@ void EraserFields::change(const std::function<void(EraserChoice &)> &change)
 
 void EraserFields::setAnySelected(bool selected)
 {
+    if (std::exchange(m_anySelected, selected) != selected)
+        showScopes();
+}
+
+/// While nothing is selected, two of them mean all strokes: the one that is chosen is there then.
+void EraserFields::showScopes()
+{
     //: scope of the eraser, while no stroke is selected
-    m_scopes->setItemText(int(EraserScope::Selected), selected ? tr("Selected Strokes") : tr("All (None Selected)"));
+    const QString names[] = {m_anySelected ? tr("Selected Strokes") : tr("All (None Selected)"), tr("Current Group"),
+                             tr("All Strokes")};
+    const EraserScope unneeded = m_choice.scope == EraserScope::All ? EraserScope::Selected : EraserScope::All;
+    m_scopes->clear();
+    for (const EraserScope scope : {EraserScope::Selected, EraserScope::Group, EraserScope::All})
+        if (m_anySelected || scope != unneeded)
+            m_scopes->addItem(names[int(scope)], int(scope));
+    m_scopes->setCurrentIndex(m_scopes->findData(int(m_choice.scope)));
 }
 
 void EraserFields::show(const EraserChoice &choice)
 {
     m_choice = choice;
     m_modes->setCurrentIndex(int(choice.mode));
-    m_scopes->setCurrentIndex(int(choice.scope));
+    showScopes();
     m_strength->setValue(choice.strength);
     m_softness->setValue(choice.softness);
     m_strength->setEnabled(choice.mode != EraserMode::Cut);

@@ -67,8 +67,10 @@ private:
     QComboBox *addChoices(QHBoxLayout &row, const QStringList &names, const QString &toolTip,
                           const std::function<void(int)> &take);
     void change(const std::function<void(EraserChoice &)> &change);
+    void showScopes();
 
     EraserChoice m_choice;
+    bool m_anySelected = false;
     QComboBox *m_modes = nullptr;
     QComboBox *m_scopes = nullptr;
     NumberField *m_strength = nullptr;

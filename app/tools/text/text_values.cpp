@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/tools/text/text_row.h"
 #include "app/tools/text/text_style.h"
+#include "model/shaping/baseline_curve.h"
 #include "undo/text_edits.h"
 #include "undo/text_links.h"
 

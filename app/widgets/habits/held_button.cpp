@@ -24,20 +24,20 @@ public:
             return true;
         if (watched != &m_widget)
             return QObject::eventFilter(watched, event);
-        const auto &mouse = *static_cast<const QMouseEvent *>(event);
+        const auto mouse = [event]() -> const QMouseEvent & { return *static_cast<const QMouseEvent *>(event); };
         switch (event->type()) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick:
             if (!isHeld())
-                take(mouse);
+                take(mouse());
             break;
         case QEvent::MouseMove:
-            if (isHeld() && !(mouse.buttons() & m_button))
+            if (isHeld() && !(mouse().buttons() & m_button))
                 letGo();
-            follow(mouse);
+            follow(mouse());
             break;
         case QEvent::MouseButtonRelease:
-            if (mouse.button() == m_button)
+            if (mouse().button() == m_button)
                 forget();
             break;
         default:

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace suffuse {
@@ -58,6 +59,18 @@ void setText(QWidget *widget, const QString &text)
         static_cast<QAbstractButton *>(widget)->setText(text);
 }
 
+/// An underlined letter is drawn by itself, without the kerning with which Qt measures a label, which then would cut
+/// the end of its text: of "Te" and "Va" that is some pixels.
+void keepRoom(QLabel &label, const QString &text, qsizetype letter)
+{
+    const QFontMetricsF metrics(label.font());
+    const double apart = metrics.horizontalAdvance(text.left(letter)) + metrics.horizontalAdvance(text[letter]) +
+                         metrics.horizontalAdvance(text.mid(letter + 1));
+    const double more = apart - metrics.horizontalAdvance(text);
+    if (more > 0 && !label.wordWrap())
+        label.setMinimumWidth(label.sizeHint().width() + int(std::ceil(more)));
+}
+
 const QWidget *pageOf(const QWidget *widget, const QList<QTabWidget *> &tabs)
 {
     for (const QTabWidget *tab : tabs)
@@ -79,7 +92,8 @@ std::vector<Holder> holdersIn(const QWidget &dialog)
             holders.push_back({widget, pageOf(widget, tabs)});
     }
     // Texts of a single letter come first, since they have no choice.
-    std::ranges::stable_partition(holders, [](const Holder &holder) { return textOf(holder.widget).size() == 1; });
+    std::stable_partition(holders.begin(), holders.end(),
+                          [](const Holder &holder) { return textOf(holder.widget).size() == 1; });
     return holders;
 }
 
@@ -107,10 +121,13 @@ public:
     {
         for (std::size_t i = 0; i < m_holders.size(); ++i) {
             const QString text = textOf(m_holders[i].widget);
-            if (m_given[i] >= 0)
+            if (m_given[i] >= 0) {
                 setText(m_holders[i].widget, QString(text).insert(m_given[i], u'&'));
-            else if (!m_letters[i].isNull() && mnemonicOf(text).isNull())
+                if (auto *label = qobject_cast<QLabel *>(m_holders[i].widget))
+                    keepRoom(*label, text, m_given[i]);
+            } else if (!m_letters[i].isNull() && mnemonicOf(text).isNull()) {
                 setText(m_holders[i].widget, QStringLiteral("%1(&%2)").arg(text, m_letters[i]));
+            }
         }
     }
 

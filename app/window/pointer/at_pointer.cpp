@@ -1,6 +1,7 @@
 #include "app/window/pointer/at_pointer.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/canvas/handles/rulers.h"
 #include "app/session/commands/commands.h"
 #include "app/session/commands/session_rows.h"
 #include "app/session/open_painting.h"
@@ -81,7 +82,7 @@ Point AtPointer::here() const
 void AtPointer::ask(const PointerEvent &event)
 {
     const bool paints = m_place.commands[Command::Brush].isChecked() && !(event.modifiers & Qt::ShiftModifier);
-    if (paints)
+    if (paints && !isOnRuler(event.pixel))
         openPalette(event.pixel);
     else
         openMenu(event.pixel);
@@ -101,8 +102,18 @@ void AtPointer::menuByKey()
     openMenu(here());
 }
 
+bool AtPointer::isOnRuler(Point pixel) const
+{
+    return m_place.canvas.aids().showRulers && suffuse::isOnRuler(pixel, m_place.canvas.devicePixelRatioF());
+}
+
 void AtPointer::openMenu(Point pixel)
 {
+    if (isOnRuler(pixel)) {
+        fillRulerMenu(*m_menu, m_place);
+        m_menu->popup(onScreen(pixel));
+        return;
+    }
     Editor &editor = m_place.open.editor;
     const Commands &table = m_place.commands;
     const Point point = m_place.canvas.view().toCanvas(pixel);

@@ -17,9 +17,9 @@ namespace suffuse {
 class BrushPalette;
 class ValueCard;
 
-/// With the Brush the right button opens the palette, with Shift and with every other tool the menu. A double click of
-/// the Select tool on paint opens its values. All three have keys, too, and open at the pointer then, or at the
-/// selection where the pointer is elsewhere.
+/// With the Brush the right button opens the palette, with Shift and with every other tool the menu; on a ruler it
+/// opens the ruler's menu. A double click of the Select tool on paint opens its values. All three have keys, too, and
+/// open at the pointer then, or at the selection where the pointer is elsewhere.
 class AtPointer : public QObject {
     Q_OBJECT
 
@@ -32,6 +32,7 @@ public:
 private:
     void addRows();
     void ask(const PointerEvent &event);
+    bool isOnRuler(Point pixel) const;
     void openMenu(Point pixel);
     void openPalette(Point pixel);
     void openValues(Point pixel, std::optional<SegmentRef> at);

@@ -138,8 +138,9 @@ void addForSelection(QMenu &menu, const Commands &table)
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "A&rrange"), table, {{Top, Raise, Lower, Bottom}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Trans&form"), table,
               {{FlipAcross, FlipDown, QuarterLeft, QuarterRight}});
-    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "R&eshape"), table,
-              {{SimplifyStrokes, RefitStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
+    addUsable(
+        menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "R&eshape"), table,
+        {{SimplifyStrokes, RefitStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Com&bine and Break"), table,
               {{CombineStrokes, BreakApart, RemoveErasures},
                {UniteAreas, SubtractAreas, IntersectAreas, ExcludeAreas, DivideAreas},
@@ -149,6 +150,13 @@ void addForSelection(QMenu &menu, const Commands &table)
               {{SameColour, SameStyle, SameBrush, SameName}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Dr&ying"), table,
               {{LetDry, FreezeNow, Rewet, RemoveRewetting}});
+}
+
+void clear(QMenu &menu)
+{
+    const QList<QMenu *> submenus = menu.findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
+    menu.clear();
+    qDeleteAll(submenus);
 }
 
 void addForCanvas(QMenu &menu, const Commands &table)
@@ -175,9 +183,7 @@ std::vector<SegmentRef> strokesAt(const Workplace &place, Point point)
 
 void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found, Point point)
 {
-    const QList<QMenu *> submenus = menu.findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
-    menu.clear();
-    qDeleteAll(submenus);
+    clear(menu);
     addStrokes(menu, place, found, point);
     if (place.commands[Command::Brush].isChecked())
         addUsable(menu, place.commands, {Command::BrushPalette});
@@ -185,6 +191,16 @@ void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<Segme
         addForCanvas(menu, place.commands);
     else
         addForSelection(menu, place.commands);
+}
+
+void fillRulerMenu(QMenu &menu, const Workplace &place)
+{
+    using enum Command;
+    clear(menu);
+    addUsable(menu, place.commands, {RulersInUnits, RulersInMillimetres, RulersInInches});
+    addUsable(menu, place.commands, {AddLevelGuide, AddUprightGuide, RemoveGuides});
+    addUsable(menu, place.commands, {ShowGuides, SnapToGuides, LockGuides});
+    addUsable(menu, place.commands, {ShowRulers});
 }
 
 } // namespace suffuse

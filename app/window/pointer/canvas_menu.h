@@ -19,4 +19,7 @@ std::vector<SegmentRef> strokesAt(const Workplace &place, Point point);
 /// the tool in use, or, where nothing is selected, with the canvas. Only what can be used now is in it.
 void fillCanvasMenu(QMenu &menu, const Workplace &place, const std::vector<SegmentRef> &found, Point point);
 
+/// Fills a menu with what can be done with rulers: what they count, and their guides.
+void fillRulerMenu(QMenu &menu, const Workplace &place);
+
 } // namespace suffuse

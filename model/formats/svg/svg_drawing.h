@@ -29,21 +29,31 @@ struct SvgPath {
     std::optional<Shade> shade;
     bool isEvenOdd = false; ///< the rule by which an area is inside its curves
     double strokeWidth = 1; ///< user units of the drawing
+    int lead = -1;          ///< which of the drawing's leads it is; −1: no text stands along it
     QString name;           ///< Inkscape's label, <title> or id; may be empty
     int group = -1;         ///< the index of a group of the drawing; −1: none
 };
 
 /// A <g>, or an element that works like one.
 struct SvgGroup {
-    QString name;            ///< as that of a path
-    int parent = -1;         ///< the index of a group before this one; −1: none
-    SharedText text{};       ///< of a <text> that can be typed in again; its place is in units of the document
+    QString name;    ///< as that of a path
+    int parent = -1; ///< the index of a group before this one; −1: none
+    /// Of a <text> that can be typed in again. Its place is in units of the document; `followMap` is from the own units
+    /// of the shape along which it stands.
+    SharedText text{};
+    int follows = -1;        ///< the number of the shape along which such a text stands, if any is painted
     std::size_t letters = 0; ///< how many paths such a text has
     QString words{};         ///< of any <text>, for people
     float opacity = 1;       ///< as Suffuse's groups have these three
     BlendMode blend = BlendMode::Normal;
     bool isIsolated = false;
     bool isHidden = false; ///< as a layer that Inkscape has hidden
+};
+
+/// A shape along which texts stand, as it is painted once.
+struct SvgLead {
+    int shape = 0; ///< its number
+    Affine map;    ///< from its own units to those of the document
 };
 
 /// How much of a drawing strokes cannot show.
@@ -66,6 +76,7 @@ struct SvgDrawing {
     /// The groups with more than one thing in them, and those that blend. The paths of a group, including those of
     /// groups within it, stand together.
     std::vector<SvgGroup> groups;
+    std::vector<SvgLead> leads;
     SvgLosses losses;
     /// what is to be seen, in the units of the document (viewBox, or width and height); empty if the document does not
     /// say

@@ -1,7 +1,7 @@
 // The transforms of SVG.
 #pragma once
 
-#include "model/geometry/geometry.h"
+#include "model/geometry/affine.h"
 
 #include <QString>
 #include <QXmlStreamAttributes>
@@ -20,6 +20,7 @@ struct SvgMatrix {
         return {a * o.a + c * o.b, b * o.a + d * o.b,     a * o.c + c * o.d,
                 b * o.c + d * o.d, a * o.e + c * o.f + e, b * o.e + d * o.f + f};
     }
+    explicit operator Affine() const { return {a, c, b, d, {e, f}}; }
     double scale() const { return std::sqrt(std::abs(a * d - b * c)); }
 };
 

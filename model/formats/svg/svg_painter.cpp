@@ -193,7 +193,7 @@ void SvgPainter::paintStroke(const SvgShape &shape)
         if (line.curves.empty())
             continue;
         SvgPath path;
-        path.name = shape.name, path.group = shape.group;
+        path.name = shape.name, path.group = shape.group, path.lead = shape.lead;
         path.stroke = paint.colour;
         path.strokeWidth = style.pen.width * (style.keepsWidth ? 1 : style.matrix.scale());
         path.curves = std::move(line.curves);
@@ -234,7 +234,7 @@ void SvgPainter::addArea(const SvgShape &shape, const SvgLoops &whole, bool isEv
     if (loops.empty())
         return;
     SvgPath area;
-    area.name = shape.name, area.group = shape.group;
+    area.name = shape.name, area.group = shape.group, area.lead = shape.lead;
     area.fill = paint.colour;
     area.isEvenOdd = isEvenOdd && !seen;
     setLoops(area, loops);

@@ -19,6 +19,7 @@ struct SvgShape {
     int group = -1;
     std::optional<Rect> box{}; ///< by which gradients count, user units; no value: that of the lines
     bool isLetter = false;     ///< of a text, which is taken as one thing
+    int lead = -1;             ///< which of the drawing's leads it is
 };
 
 class SvgPainter {

@@ -5,10 +5,12 @@
 #include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
+#include "model/shaping/baseline_curve.h"
 #include "model/shaping/curves/runs.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -18,6 +20,7 @@ namespace {
 
 constexpr qint64 largestSvg = qint64(64) << 20;
 constexpr double largestCanvas = 1e6;
+constexpr std::size_t mostPlaces = 8; ///< of a shape, where texts look for their stroke
 constexpr Style crisp{StyleKind::Uniform, {0.5f, 0.05f, 0}};
 
 /// The values of a segment that is painted with the brush, so that the dry stroke is `width` wide (0: as the brush
@@ -137,19 +140,47 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     return stroke;
 }
 
-/// A text of a drawing whose units are `scale` canvas units, and whose point `corner` comes to (0, 0).
-SharedText placedText(const SharedText &text, Point corner, double scale)
+/// Where a drawing's paths are as strokes.
+struct Placing {
+    const SvgDrawing &drawing;
+    Affine map; ///< from units of the drawing to canvas units
+    /// Of shapes along which texts stand, by their numbers: the strokes that they are, with the maps from the shapes.
+    std::map<int, std::vector<std::pair<StrokePtr, Affine>>> leading{};
+};
+
+/// The text that follows the first stroke along whose curve it stands.
+Text linked(Text text, int shape, const Placing &placing)
 {
-    if (!text)
+    const Affine toCurve = std::exchange(text.followMap, {});
+    const auto strokes = placing.leading.find(shape);
+    if (strokes == placing.leading.end())
+        return text;
+    const BaselineCurve own(text.curve);
+    for (const auto &[stroke, map] : strokes->second) {
+        const std::optional<Affine> back = map.inverse();
+        const std::vector<Cubic> line = back ? mapped(baselineOf(*stroke), toCurve * *back) : std::vector<Cubic>();
+        if (line.empty() || !(isSameCurve(text.curve, line) || BaselineCurve(line).endsOf(own)))
+            continue;
+        text.follows = stroke->id;
+        text.followMap = toCurve * *back;
+        break;
+    }
+    return text;
+}
+
+SharedText placedText(const SvgGroup &group, const Placing &placing)
+{
+    if (!group.text)
         return {};
-    Text placed = *text;
-    placed.place = Affine::scaling({}, scale, scale) * Affine::translation(-1 * corner) * placed.place;
+    Text placed = linked(*group.text, group.follows, placing);
+    placed.place = placing.map * placed.place;
     return problemOf(placed).isEmpty() ? SharedText(std::move(placed)) : SharedText();
 }
 
 /// The groups that have strokes, in them or in groups within them.
-std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const StrokeList &strokes)
+std::vector<Group> heldGroups(const Placing &placing, const StrokeList &strokes)
 {
+    const SvgDrawing &drawing = placing.drawing;
     std::vector<bool> held(drawing.groups.size() + 1, false); // by id
     for (const StrokePtr &stroke : strokes)
         for (GroupId id = stroke->group; id != 0 && !held[id]; id = GroupId(drawing.groups[id - 1].parent + 1))
@@ -162,7 +193,7 @@ std::vector<Group> heldGroups(const SvgDrawing &drawing, Point corner, const Str
             group.id = GroupId(i + 1), group.parent = GroupId(drawn.parent + 1);
             group.name = drawn.name;
             group.visible = !drawn.isHidden;
-            group.text = placedText(drawn.text, corner, drawing.scale);
+            group.text = placedText(drawn, placing);
             group.opacity = drawn.opacity, group.blend = drawn.blend, group.isolated = drawn.isIsolated;
         }
     return groups;
@@ -227,6 +258,8 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
     Painting painting;
     painting.canvas.width = wholeUnits(area.width() * drawing.scale);
     painting.canvas.height = wholeUnits(area.height() * drawing.scale);
+    const Affine map = Affine::scaling({}, drawing.scale, drawing.scale) * Affine::translation({-area.left, -area.top});
+    Placing placing{drawing, map};
     for (const SvgPath &path : drawing.paths) {
         std::optional<Stroke> stroke = strokeAlong(path, {area.left, area.top}, drawing.scale, brush, born);
         if (!stroke)
@@ -234,8 +267,14 @@ Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microsecon
         stroke->id = StrokeId(painting.strokes.size() + 1);
         stroke->group = GroupId(path.group + 1);
         painting.strokes.push_back(std::make_shared<const Stroke>(std::move(*stroke)));
+        if (path.lead >= 0) {
+            const SvgLead &lead = drawing.leads[std::size_t(path.lead)];
+            // A shape that is used all over the drawing leads by its first places, so that no file takes minutes.
+            if (auto &strokes = placing.leading[lead.shape]; strokes.size() < mostPlaces)
+                strokes.emplace_back(std::as_const(painting.strokes).back(), map * lead.map);
+        }
     }
-    painting.groups = heldGroups(drawing, {area.left, area.top}, painting.strokes);
+    painting.groups = heldGroups(placing, painting.strokes);
     return painting;
 }
 

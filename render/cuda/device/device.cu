@@ -4,8 +4,8 @@
 
 #include "render/cuda/device/gl_interop.h"
 #include "render/cuda/gradient/gradient_kernels.cuh"
-#include "render/cuda/tiles/kernels.cuh"
 #include "render/cuda/nodes/node_kernels.cuh"
+#include "render/cuda/tiles/kernels.cuh"
 
 namespace suffuse::cuda {
 
@@ -32,6 +32,10 @@ public:
             cudaGraphExecDestroy(m_runnable);
         if (m_graph)
             cudaGraphDestroy(m_graph);
+        if (m_forked)
+            cudaEventDestroy(m_forked);
+        if (m_side)
+            cudaStreamDestroy(m_side);
     }
 
     cudaError_t launch(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
@@ -52,10 +56,9 @@ private:
         if (error != cudaSuccess)
             return error;
         error = launchLists(frame, grid, stream);
-        if (error == cudaSuccess && work.plain)
-            error = launchTiles(frame, false, grid, stream);
-        if (error == cudaSuccess && work.general)
-            error = launchTiles(frame, true, grid, stream);
+        if (error == cudaSuccess)
+            error = work.plain && work.general ? launchBoth(frame, grid, stream)
+                                               : launchTiles(frame, work.general, grid, stream);
         const cudaError_t ended = cudaStreamEndCapture(stream, &m_graph);
         if (error == cudaSuccess)
             error = ended;
@@ -63,6 +66,27 @@ private:
         if (error == cudaSuccess)
             error = cudaGraphGetNodes(m_graph, m_node, &m_kernels);
         return error == cudaSuccess ? cudaGraphInstantiate(&m_runnable, m_graph, 0) : error;
+    }
+
+    /// Launches both kernels for tiles side by side: what the last tiles of the general one leave idle, the plain one
+    /// takes.
+    cudaError_t launchBoth(const Frame &frame, const Grid &grid, cudaStream_t stream)
+    {
+        cudaError_t error = cudaSuccess;
+        const auto then = [&](cudaError_t next) { error = error == cudaSuccess ? next : error; };
+        if (!m_side)
+            then(cudaStreamCreateWithFlags(&m_side, cudaStreamNonBlocking));
+        if (!m_forked)
+            then(cudaEventCreateWithFlags(&m_forked, cudaEventDisableTiming));
+        if (error != cudaSuccess)
+            return error;
+        then(cudaEventRecord(m_forked, stream));
+        then(cudaStreamWaitEvent(m_side, m_forked, 0));
+        then(launchTiles(frame, true, grid, stream));
+        then(launchTiles(frame, false, grid, m_side));
+        then(cudaEventRecord(m_forked, m_side));
+        then(cudaStreamWaitEvent(stream, m_forked, 0));
+        return error;
     }
 
     cudaError_t update(const Frame &frame, const Grid &grid)
@@ -88,6 +112,8 @@ private:
     cudaGraphExec_t m_runnable = nullptr;
     cudaGraphNode_t m_node[mostNodes] = {};
     std::size_t m_kernels = 0;
+    cudaStream_t m_side = nullptr; ///< beside the one that is recorded
+    cudaEvent_t m_forked = nullptr;
 };
 
 class CudaDevice : public Device {
@@ -112,11 +138,10 @@ public:
     Fault open()
     {
         cudaDeviceProp properties;
-        for (cudaError_t error :
-             {use(), cudaGetDeviceProperties(&properties, m_index),
-              cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking), cudaEventCreate(&m_begin),
-              cudaEventCreate(&m_end), fillingGrid(m_index, m_grid), fillingMergers(m_index, m_mergers),
-              fillingGradient(m_index, m_gradientWarps)})
+        for (cudaError_t error : {use(), cudaGetDeviceProperties(&properties, m_index),
+                                  cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking),
+                                  cudaEventCreate(&m_begin), cudaEventCreate(&m_end), fillingGrid(m_index, m_grid),
+                                  fillingMergers(m_index, m_mergers), fillingGradient(m_index, m_gradientWarps)})
             if (error != cudaSuccess)
                 return faultOf(error);
         m_name = properties.name;

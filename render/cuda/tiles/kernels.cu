@@ -29,7 +29,7 @@ __global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __g
 }
 
 /// So many warps run at once on a multiprocessor, which is to a GPU what a core is to a processor.
-constexpr int plainWarps = 12, generalWarps = 5;
+constexpr int plainWarps = 12, generalWarps = 8;
 
 /// Returns a block's first place in the order. Where blocks are made ready while lists are made, those of one
 /// multiprocessor get numbers in a row, and tiles of like weights go well together there. But one multiprocessor with

@@ -151,7 +151,9 @@ struct alignas(16) StrokeRecord {
     /// φ_f. If it has a fill, that is separable and its colours lie on a line; a crisp one is all that the stroke has.
     /// It has no picture.
     std::uint8_t plain = 0;
-    std::uint8_t padding = 0;
+    /// A simple stroke is plain, or would be if its pixels were not supersampled and it had no picture. Its fill is not
+    /// crisp.
+    std::uint8_t simple = 0;
     std::uint32_t channels = 0;
     std::uint32_t picture = 0; ///< 1 more than the index of its picture; 0: it has none
     std::uint32_t firstChunk = 0, chunks = 0;

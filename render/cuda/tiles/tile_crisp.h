@@ -149,6 +149,9 @@ template <class Warp>
 SUFFUSE_CALL int addCover(Warp warp, const FillCover cover, const Fetched &chunk, int records, const FillValues &fill,
                           std::int32_t cellX, std::int32_t cellY, const Block block)
 {
+    SUFFUSE_IN_SHARED(chunk);
+    SUFFUSE_IN_SHARED(*cover.covered);
+    SUFFUSE_IN_SHARED(*cover.borders);
     const FillRegion region = fillRegion(fill, cellX, cellY, block.x, block.y, block.step);
     typename Warp::template Var<std::uint32_t> use;
     std::uint32_t hits = warp.ballot([&](int lane) {
@@ -173,19 +176,10 @@ SUFFUSE_CALL int addCover(Warp warp, const FillCover cover, const Fetched &chunk
     return base;
 }
 
-/// Tells whether a curve runs through a pixel's square, grown on all sides. Both coordinates of it are monotone, so
-/// that its part at the heights of the square lies between the ends of that part.
-SUFFUSE_PROGRAM bool meetsPixel(const FillCurve &curve, float column, float row, float grown)
-{
-    const float left = column - grown, right = column + 1 + grown, top = row - grown, bottom = row + 1 + grown;
-    const auto meets = [&](float x0, float x1) { return math::min_(x0, x1) < right && math::max_(x0, x1) > left; };
-    if (!(curve.y[0] < bottom && curve.y[3] > top && meets(curve.x[0], curve.x[3])))
-        return false;
-    const float from = FillCurve::parameterAt(curve.y, top), to = FillCurve::parameterAt(curve.y, bottom);
-    return meets(FillCurve::at(curve.x, from), FillCurve::at(curve.x, to));
-}
-
-/// Raises the level of the pixels of a job's tile that lie near one panel or flat. Returns whether there are any.
+/// Raises the level of the pixels of a job's tile that lie near one panel or flat, whose curve runs through their
+/// squares if these are grown by `nearby` on all sides. Returns whether there are any. Both coordinates of the curve
+/// are monotone, so that its part at the heights of a row of squares lies between the ends of that part. Each lane
+/// finds one such end.
 template <class Warp>
 SUFFUSE_PROGRAM bool markNear(Warp &warp, const NodeRecord *from, const ApartJob &job, float nearby, std::uint8_t level,
                               std::uint8_t *levels)
@@ -199,11 +193,29 @@ SUFFUSE_PROGRAM bool markNear(Warp &warp, const NodeRecord *from, const ApartJob
         rest.x1 = rest.x2 = rest.x3 = float(record.x1 - record.x0) * (1.0f / fillUnits);
     }
     const FillCurve curve(record, rest, job.column, job.row, Block{});
+    const auto meets = [&](float x0, float x1, float left, float side) {
+        return math::min_(x0, x1) < left + side + nearby && math::max_(x0, x1) > left - nearby;
+    };
+    constexpr float side = tileSide;
+    if (!(curve.y[0] < side + nearby && curve.y[3] > -nearby && meets(curve.x[0], curve.x[3], 0, side)))
+        return false;
+    typename Warp::template Var<float>
+        end; // of the part at a row: its upper end, and from lane tileSide on its lower one
+    warp.each([&](int lane) {
+        const float row = float(lane % tileSide);
+        end[lane] =
+            FillCurve::at(curve.x, FillCurve::parameterAt(curve.y, lane < tileSide ? row - nearby : row + 1 + nearby));
+    });
     return warp.any([&](int lane) {
         bool marked = false;
+        SUFFUSE_UNROLL
         for (int k = 0; k < laneSamples; ++k) {
+            const int row = sampleRow(lane, k);
+            const float upper = warp.read(end, row), lower = warp.read(end, row + tileSide);
+            const float left = float(sampleColumn(lane, k)), top = float(row);
             std::uint8_t &own = levels[sampleAt(lane, k)];
-            if (own < level && meetsPixel(curve, float(sampleColumn(lane, k)), float(sampleRow(lane, k)), nearby))
+            if (own < level && curve.y[0] < top + 1 + nearby && curve.y[3] > top - nearby &&
+                meets(curve.x[0], curve.x[3], left, 1) && meets(upper, lower, left, 1))
                 own = level, marked = true;
         }
         return marked;
@@ -211,12 +223,14 @@ SUFFUSE_PROGRAM bool markNear(Warp &warp, const NodeRecord *from, const ApartJob
 }
 
 /// Raises the level of the pixels of a job's tile that lie as near to the boundary of a thin fill as docs/solver.md
-/// says
-/// ("Supersampling"). Returns whether there are any. `levels` is arranged as sampleAt says.
+/// says ("Supersampling"). Returns whether there are any. `levels` is arranged as sampleAt says.
 template <class Warp>
 SUFFUSE_CALL bool markThinFill(Warp warp, const Frame &frame, const ApartJob job, const StrokeRecord &stroke,
                                std::uint8_t *levels)
 {
+    SUFFUSE_IS_LAUNCHED(frame);
+    SUFFUSE_IN_SHARED(stroke);
+    SUFFUSE_IN_SHARED(*levels);
     const std::int32_t cellX = job.column, cellY = job.row;
     const FillValues &fill = frame.fills[stroke.fillValues];
     const float nearby = float(fill.nearby);

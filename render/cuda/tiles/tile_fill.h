@@ -125,21 +125,19 @@ SUFFUSE_PROGRAM void addFillEntries(Warp &warp, const Listing &listing, const Bl
     }
 }
 
-/// The same for a fill whose Gaussian lies askew: u = a·dx + b·dy. The sums lie in planes of shared memory. Such fills
-/// are rare, so this is called, not inlined.
+/// The same for a fill whose Gaussian lies askew: u = a·dx + b·dy. Such fills are rare, so this is called, not inlined.
 template <class Warp>
 SUFFUSE_CALL void addObliqueFill(Warp warp, int entries, const FillValues &fill, const Block block, const SumScratch &s,
-                                 float (*planes)[tileSize])
+                                 typename Warp::template Var<AllSums> &sums)
 {
     constexpr float halfInverseRootPi = 0.28209479f;
     const float a = fill.along, b = float(fill.b), c = fill.down;
     warp.each([&](int lane) {
         SUFFUSE_ROLLED
         for (int k = 0; k < laneSamples; ++k) {
-            const int at = sampleAt(lane, k);
-            const float x = math::mulAdd_(float(sampleColumn(lane, k)) - 7.5f, block.step, block.x);
-            const float y = math::mulAdd_(float(sampleRow(lane, k)) - 7.5f, block.step, block.y);
-            float density = planes[0][at], slopeX = planes[1][at], slopeY = planes[2][at];
+            const float x = sampleX(lane, k, block), y = sampleY(lane, k, block);
+            SampleSums &own = sums[lane].sums;
+            float density = own.density[k], slopeX = own.slopeX[k], slopeY = own.slopeY[k];
             SUFFUSE_ROLLED
             for (int n = 0; n < entries; ++n) {
                 const ListedNode entry = s.listed[n];
@@ -149,13 +147,13 @@ SUFFUSE_CALL void addObliqueFill(Warp warp, int entries, const FillValues &fill,
                 const float u = event ? v : math::mulAdd_(a, dx, b * dy);
                 const float e = event ? row : math::exp2_(-float(math::log2e) * (u * u));
                 const float weight = event ? entry.second.z : entry.second.w * row;
-                const float tail = halfErfcTail(u, e), own = weight * (u < 0 ? tail : 1 - tail);
+                const float tail = halfErfcTail(u, e), part = weight * (u < 0 ? tail : 1 - tail);
                 const float steep = -halfInverseRootPi * weight * e; // −½ of the slope along u, or of an event along v
-                density += own;
+                density += part;
                 slopeX += event ? 0.0f : a * steep * (1 / slopeUnit);
-                slopeY += (event ? c * steep : math::mulAdd_(b, steep, c * (own * v))) * (1 / slopeUnit);
+                slopeY += (event ? c * steep : math::mulAdd_(b, steep, c * (part * v))) * (1 / slopeUnit);
             }
-            planes[0][at] = density, planes[1][at] = slopeX, planes[2][at] = slopeY;
+            own.density[k] = density, own.slopeX[k] = slopeX, own.slopeY[k] = slopeY;
         }
     });
 }

@@ -17,6 +17,7 @@ SUFFUSE_PROGRAM void toCanvas(const Frame &frame, double X, double Y, double &x,
 /// Returns η of a sample at (X, Y) that is `step` wide, all in pixels.
 SUFFUSE_CALL float etaAt(const Frame &frame, double X, double Y, float step)
 {
+    SUFFUSE_IS_LAUNCHED(frame);
     const PaperParams &p = frame.paper;
     double x, y;
     toCanvas(frame, X, Y, x, y);

@@ -8,10 +8,11 @@
 
 namespace suffuse::cuda {
 
-/// Hands φ′ = γφ and h² = (½γ|∇φ|)² of a plain stroke to its style. `eta` is the paper, or null where it is 1.
+/// Hands φ′ = γφ and h² = (½γ|∇φ|)² of a simple stroke to its style, for samples that are `step` pixels wide. `eta` is
+/// the paper, or null where it is 1.
 template <class Warp>
 SUFFUSE_PROGRAM void giveMeans(Warp &warp, const StrokeRecord &stroke,
-                               const typename Warp::template Var<SampleSums> &sums, const float *eta,
+                               const typename Warp::template Var<SampleSums> &sums, const float *eta, float step,
                                MeanScratch &means)
 {
     const auto give = [&](int lane, auto gammaAt) {
@@ -19,7 +20,7 @@ SUFFUSE_PROGRAM void giveMeans(Warp &warp, const StrokeRecord &stroke,
         SUFFUSE_UNROLL
         for (int k = 0; k < laneSamples; ++k) {
             const int at = sampleAt(lane, k);
-            const float gamma = gammaAt(at), width = gamma * slopeUnit;
+            const float gamma = gammaAt(at), width = gamma * (slopeUnit * step);
             const float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (width * width);
             means.density[at] = math::min_(s.density[k], 1e18f) * gamma;
             means.h2[at] = math::min_(h2, 1e36f);
@@ -31,6 +32,54 @@ SUFFUSE_PROGRAM void giveMeans(Warp &warp, const StrokeRecord &stroke,
             give(lane, [&](int at) { return math::mulAdd_(1 - grain, eta[at], grain); });
         else
             give(lane, [](int) { return 1.0f; });
+    });
+}
+
+/// Says where samples of a simple stroke's fill lie on its line of colours: at from + step·place.
+struct GradientLine {
+    float from = 0, step = 0;
+    FillPlace place;
+};
+/// The tile is counted in tiles.
+SUFFUSE_PROGRAM GradientLine gradientLine(const Frame &frame, const StrokeRecord &stroke, int column, int row)
+{
+    GradientLine line;
+    const int channel = stroke.shade.lineChannel;
+    if (channel < 0)
+        return line;
+    const FillValues &values = frame.fills[stroke.fillValues];
+    line.from = values.from[channel];
+    if (stroke.fill & gradientFill) {
+        line.step = values.step[channel];
+        line.place = {values, (column + 0.5) * tileSide, (row + 0.5) * tileSide};
+    }
+    return line;
+}
+
+/// Makes sums of a fill of density 1, which is entered `base` times left of them, those of a simple stroke's fill,
+/// before nodes are added.
+template <class Warp>
+SUFFUSE_PROGRAM void finishPlainFill(Warp &warp, const StrokeRecord &stroke, const GradientLine &line,
+                                     const Block &block, int base, typename Warp::template Var<SampleSums> &sums,
+                                     typename Warp::template Var<SampleValues> &values)
+{
+    const float full = stroke.fillDensity;
+    warp.each([&](int lane) {
+        SampleSums &s = sums[lane];
+        SUFFUSE_UNROLL
+        for (int k = 0; k < laneSamples; ++k) {
+            const float inside = math::min_(math::max_(s.density[k] + float(base), 0.0f), 1.0f);
+            if (line.step != 0)
+                values[lane].v[k] = full * inside *
+                                    math::mulAdd_(line.step,
+                                                  line.place.at(sampleX(lane, k, block), sampleY(lane, k, block),
+                                                                inside, s.slopeX[k], s.slopeY[k]),
+                                                  line.from);
+            else
+                values[lane].v[k] = full * inside * line.from;
+            s.density[k] = full * inside;
+            s.slopeX[k] *= full, s.slopeY[k] *= full;
+        }
     });
 }
 
@@ -97,7 +146,7 @@ public:
     /// but for how often it is entered left of all panels.
     SUFFUSE_PROGRAM void cover(int base)
     {
-        const GradientLine line = gradientLine();
+        const GradientLine line = gradientLine(m_frame, m_stroke, m_column, m_row);
         float *covered = plainCover(m_s).covered;
         const float full = m_stroke.fillDensity;
         m_warp.each([&](int lane) {
@@ -127,7 +176,7 @@ public:
                     m_values[lane].v[k] = math::min_(m_values[lane].v[k] * m_inverse[lane].v[k], 1.0f);
                 }
             });
-        giveMeans(m_warp, m_stroke, m_sums, eta, m_s.means);
+        giveMeans(m_warp, m_stroke, m_sums, eta, 1, m_s.means);
         return meanOfStyle(m_warp, m_stroke, m_s.means);
     }
 
@@ -168,52 +217,12 @@ public:
     }
 
 private:
-    /// Says where samples of the fill lie on the stroke's line of colours: at from + step·place.
-    struct GradientLine {
-        float from = 0, step = 0;
-        FillPlace place;
-    };
-    SUFFUSE_PROGRAM GradientLine gradientLine() const
-    {
-        GradientLine line;
-        const int channel = m_stroke.shade.lineChannel;
-        if (channel < 0)
-            return line;
-        const FillValues &values = m_frame.fills[m_stroke.fillValues];
-        line.from = values.from[channel];
-        if (m_stroke.fill & gradientFill) {
-            line.step = values.step[channel];
-            line.place = {values, (m_column + 0.5) * tileSide, (m_row + 0.5) * tileSide};
-        }
-        return line;
-    }
-
-    /// Makes sums of a fill of density 1 those of the stroke's fill, before nodes are added.
     SUFFUSE_PROGRAM void finishFill()
     {
-        if (!m_isFillOpen)
-            return;
+        if (m_isFillOpen)
+            finishPlainFill(m_warp, m_stroke, gradientLine(m_frame, m_stroke, m_column, m_row), Block{}, m_base, m_sums,
+                            m_values);
         m_isFillOpen = false;
-        const float base = float(m_base), full = m_stroke.fillDensity;
-        const GradientLine line = gradientLine();
-        m_warp.each([&](int lane) {
-            SampleSums &s = m_sums[lane];
-            SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k) {
-                const float inside = math::min_(math::max_(s.density[k] + base, 0.0f), 1.0f);
-                if (line.step != 0)
-                    m_values[lane].v[k] =
-                        full * inside *
-                        math::mulAdd_(line.step,
-                                      line.place.at(float(sampleColumn(lane, k)) - 7.5f,
-                                                    float(sampleRow(lane, k)) - 7.5f, inside, s.slopeX[k], s.slopeY[k]),
-                                      line.from);
-                else
-                    m_values[lane].v[k] = full * inside * line.from;
-                s.density[k] = full * inside;
-                s.slopeX[k] *= full, s.slopeY[k] *= full;
-            }
-        });
     }
 
     /// Returns F at a sample, after `style`.
@@ -231,8 +240,8 @@ private:
     bool m_isFillOpen = false; ///< whether the sums are those of the fill so far
 };
 
-/// Returns where `shadeCrisp` leaves w and colour of a tile's samples, in the order of `sampleAt`.
-SUFFUSE_PROGRAM Float4 *crispSamples(SumScratch &s)
+/// Returns where w and colour of samples may lie while nodes are not summed, in the order of `sampleAt`.
+SUFFUSE_PROGRAM Float4 *paintedSamples(SumScratch &s)
 {
     static_assert(sizeof s.sums.tables >= tileSize * sizeof(Float4));
     return s.sums.tables[0];
@@ -245,6 +254,9 @@ template <class Warp>
 SUFFUSE_CALL bool shadeCrisp(Warp warp, const Frame &frame, const StrokeRecord &stroke, int column, int row, int base,
                              const float *eta, SumScratch &s)
 {
+    SUFFUSE_IS_LAUNCHED(frame);
+    SUFFUSE_IN_SHARED(stroke);
+    SUFFUSE_IN_SHARED(s);
     PlainStroke<Warp, true> plain(warp, frame, stroke, s, column, row);
     plain.cover(base);
     if (!plain.style(eta))
@@ -252,7 +264,7 @@ SUFFUSE_CALL bool shadeCrisp(Warp warp, const Frame &frame, const StrokeRecord &
     const float *covered = plainCover(s).covered;
     plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
         const int at = sampleAt(lane, k);
-        crispSamples(s)[at] = {w * covered[at], red, yellow, blue};
+        paintedSamples(s)[at] = {w * covered[at], red, yellow, blue};
     });
     return true;
 }

@@ -322,13 +322,29 @@ private:
             for (int k = 0; k < laneSamples; ++k)
                 samples[k] = read(sampleAt(lane, k));
             SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k) {
-                mixCoverage(lane, k, samples[k].x, keep);
-                mixColour<0>(lane, k, samples[k].x, samples[k].y, keep);
-                mixColour<1>(lane, k, samples[k].x, samples[k].z, keep);
-                mixColour<2>(lane, k, samples[k].x, samples[k].w, keep);
-            }
+            for (int k = 0; k < laneSamples; ++k)
+                mixSample(lane, k, samples[k], keep);
         });
+        if (composes())
+            composeSamples(keep, [&](int lane, int k) { return read(sampleAt(lane, k)); });
+    }
+    /// Puts samples of w and colour into the over map.
+    template <class Read>
+    SUFFUSE_PROGRAM void composeSamples(float keep, Read read)
+    {
+        m_warp.each([&](int lane) {
+            SUFFUSE_ROLLED
+            for (int k = 0; k < laneSamples; ++k)
+                composeSample(over(), pixelOf(lane, k), read(lane, k), keep);
+        });
+    }
+
+    SUFFUSE_PROGRAM void mixSample(int lane, int k, const Float4 &sample, float keep)
+    {
+        mixCoverage(lane, k, sample.x);
+        mixColour<0>(lane, k, sample.x, sample.y, keep);
+        mixColour<1>(lane, k, sample.x, sample.z, keep);
+        mixColour<2>(lane, k, sample.x, sample.w, keep);
     }
 
     SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
@@ -336,7 +352,7 @@ private:
         const float *eta = stroke.granulated && m_frame.paper.kind != 0 ? m_s.paint.eta : nullptr;
         if (fills && (stroke.fill & crispFill)) {
             if (shadeCrisp(m_warp, m_frame, stroke, m_job.column, m_job.row, m_listing.base, eta, m_s.paint.sums))
-                mixSamples(stroke.keep, [&](int at) { return crispSamples(m_s.paint.sums)[at]; });
+                mixSamples(stroke.keep, [&](int at) { return paintedSamples(m_s.paint.sums)[at]; });
             return;
         }
         PlainStroke<Warp, fills> plain(m_warp, m_frame, stroke, m_s.paint.sums, m_job.column, m_job.row);
@@ -345,15 +361,21 @@ private:
             plain.sum([&](auto use) { forEachListing(stroke, use); }, m_overflown, pass);
             if (pass == 0 && !plain.style(eta))
                 return;
-            if (pass == 0 && plain.passes() == 1)
+            if (pass == 0 && plain.passes() == 1) {
                 plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
-                    mixCoverage(lane, k, w, keep);
-                    mixColour<0>(lane, k, w, red, keep);
-                    mixColour<1>(lane, k, w, yellow, keep);
-                    mixColour<2>(lane, k, w, blue, keep);
+                    mixSample(lane, k, {w, red, yellow, blue}, keep);
                 });
-            else if (pass > 0)
+                if (composes())
+                    plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
+                        composeSample(over(), pixelOf(lane, k), {w, red, yellow, blue}, keep);
+                    });
+            } else if (pass > 0) {
                 mixComponent(plain, pass, keep);
+                if (composes())
+                    plain.forEachSample(pass, [&](int lane, int k, float w, float mean) {
+                        composeComponent(over(), pixelOf(lane, k), plain.componentOf(pass), w, mean, keep);
+                    });
+            }
         }
     }
 
@@ -370,12 +392,12 @@ private:
             return plain.forEachSample(
                 pass, [&](int lane, int k, float w, float blue) { mixColour<2>(lane, k, w, blue, keep); });
         default:
-            return plain.forEachSample(pass, [&](int lane, int k, float w, float) { mixCoverage(lane, k, w, keep); });
+            return plain.forEachSample(pass, [&](int lane, int k, float w, float) { mixCoverage(lane, k, w); });
         }
     }
 
-    /// Mixes one sample of a stroke into the backdrop and into the over map (22, 23).
-    SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w, float keep)
+    /// Mixes one sample of a stroke into the backdrop (22, 23).
+    SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w)
     {
         if (covers) { // Otherwise the picture is not transparent.
             float &coverage = m_backdrop[lane].coverage[k];
@@ -383,8 +405,6 @@ private:
             if (layered && m_frame.shapeOf)
                 m_composition.addPart(lane, k, m_stroke, w);
         }
-        if (composes())
-            composeCoverage(over(), pixelOf(lane, k), w, keep);
     }
     template <int component> // 0 red, 1 yellow, 2 blue
     SUFFUSE_PROGRAM void mixColour(int lane, int k, float w, float colour, float keep)
@@ -392,27 +412,35 @@ private:
         LaneBackdrop &b = m_backdrop[lane];
         float &backdrop = component == 0 ? b.red[k] : component == 1 ? b.yellow[k] : b.blue[k];
         backdrop = math::mixed(backdrop, colour, w, keep);
-        if (composes())
-            composeColour(over(), pixelOf(lane, k), component, w, colour, keep);
     }
 
     SUFFUSE_PROGRAM void paintGeneral(const StrokeRecord &stroke)
     {
         const ApartJob whole{m_job.column, m_job.row, m_stroke, m_firstChunk, stroke.firstChunk + stroke.chunks, 0};
         m_warp.arrive(false); // Nothing may still come to where its nodes will.
-        evaluateGeneral<fills>(m_warp, m_frame, whole, GeneralStroke<Warp, fills>::allParts, m_s.paint, stroke,
-                               m_s.general);
-        const float keep = stroke.keep;
-        m_warp.each([&](int lane) {
-            SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k) {
-                const float w = m_s.general.result[0][sampleAt(lane, k)];
-                mixCoverage(lane, k, w, keep);
-                mixColour<0>(lane, k, w, m_s.general.result[1][sampleAt(lane, k)], keep);
-                mixColour<1>(lane, k, w, m_s.general.result[2][sampleAt(lane, k)], keep);
-                mixColour<2>(lane, k, w, m_s.general.result[3][sampleAt(lane, k)], keep);
-            }
-        });
+        m_haveEta = false;    // That of its samples will lie there.
+        int parts = 1;
+        SUFFUSE_ROLLED
+        for (int part = 0; part < parts; ++part) {
+            const bool some = evaluateGeneral<fills>(
+                m_warp, m_frame, whole, part, part == 0 ? Levels::FindAll : Levels::Known, m_s.paint, m_s.general);
+            if (part == 0 && some)
+                parts = generalParts;
+            m_warp.each([&](int lane) {
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k) {
+                    if (partOf(stroke, m_s.general.level[sampleAt(lane, k)], lane, k) != part)
+                        continue;
+                    mixSample(lane, k, partSample(m_s.paint, m_s.general, part, lane, k), stroke.keep);
+                }
+            });
+            if (composes())
+                composeSamples(stroke.keep, [&](int lane, int k) {
+                    return partOf(stroke, m_s.general.level[sampleAt(lane, k)], lane, k) == part
+                               ? partSample(m_s.paint, m_s.general, part, lane, k)
+                               : Float4{0, 0, 0, 0};
+                });
+        }
     }
 
     SUFFUSE_PROGRAM void finish(std::uint32_t index)

@@ -92,6 +92,23 @@ SUFFUSE_PROGRAM void composeColour(float *over, int pixel, int component, float 
     limit = math::min_(1.0f, math::mulAdd_(factor, limit, w * colour));
 }
 
+/// The same for one component, where 3 is that of all colours.
+SUFFUSE_PROGRAM void composeComponent(float *over, int pixel, int component, float w, float colour, float keep)
+{
+    if (component == 3)
+        composeCoverage(over, pixel, w, keep);
+    else
+        composeColour(over, pixel, component, w, colour, keep);
+}
+/// The same for all of a sample of w and colour.
+SUFFUSE_PROGRAM void composeSample(float *over, int pixel, const Float4 &sample, float keep)
+{
+    composeCoverage(over, pixel, sample.x, keep);
+    composeColour(over, pixel, 0, sample.x, sample.y, keep);
+    composeColour(over, pixel, 1, sample.x, sample.z, keep);
+    composeColour(over, pixel, 2, sample.x, sample.w, keep);
+}
+
 SUFFUSE_PROGRAM void applySample(const float *over, int pixel, LaneBackdrop &b, int k)
 {
     const auto plane = [&](int p) { return over[p * tileSize + pixel]; };

@@ -5,6 +5,17 @@
 
 namespace suffuse::cuda {
 
+/// A warp has this in shared memory while it paints strokes.
+struct PaintScratch {
+    SumScratch sums;
+    union {                 // They are used one after the other.
+        Fetched fetched[2]; ///< the present chunk and the next one
+        double deep[1 + maxChannels][deepTerms];
+    };
+    Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
+    float eta[tileSize]; ///< the paper at the tile's pixels, once it is needed
+};
+
 /// Says what listChunks has listed.
 struct PartialListing {
     Listing listing;
@@ -16,6 +27,8 @@ template <bool fills, class Warp>
 SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, const StrokeRecord &stroke, std::uint32_t chunk,
                                        std::uint32_t end, std::int32_t cellX, std::int32_t cellY, SumScratch &s)
 {
+    SUFFUSE_IS_LAUNCHED(frame);
+    SUFFUSE_IN_SHARED(s);
     PartialListing part;
     for (part.chunk = chunk; part.chunk < end; part.chunk += warpLanes) {
         const std::uint32_t base = part.chunk;

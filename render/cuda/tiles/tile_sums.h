@@ -25,6 +25,15 @@ SUFFUSE_PROGRAM int sampleRow(int lane, int k)
 {
     return lane / 8 * 4 + k / 2;
 }
+/// Returns where a sample of a block lies, from the tile's centre, px.
+SUFFUSE_PROGRAM float sampleX(int lane, int k, const Block &block)
+{
+    return math::mulAdd_(float(sampleColumn(lane, k)) - 7.5f, block.step, block.x);
+}
+SUFFUSE_PROGRAM float sampleY(int lane, int k, const Block &block)
+{
+    return math::mulAdd_(float(sampleRow(lane, k)) - 7.5f, block.step, block.y);
+}
 
 /// Returns the place of a lane's sample in shared memory. It is arranged so that no two lanes need the same bank at
 /// once (warp.h).
@@ -72,7 +81,6 @@ struct SumScratch {
     union {                                       // They are used one after the other.
         BatchScratch sums;
         Fetched chosenAgain;
-        double deep[1 + maxChannels][deepTerms];
     };
     MeanScratch means;
 };
@@ -82,6 +90,13 @@ struct SampleSums {
 };
 struct SampleValues {
     float v[laneSamples];
+};
+
+/// Holds the sums of a stroke that is not simple, with all its channels. These are too many for registers, so they lie
+/// in memory of the lane's own.
+struct AllSums {
+    SampleSums sums;
+    SampleValues channel[maxChannels];
 };
 
 /// Counts the nodes that are chosen so far. The counts are the same in all lanes.

@@ -7,6 +7,7 @@
 #include "app/widgets/asking/ask_number.h"
 #include "app/widgets/habits/dialog_scroll.h"
 #include "app/widgets/habits/house_rules.h"
+#include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/look/theme.h"
@@ -383,6 +384,30 @@ private slots:
     }
 
     /// The question stands beside its number, and not above it.
+    /// A letter that is underlined loses its kerning, and the end of the text still has room.
+    void labelsWithUnderlinedLettersHaveRoom()
+    {
+        QWidget dialog;
+        QLineEdit field(&dialog);
+        for (const char *text : {"Temps de s\u00e9chage", "Valeur", "Type"}) {
+            QLabel label(QString::fromUtf8(text), &dialog);
+            label.setBuddy(&field);
+            giveMnemonics(dialog);
+            QVERIFY(label.text().contains('&'));
+            const auto ink = [&label](int width) {
+                label.resize(width, label.sizeHint().height());
+                const QImage image = label.grab().toImage();
+                int count = 0;
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x)
+                        count += image.pixel(x, y) != image.pixel(image.width() - 1, 0);
+                return count;
+            };
+            const int width = std::max(label.sizeHint().width(), label.minimumWidth());
+            QCOMPARE(ink(width), ink(width + 40));
+        }
+    }
+
     void aNumberIsAskedForInOneLine()
     {
         QTimer::singleShot(0, this, [] {

@@ -4,9 +4,11 @@
 #include "tests/app/timed.h"
 #include "undo/time_edits.h"
 
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMenu>
+#include <QToolButton>
 #include <QToolTip>
 
 using namespace suffuse;
@@ -93,6 +95,26 @@ private slots:
         QVERIFY(shown() != first);
         s.playback().seek(5 * second);
         QCOMPARE(shown(), first);
+    }
+
+    /// All of the row is reached by Tab, and a click on a button leaves the keyboard where it is.
+    void tabReachesTheButtons()
+    {
+        Timed s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QList<QToolButton *> buttons = s.panel->findChildren<QToolButton *>();
+        buttons.removeIf([](const QToolButton *button) { return !button->isVisible() || !button->isEnabled(); });
+        QVERIFY(buttons.size() > 5);
+        buttons.front()->setFocus(Qt::TabFocusReason);
+        std::set<const QWidget *> reached;
+        for (QWidget *at = QApplication::focusWidget(); at && s.panel->isAncestorOf(at) && reached.insert(at).second;
+             at = QApplication::focusWidget())
+            QTest::keyClick(at, Qt::Key_Tab);
+        for (const QToolButton *button : buttons) {
+            QVERIFY2(reached.contains(button), qPrintable(button->toolTip()));
+            QVERIFY(!(button->focusPolicy() & Qt::ClickFocus));
+        }
     }
 
     void keysOfTheTimeline()

@@ -319,8 +319,29 @@ private slots:
         s.editor().document().setSelection({{s.id}, {}});
         QCOMPARE(scopes->itemText(0), QString("Selected Strokes"));
         QVERIFY(s.hint().contains("selected"));
+        QCOMPARE(scopes->count(), 3);
         s.editor().document().setSelection({});
-        QCOMPARE(scopes->itemText(0), QString("All (None Selected)"));
+        const auto rows = [&] {
+            QStringList texts;
+            for (int i = 0; i < scopes->count(); ++i)
+                texts << scopes->itemText(i);
+            return texts;
+        };
+        const auto chosen = [&](int row) {
+            scopes->setCurrentIndex(row);
+            emit scopes->activated(row);
+            return s.eraser().choice().scope;
+        };
+        // No two rows mean the same, and each chooses what it says.
+        QCOMPARE(rows(), (QStringList{"All (None Selected)", "Current Group"}));
+        QCOMPARE(chosen(1), EraserScope::Group);
+        QCOMPARE(scopes->currentText(), QString("Current Group"));
+        QCOMPARE(chosen(0), EraserScope::Selected);
+        s.editor().document().setSelection({{s.id}, {}});
+        QCOMPARE(chosen(2), EraserScope::All);
+        s.editor().document().setSelection({});
+        QCOMPARE(rows(), (QStringList{"Current Group", "All Strokes"}));
+        QCOMPARE(scopes->currentText(), QString("All Strokes"));
     }
 
 private:

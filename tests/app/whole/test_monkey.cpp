@@ -1,6 +1,7 @@
 // Random tool events and actions on the real window: after each round, undoing all gives the first painting back and
 // redoing all the last one, every stroke is valid, and what was redrawn in parts is what is drawn as a whole.
-// SUFFUSE_MONKEY_EVENTS and SUFFUSE_MONKEY_SEED ask for more or other events; SUFFUSE_LONG for 50,000.
+// SUFFUSE_MONKEY_EVENTS and SUFFUSE_MONKEY_SEED ask for more or other events; SUFFUSE_LONG for 50,000;
+// SUFFUSE_MONKEY_COUNTS says how often each was made, and which undo steps came of them.
 #include "model/painting/validate.h"
 #include "render/backends.h"
 #include "tests/app/monkey.h"
@@ -101,7 +102,10 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
     QUndoStack &stack = s.editor().undoStack();
     int steps = 0;
     connect(&stack, &QUndoStack::indexChanged, this, [&, last = 0](int index) mutable {
-        steps += index > last; // done or redone
+        if (index > last) { // done or redone
+            ++steps;
+            monkey.count(QStringLiteral("step: ") + stack.text(index - 1));
+        }
         last = index;
     });
     for (int done = 0; done < events;) {
@@ -136,6 +140,8 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
     }
     monkey.letGo();
     qInfo("%d events, %d undo steps", events, steps);
+    if (qEnvironmentVariableIsSet("SUFFUSE_MONKEY_COUNTS"))
+        qInfo().noquote() << monkey.counts();
     QVERIFY(steps > events / 20);
 }
 

@@ -79,6 +79,37 @@ private slots:
         QVERIFY(between != toOpaqueScreen(red).name() && between != toOpaqueScreen(blue).name());
     }
 
+    /// As in other programs, what rulers count is chosen on them, whatever tool is in use.
+    void aRulerAsksForItsUnit()
+    {
+        Crossing s;
+        const auto askOnRuler = [&s](QPoint pixel) {
+            QTest::mouseClick(&s.canvas(), Qt::RightButton, {}, pixel);
+            const bool isThere = s.entry("Rulers in Millimetres") && s.entry("Add a Level Guide");
+            if (s.menu().isVisible())
+                QTest::keyClick(&s.menu(), Qt::Key_Escape);
+            return isThere;
+        };
+        const QPoint onTop(300, 9), onLeft(9, 300);
+        s.window.action(Command::ShowRulers).setChecked(true);
+        for (const Command tool : {Command::Select, Command::Brush}) {
+            s.use(tool);
+            QVERIFY(askOnRuler(onTop));
+            QVERIFY(askOnRuler(onLeft));
+            QVERIFY(!s.palette() || !s.palette()->isVisible());
+        }
+        s.entry("Rulers in Millimetres")->trigger();
+        QVERIFY(s.canvas().aids().rulerUnits == RulerUnits::Millimetres);
+        s.entry("Rulers in Canvas Units")->trigger();
+        QCOMPARE(s.selected(), std::set<StrokeId>{});
+        s.use(Command::Select);
+        QTest::mouseClick(&s.canvas(), Qt::RightButton, {}, s.at({250, 300}));
+        QVERIFY(!s.entry("Rulers in Millimetres"));
+        QTest::keyClick(&s.menu(), Qt::Key_Escape);
+        s.window.action(Command::ShowRulers).setChecked(false);
+        QVERIFY(!askOnRuler(onTop));
+    }
+
     void menuDoesWhatCanBeDoneWithTheSelection()
     {
         Crossing s;

@@ -207,7 +207,25 @@ private slots:
                         {{15, 50}, {20, 50}}));
         const SharedText text = textIn(path + "<text><textPath href='#p'>ab</textPath></text>");
         QVERIFY(text && text->curve.size() == 2 && text->string == "ab");
-        QVERIFY(!textIn(path + "<text><textPath href='#p' startOffset='5'>ab</textPath></text>"));
+        // Where it starts elsewhere, it stands on the part of the line that begins there, ends there or has its middle
+        // there.
+        const auto curveOf = [&](const QByteArray &attributes, const QByteArray &offset) {
+            const SharedText set = textIn(path + "<text " + attributes + "><textPath href='#p' startOffset='" + offset +
+                                          "'>ab</textPath></text>");
+            return set && !set->curve.empty() ? std::pair(set->curve.front().p[0], set->curve.back().p[3])
+                                              : std::pair(Point{-1, -1}, Point{-1, -1});
+        };
+        const auto isFromTo = [](const std::pair<Point, Point> &ends, Point from, Point to) {
+            return length(ends.first - from) < 1e-6 && length(ends.second - to) < 1e-6;
+        };
+        QVERIFY(isFromTo(curveOf("", "5"), {15, 50}, {30, 90}));
+        QVERIFY(isFromTo(curveOf("", "25%"), {25, 50}, {30, 90}));
+        QVERIFY(isFromTo(curveOf("text-anchor='middle'", "15"), {10, 50}, {30, 60}));
+        QVERIFY(isFromTo(curveOf("text-anchor='middle'", "45"), {30, 60}, {30, 90}));
+        QVERIFY(isFromTo(curveOf("text-anchor='end'", "20"), {10, 50}, {30, 50}));
+        QVERIFY(isFromTo(curveOf("x='5'", "0"), {15, 50}, {30, 90}));
+        QVERIFY(!textIn(path + "<text><textPath href='#p' startOffset='-2'>ab</textPath></text>"));
+        QVERIFY(!textIn(path + "<text><textPath href='#p' startOffset='54'>abc</textPath></text>"));
     }
 
     void plainTextsCanBeTypedInAgain()

@@ -114,6 +114,8 @@ private slots:
     {
         std::mt19937_64 random(7);
         for (int i = 0; i < 12; ++i) {
+            if (!isTried(i))
+                continue;
             const Paper paper = i % 2 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}, PaperGrain(i / 2 % 3)} : Paper{};
             const auto p = painting(fadedStrokes(random, 10, 96, 72), 96, 72, paper);
             compare(p, View::ofArea(sheet, 96, 72), "dry", -1, i % 3 == 2);
@@ -127,10 +129,12 @@ private slots:
     {
         std::mt19937_64 random(11);
         const auto p = painting(fadedStrokes(random, 8, 96, 72), 96, 72, {PaperKind::Procedural, 3, 12, 1, {}});
+        int number = 0;
         for (double scale : {0.02, 0.1, 0.4, 3.0, 40.0, 900.0, 20000.0, 1e7})
             for (double rotation : {0.0, 0.7})
-                compare(p, View{{40.2, 33.1}, scale, rotation, rotation > 0, 48, 40},
-                        QByteArray("scale ") + QByteArray::number(scale));
+                if (isTried(number++))
+                    compare(p, View{{40.2, 33.1}, scale, rotation, rotation > 0, 48, 40},
+                            QByteArray("scale ") + QByteArray::number(scale));
     }
 
     /// A group's wash is one stroke, whichever member brings what fades.

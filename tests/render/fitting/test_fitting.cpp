@@ -4,6 +4,7 @@
 #include "model/painting/ryb.h"
 #include "render/fitting/picture_metrics.h"
 #include "render/image_io/image_io.h"
+#include "tests/trials.h"
 
 #include <QtTest>
 
@@ -60,6 +61,8 @@ void TestFitting::comesNear_data()
     QTest::addColumn<double>("perceptual");
     QTest::addColumn<double>("least");
     QTest::newRow("feathering") << int(StyleKind::Feathering) << 0.0 << 30.0;
+    if (!isTried(1)) // with sanitizers one is enough
+        return;
     QTest::newRow("uniform") << int(StyleKind::Uniform) << 0.0 << 28.0;
     QTest::newRow("edge") << int(StyleKind::Edge) << 0.0 << 22.0;
     QTest::newRow("perceptual") << int(StyleKind::Feathering) << 1.0 << 28.0;
@@ -181,6 +184,8 @@ void TestFitting::widths()
 
 void TestFitting::asManyAsAnErrorNeeds()
 {
+    if (!isTried(1))
+        QSKIP("Sanitizers take ten times as long: SUFFUSE_LONG=1 runs it.");
     FitOptions options = optionsOf(200, 300);
     options.error = 12.0 / 255;
     Fitting coarse(landscape(), options);
@@ -254,6 +259,8 @@ void TestFitting::everyStrokeDoesSomething()
 
 void TestFitting::thePaintingIsPlayedFromLargeToSmall()
 {
+    if (!isTried(1))
+        QSKIP("Sanitizers take ten times as long: SUFFUSE_LONG=1 runs it.");
     const FitTarget target = landscape(96, 64);
     Fitting fit(target, optionsOf(40));
     runToEnd(fit);

@@ -206,6 +206,8 @@ private slots:
     {
         for (int mode = 0; mode < blendModes; ++mode)
             for (const bool transparent : {false, true}) {
+                if (!isTried(2 * mode + transparent))
+                    continue;
                 auto p = std::make_shared<Painting>();
                 p->canvas.width = 96, p->canvas.height = 72;
                 p->canvas.background = {0.1f, 0.25f, 0.2f, 1};

@@ -1,5 +1,6 @@
 // Layers for editing: the under layer is exact, the over map to 1e-5, and the frame after a drag exact again.
 #include "tests/render/paintings.h"
+#include "tests/trials.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -51,7 +52,7 @@ private slots:
         const auto live = make(Backend::Cpu);
         FloatPicture picture;
         QVERIFY(live->render({p, p->end(), m_view}, picture));
-        for (int step = 0; step < 150; ++step) {
+        for (int step = 0; step < trials(150, 150); ++step) {
             const bool interactive = random() % 3 != 0;
             p = withDensity(p, random() % 5 == 0 ? random() % p->strokes.size() : std::size_t(step / 20 * 3), 0.97);
             RenderRequest request{p, p->end(), m_view, false, interactive};

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace suffuse {
@@ -37,6 +38,7 @@ public:
 
     SvgDrawing draw()
     {
+        noteLeads(m_tree.root());
         if (!m_tree.root().children.empty())
             takeSize(m_out, m_tree.root().children.front()->attributes);
         for (const auto &root : m_tree.root().children) {
@@ -67,6 +69,17 @@ private:
         QString name;    ///< the name of the <use> that draws it
         SvgClipPtr clip; ///< what of it is seen
     };
+
+    /// Gives the shapes along which texts stand a number each.
+    void noteLeads(const SvgElement &element)
+    {
+        for (const auto &child : element.children) {
+            if (child->name == QLatin1String("textPath"))
+                if (const SvgElement *shape = m_tree.target(*child))
+                    m_leads.emplace(shape, int(m_leads.size()));
+            noteLeads(*child);
+        }
+    }
 
     int &countOf(const QString &definition)
     {
@@ -335,6 +348,10 @@ private:
         if (element.name == QLatin1String("polygon")) // It is closed even where its points end in a mistake.
             for (PenLine &line : shape.lines)
                 closeLine(line);
+        if (const auto lead = m_leads.find(&element); lead != m_leads.end()) {
+            shape.lead = int(m_out.leads.size());
+            m_out.leads.push_back({lead->second, Affine(style.matrix)});
+        }
         m_painter.paint(shape);
         if (mayHaveMarkers(element.name) && style.isVisible)
             drawMarkers(shape, data.contains(u'a', Qt::CaseInsensitive), place);
@@ -373,8 +390,9 @@ private:
             (place.clip && !place.clip->holds(svgBox(svgMapped(svgLinesOf(set.box), style.matrix)))))
             return;
         Text text = *set.text;
-        const SvgMatrix &m = style.matrix;
-        text.place = Affine{m.a, m.c, m.b, m.d, {m.e, m.f}} * text.place;
+        text.place = Affine(style.matrix) * text.place;
+        if (const auto lead = m_leads.find(set.shape); lead != m_leads.end())
+            m_out.groups.back().follows = lead->second;
         m_out.groups.back().text = SharedText(std::move(text));
         m_out.groups.back().letters = set.letters.size();
     }
@@ -421,6 +439,7 @@ private:
     const Rect m_viewport; ///< what per cents count by
     SvgDrawing m_out;
     std::set<const SvgElement *> m_lost, m_cycles;
+    std::map<const SvgElement *, int> m_leads;
     int m_drawn = 0, m_copied = 0;
     SvgPainter m_painter{m_tree, m_out, m_lost};
     SvgTexts m_texts{m_tree, letterShaper()};

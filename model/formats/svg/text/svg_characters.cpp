@@ -115,6 +115,7 @@ private:
             return;
         SvgUnits units = parent.units;
         units.width = whole;
+        line.shape = shape, line.own = own;
         line.start = svgLength(element.attribute("startOffset"), units, SvgAxis::Across).value_or(0);
         m_out.lines.push_back(std::move(line));
         m_path = int(m_out.lines.size()) - 1;

@@ -25,8 +25,10 @@ struct SvgStretch {
 
 /// A line along which letters stand.
 struct SvgTextLine {
-    std::vector<Cubic> curves; ///< user units
-    double start = 0;          ///< where on it they start, by length
+    std::vector<Cubic> curves;         ///< user units
+    double start = 0;                  ///< where on it they start, by length
+    const SvgElement *shape = nullptr; ///< what gives the line
+    SvgMatrix own;                     ///< from that shape's own units to those of the text
 };
 
 struct SvgCharacters {

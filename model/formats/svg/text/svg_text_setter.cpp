@@ -71,6 +71,8 @@ public:
         SvgSetText out;
         place(out);
         out.text = asText();
+        if (out.text && !out.text->curve.empty())
+            out.shape = m_in.lines.front().shape;
         out.words = words();
         out.styles = std::move(m_in.styles); // A deque's elements stay where they are.
         return out;
@@ -382,6 +384,33 @@ private:
         return lines;
     }
 
+    /// The part of the line along which a text stands as it is aligned: all of it, unless it starts elsewhere. It is
+    /// empty where letters stand beyond it.
+    std::vector<Cubic> curveOf(const Text &text) const
+    {
+        const Run &run = m_runs.front();
+        const SvgTextLine &line = m_in.lines.front();
+        const BaselineCurve curve(line.curves);
+        const double whole = curve.length();
+        const double start = line.start + m_in.characters.front().x.value_or(0);
+        TextAlignment side = text.alignment;
+        if (run.line->rightToLeft && side != TextAlignment::Centre)
+            side = side == TextAlignment::Start ? TextAlignment::End : TextAlignment::Start;
+        double from = side == TextAlignment::Start ? start : 0, to = side == TextAlignment::End ? start : whole;
+        if (side == TextAlignment::Centre)
+            from = std::max(0.0, 2 * start - whole), to = std::min(whole, 2 * start);
+        const double rounding = 1e-3 * text.size;
+        if (std::abs(from) <= rounding && std::abs(to - whole) <= rounding)
+            return line.curves;
+        const auto isOn = [&](const Placed &c) {
+            const double middle = c.at.x + 0.5 * c.width;
+            return middle >= from && middle <= to;
+        };
+        if (!(from >= 0 && from < to && to <= whole) || !std::ranges::all_of(m_clusters, isOn))
+            return {};
+        return curve.between(from, to);
+    }
+
     std::optional<Text> asText() const
     {
         double step = 0;
@@ -415,14 +444,10 @@ private:
         if (first.path < 0) {
             text.place.offset = {m_in.characters.front().x.value_or(0), lines.front() + lowered};
         } else {
-            const SvgTextLine &line = m_in.lines.front();
-            const double whole = BaselineCurve(line.curves).length();
-            const double start = text.alignment == TextAlignment::Start    ? 0
-                                 : text.alignment == TextAlignment::Centre ? 0.5 * whole
-                                                                           : whole;
-            if (std::abs(line.start - start) > 1e-3 * text.size || lowered != 0)
+            text.curve = lowered == 0 ? curveOf(text) : std::vector<Cubic>();
+            if (text.curve.empty())
                 return {};
-            text.curve = line.curves;
+            text.followMap = Affine(m_in.lines.front().own);
         }
         return problemOf(text).isEmpty() ? std::optional(std::move(text)) : std::nullopt;
     }

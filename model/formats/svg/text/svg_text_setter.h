@@ -23,6 +23,8 @@ struct SvgSetText {
     /// All of it as one that can be typed in again, its place in user units. There is none if its letters differ in
     /// look or stand in a way of their own.
     std::optional<Text> text;
+    /// What gives the line along which such a text stands, or null; `text` has the map from its own units to the curve.
+    const SvgElement *shape = nullptr;
     QString words; ///< all characters, with single spaces
     std::deque<SvgStyle> styles;
 };
