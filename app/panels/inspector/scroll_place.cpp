@@ -1,6 +1,7 @@
 #include "app/panels/inspector/scroll_place.h"
 
-#include <QCoreApplication>
+#include "app/widgets/habits/lay_out.h"
+
 #include <QEvent>
 #include <QScopedValueRollback>
 #include <QScrollBar>
@@ -63,7 +64,7 @@ void ScrollPlace::restore()
 {
     const QScopedValueRollback<bool> restoring(m_restoring, true);
     // Rows that were shown or hidden just now have no places yet, and the scroll bar has its old range.
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    layOutNow(m_scroll);
     scrollToAnchor();
 }
 

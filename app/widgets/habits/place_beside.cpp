@@ -1,5 +1,7 @@
 #include "app/widgets/habits/place_beside.h"
 
+#include "app/widgets/habits/lay_out.h"
+
 #include <QApplication>
 #include <QDialog>
 #include <QGuiApplication>
@@ -108,7 +110,7 @@ void placeDialog(QDialog &dialog)
     // The dialog's children have been polished just now. A dialog that grew after it is shown would be sent to the
     // place where Qt believes it to be, which is wrong while a window manager puts its frame around it: sometimes that
     // is the corner of the screen.
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    layOutNow(dialog);
     const QSize size = dialog.size().expandedTo(dialog.minimumSizeHint()).boundedTo(dialog.maximumSize());
     const QRect framed = QRect(dialog.geometry().topLeft(), size).marginsAdded(frame);
     const QRect place = dialog.testAttribute(Qt::WA_Moved)
@@ -168,7 +170,8 @@ void showLike(QWidget &window, const QWidget &other)
     for (const QWidget *shown : QApplication::topLevelWidgets())
         if (shown != &window && shown->isVisible() && shown->windowType() == Qt::Window)
             taken.append(shown->geometry().marginsAdded(frame));
-    const QSize least = (window.minimumSizeHint().grownBy(frame)).expandedTo(from.size() * 3 / 5).boundedTo(from.size());
+    const QSize least =
+        (window.minimumSizeHint().grownBy(frame)).expandedTo(from.size() * 3 / 5).boundedTo(from.size());
     window.setGeometry(placeCascaded(from, other.screen()->availableGeometry(), least, taken).marginsRemoved(frame));
     if (other.isMaximized())
         window.showMaximized();

@@ -1,5 +1,7 @@
 #include "app/widgets/look/section.h"
 
+#include "app/widgets/habits/lay_out.h"
+
 #include <QApplication>
 #include <QDialog>
 #include <QEvent>
@@ -52,7 +54,7 @@ void scrollTo(QWidget &widget)
         if (!scroll || !scroll->widget())
             continue;
         // The panel grows for a hint when it is laid out, which may not have happened yet.
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        layOutNow(*scroll);
         // Of a text field ensureWidgetVisible would show the cursor alone.
         const QRect place(widget.mapTo(scroll->widget(), QPoint()), widget.size());
         scroll->ensureVisible(place.center().x(), place.center().y(), 0, place.height() / 2 + 1);

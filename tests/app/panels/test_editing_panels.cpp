@@ -67,6 +67,30 @@ private slots:
         QVERIFY(isSeen(brushes->findChild<HintLabel *>()));
     }
 
+    /// A panel may be shown while a window is being laid out, which must not be laid out once more within that.
+    void aPanelThatIsShownLaysOutNothingElse()
+    {
+        struct Stranger : QWidget {
+            int laidOut = 0;
+            bool event(QEvent *event) override
+            {
+                laidOut += event->type() == QEvent::LayoutRequest;
+                return QWidget::event(event);
+            }
+        } stranger;
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {320, 900});
+        panel.hide();
+        bench.select({1}); // It shows that when it is seen again.
+        stranger.laidOut = 0;
+        QCoreApplication::postEvent(&stranger, new QEvent(QEvent::LayoutRequest));
+        panel.show();
+        QCOMPARE(stranger.laidOut, 0);
+        QCoreApplication::sendPostedEvents(&stranger);
+        QCOMPARE(stranger.laidOut, 1);
+    }
+
     /// The handle is held where it was taken: back at that place the value is what it was.
     void aHandleKeepsItsGrip()
     {
