@@ -1,5 +1,6 @@
 #include "app/session/selecting/eraser_scope.h"
 
+#include "app/session/current_layer.h"
 #include "app/session/selecting/pick.h"
 #include "undo/history/order_tree.h"
 
@@ -7,14 +8,14 @@
 
 namespace suffuse {
 
-EraserReach::EraserReach(const Document &document, const Painting &reached, GroupId only, Microseconds T,
-                         EraserScope scope, Point point, double tolerance)
-    : m_scope(scope), m_isLocked(document.painting()->groups), m_isOnly(only != 0)
+EraserReach::EraserReach(const Document &document, const CurrentLayer &layer, Microseconds T, EraserScope scope,
+                         Point point, double tolerance)
+    : m_scope(scope), m_isLocked(document.painting()->groups), m_isOnly(layer.reachedGroup() != 0)
 {
     const Painting &painting = *document.painting();
     const std::set<StrokeId> &selected = document.selection().strokes;
     if (m_isOnly)
-        m_layer = withGroupsWithin(painting.groups, {only});
+        m_layer = withGroupsWithin(painting.groups, {layer.reachedGroup()});
     if (scope == EraserScope::Selected && selected.empty())
         m_scope = EraserScope::All;
     if (m_scope == EraserScope::Selected)
@@ -25,8 +26,10 @@ EraserReach::EraserReach(const Document &document, const Painting &reached, Grou
     for (const StrokePtr &stroke : painting.strokes)
         if (selected.contains(stroke->id))
             groups.insert(stroke->group);
+    if (groups.empty() && layer.group() != 0)
+        groups.insert(layer.group());
     if (groups.empty()) {
-        const std::optional<SegmentRef> under = pickTopmost(reached, T, point, tolerance);
+        const std::optional<SegmentRef> under = pickTopmost(*layer.reached(), T, point, tolerance);
         const StrokePtr stroke = under ? painting.find(under->stroke) : nullptr;
         groups.insert(stroke ? stroke->group : 0);
     }

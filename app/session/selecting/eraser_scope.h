@@ -6,8 +6,11 @@
 
 namespace suffuse {
 
+class CurrentLayer;
+
 /// Where nothing is selected, `Selected` is all strokes. The group is that in which selected strokes stand, or else the
-/// stroke under the pointer; what stands in no group counts as one.
+/// current layer or, where there is none, the group of the stroke under the pointer; what stands in no group counts as
+/// one.
 enum class EraserScope { Selected, Group, All };
 
 /// What keeps the eraser off a stroke.
@@ -17,10 +20,10 @@ enum class Spared { Nothing, OtherLayer, Locked, NotSelected, OtherGroup };
 class EraserReach {
 public:
     EraserReach() = default;
-    /// `reached` is the painting with what tools reach, `only` the group that they reach only; 0: all. `tolerance`:
-    /// canvas units around the point in which hairlines are found.
-    EraserReach(const Document &document, const Painting &reached, GroupId only, Microseconds T, EraserScope scope,
-                Point point, double tolerance);
+    /// `layer` is the current one, and knows what tools reach. `tolerance`: canvas units around the point in which
+    /// hairlines are found.
+    EraserReach(const Document &document, const CurrentLayer &layer, Microseconds T, EraserScope scope, Point point,
+                double tolerance);
 
     /// Of a visible stroke that is begun.
     Spared spares(const Stroke &stroke) const;

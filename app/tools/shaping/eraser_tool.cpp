@@ -174,9 +174,8 @@ void EraserTool::press(const PointerEvent &event)
     m_gesture = m_editor.begin(tr("Erase"));
     const Document &document = m_editor.document();
     m_began = m_editor.clock().time();
-    m_reach =
-        EraserReach(document, *m_editor.layer().reached(), m_editor.layer().reachedGroup(), m_began, m_choice.scope,
-                    event.point, pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
+    m_reach = EraserReach(document, m_editor.layer(), m_began, m_choice.scope, event.point,
+                          pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
     m_samples.clear();
     m_took = false;
     m_before = document.painting();

@@ -1,4 +1,5 @@
 // The eraser: it lifts paint or cuts it, as far as it is meant to, and says what it did.
+#include "app/session/current_layer.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/shaping/eraser_tool.h"
 #include "model/painting/influence.h"
@@ -208,7 +209,7 @@ private slots:
         s.erase({350, 250}, {350, 500});
         QVERIFY(s.erasing(s.id) > 0 && s.erasing(s.other) > 0);
         s.use(Command::Undo);
-        // The group of what is selected, or else of what is pressed.
+        // The group of what is selected, or else the current layer, or else the group of what is pressed.
         s.editor().push(groupSelection(s.editor().document(), "group"), "group");
         choice.scope = EraserScope::Group;
         s.eraser().setChoice(choice);
@@ -221,6 +222,12 @@ private slots:
         QVERIFY(s.erasing(s.id) > 0);
         QCOMPARE(s.erasing(s.other), 0);
         s.use(Command::Undo);
+        s.editor().layer().choose(s.editor().document().painting()->find(s.other)->group);
+        s.erase({350, 320}, {350, 500});
+        QCOMPARE(s.erasing(s.id), 0);
+        QVERIFY(s.erasing(s.other) > 0);
+        s.use(Command::Undo);
+        s.editor().layer().choose(0);
         s.editor().document().setSelection({{s.id}, {}});
         s.erase({350, 400}, {350, 500});
         QVERIFY2(s.hint().contains("another group"), qPrintable(s.hint()));
