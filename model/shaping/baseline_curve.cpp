@@ -120,7 +120,9 @@ std::optional<std::pair<double, double>> BaselineCurve::endsOf(const BaselineCur
         }
         return true;
     };
-    // A chain that crosses itself comes by the point several times.
+    // A chain that crosses itself comes by the point several times. Steps beside the right one end near the point, too.
+    std::optional<std::pair<double, double>> ends;
+    double nearest = most;
     for (std::size_t k = 0; k + 1 < m_at.size(); ++k) {
         double low = m_at[k].length, high = m_at[k + 1].length;
         if (std::min(away(low), away(high)) > high - low + most)
@@ -133,10 +135,13 @@ std::optional<std::pair<double, double>> BaselineCurve::endsOf(const BaselineCur
                 low = a;
         }
         const double from = std::min(0.5 * (low + high), std::max(0.0, length() - part.length()));
-        if (away(from) <= most && isAt(from))
-            return std::pair(from, std::min(length(), from + part.length()));
+        const double distance = away(from);
+        if (distance > nearest || (ends && distance == nearest) || !isAt(from))
+            continue;
+        nearest = distance;
+        ends = std::pair(from, std::min(length(), from + part.length()));
     }
-    return {};
+    return ends;
 }
 
 std::vector<Cubic> baselineOf(const Stroke &stroke)

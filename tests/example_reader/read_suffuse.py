@@ -266,6 +266,8 @@ def read(data):
         left, top, right, bottom = underlay["area"]
         underlay["area"] = [left, top, right - left, bottom - top]
     for group in out.get("groups", []):
+        if "follows" in (group.get("text") or {}): # Binary files of an earlier version hold that, too.
+            out["version"] = max(out["version"], 5)
         group["parent"] = group["parent"] or None
         if "blend" in group:
             group["blend"] = BLEND_MODES[group["blend"]]
