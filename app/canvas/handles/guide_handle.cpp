@@ -183,15 +183,19 @@ void GuideHandle::paint(QPainter &painter, const View &view, const OverlayColour
         }
     }
     strokeTwoTone(painter, lines, colours.guide, dpr, Qt::SolidLine, 0.75);
-    if (m_held >= 0 && m_held < int(guides.size())) {
-        const Guide &guide = guides[std::size_t(m_held)];
-        const double place = guide.place;
-        const int decimals = std::clamp(int(std::ceil(std::log10(view.scale) - 1e-9)), 0, 9);
-        paintBadge(painter,
-                   (guide.upright ? QStringLiteral("x ") : QStringLiteral("y ")) +
-                       QLocale().toString(place, 'f', decimals).replace('-', QChar(0x2212)),
-                   m_pixel, 0, view, dpr);
-    }
+    if (m_held >= 0 && m_held < int(guides.size()))
+        paintBadge(painter, placeInWords(guides[std::size_t(m_held)], m_around.rulerUnit(), view.scale), m_pixel, 0,
+                   view, dpr);
+}
+
+QString placeInWords(const Guide &guide, const RulerUnit &unit, double scale)
+{
+    const int decimals = std::clamp(int(std::ceil(std::log10(scale * unit.units) - 1e-9)), 0, 9);
+    QString words = (guide.upright ? QStringLiteral("x ") : QStringLiteral("y ")) +
+                    QLocale().toString(guide.place / unit.units, 'f', decimals).replace('-', QChar(0x2212));
+    if (!unit.name.isEmpty())
+        words += QLatin1Char(' ') + unit.name;
+    return words;
 }
 
 } // namespace suffuse

@@ -57,4 +57,7 @@ private:
     Point m_pixel; ///< of the pointer while one is held
 };
 
+/// Where a guide is, as the rulers count, to a pixel of a view with so many pixels to a canvas unit: "x 26.6 mm".
+QString placeInWords(const Guide &guide, const RulerUnit &unit, double scale);
+
 } // namespace suffuse

@@ -1,4 +1,5 @@
 // Rulers and guides: scales, dragging guides out and back, exact places, snapping, files.
+#include "app/canvas/handles/guide_handle.h"
 #include "app/canvas/handles/rulers.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/session/drawing_aids.h"
@@ -75,6 +76,16 @@ private slots:
             const double shown = ruler.step * std::pow(10, ruler.decimals);
             QVERIFY2(std::abs(shown - std::round(shown)) < 1e-6 * shown, "the labels have too few digits");
         }
+    }
+
+    /// What is said of a guide while it is dragged is what the rulers count, to a pixel.
+    void aGuideSaysItsPlaceInTheRulersUnit()
+    {
+        const Guide upright{.upright = true, .place = 157.4};
+        QCOMPARE(placeInWords(upright, {}, 1), QString("x 157"));
+        QCOMPARE(placeInWords(upright, unitOf(RulerUnits::Millimetres, 150), 1), QString("x 26.7 mm"));
+        QCOMPARE(placeInWords({.upright = false, .place = -300}, unitOf(RulerUnits::Inches, 150), 2),
+                 QString("y \u22122.000 in"));
     }
 
     /// An inch has as many units as the painting says, and the usual number where it says none.
