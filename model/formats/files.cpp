@@ -11,6 +11,7 @@
 #include "model/formats/psd/psd_layers.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg/svg_embedding.h"
+#include "model/formats/svg/svg_length.h"
 #include "model/formats/svg/svg_painting.h"
 
 #include <QDir>
@@ -103,8 +104,9 @@ Result<Painting> readPdf(const QByteArray &bytes, const QString &fileName, QStri
 }
 
 /// Reads a drawing: the painting that it was made of, if it is in it and no other program has changed the drawing
-/// since.
-Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut)
+/// since. `resolution`, if not null, gets how many canvas units an inch has, where the drawing says its size on paper.
+Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, const Brush *brush, QString &leftOut,
+                             double *resolution)
 {
     QByteArray svg = bytes;
     if (isGzip(bytes)) {
@@ -115,9 +117,11 @@ Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, c
     }
     const std::optional<EmbeddedDocument> embedded = embeddedIn(svg);
     if (embedded && embedded->matches) // If it is damaged, what is drawn is whole all the same.
-        if (Result<Painting> painting = readSuffuseFile(embedded->document, fileName))
+        if (Result<Painting> painting = readSuffuseFile(embedded->document, fileName, resolution))
             return painting;
     Result<Painting> painting = readSvg(svg, fileName, brush, &leftOut);
+    if (painting && resolution && saysSizeOnPaper(svg))
+        *resolution = svgUnitsOfInch;
     if (painting && embedded && !embedded->matches)
         leftOut =
             (leftOut.isEmpty() ? QString() : leftOut + QLatin1Char(' ')) +
@@ -126,9 +130,10 @@ Result<Painting> readDrawing(const QByteArray &bytes, const QString &fileName, c
     return painting;
 }
 
-/// Reads all formats except .suffuse, which the caller reads. `leftOut` is that of LoadedDocument.
+/// Reads all formats except .suffuse, which the caller reads. `leftOut` is that of LoadedDocument, `resolution` that of
+/// readDrawing.
 Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush,
-                           QString &leftOut)
+                           QString &leftOut, double *resolution)
 {
     const auto painted = [&](const Result<Recording> &recording) -> Result<Painting> {
         if (!recording)
@@ -156,7 +161,7 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
     case FileFormat::Svg:
-        return readDrawing(bytes, fileName, brush, leftOut);
+        return readDrawing(bytes, fileName, brush, leftOut, resolution);
     case FileFormat::OpenRaster:
         return readOpenRaster(bytes, fileName, leftOut);
     case FileFormat::Photoshop: {
@@ -183,8 +188,9 @@ Result<Painting> readWhole(const QByteArray &bytes, const QString &fileName, con
                            double *resolution = nullptr)
 {
     const FileFormat format = detectFormat(bytes);
-    Result<Painting> painting = format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName, resolution)
-                                                              : readOther(bytes, fileName, format, brush, leftOut);
+    Result<Painting> painting = format == FileFormat::Suffuse
+                                    ? readSuffuseFile(bytes, fileName, resolution)
+                                    : readOther(bytes, fileName, format, brush, leftOut, resolution);
     if (painting)
         leftOut = QStringList{leftOut, takeLinks(*painting, fileName)}.join(QLatin1Char(' ')).trimmed();
     return painting;
@@ -229,7 +235,8 @@ Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &file
         return read;
     }
     LoadedDocument document;
-    Result<Painting> painting = readOther(bytes, fileName, format, brush, document.leftOut);
+    Result<Painting> painting =
+        readOther(bytes, fileName, format, brush, document.leftOut, &document.extras.resolution);
     if (!painting)
         return Error{painting.error()};
     document.painting = std::move(*painting);

@@ -1,6 +1,7 @@
 #include "model/formats/svg/svg_length.h"
 
 #include <QRegularExpression>
+#include <QXmlStreamReader>
 
 #include <cmath>
 #include <map>
@@ -21,12 +22,27 @@ std::optional<double> lengthIn(const QString &text, const std::map<QString, doub
 
 const std::map<QString, double> &absoluteUnits()
 {
-    static const std::map<QString, double> units{{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
-                                                 {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96}};
+    constexpr double inch = svgUnitsOfInch;
+    static const std::map<QString, double> units{{"", 1},          {"px", 1},           {"pt", inch / 72},
+                                                 {"pc", inch / 6}, {"mm", inch / 25.4}, {"cm", inch / 2.54},
+                                                 {"in", inch}};
     return units;
 }
 
 } // namespace
+
+bool saysSizeOnPaper(const QByteArray &svg)
+{
+    static const QRegularExpression onPaper(QStringLiteral("(mm|cm|in|pt|pc)\\s*$"));
+    QXmlStreamReader xml(svg);
+    if (!xml.readNextStartElement())
+        return false;
+    const auto isOnPaper = [&](const char *name) {
+        const QString length = xml.attributes().value(QLatin1String(name)).toString();
+        return svgLength(length).value_or(0) > 0 && onPaper.match(length).hasMatch();
+    };
+    return isOnPaper("width") || isOnPaper("height");
+}
 
 std::optional<double> svgLength(const QString &text)
 {

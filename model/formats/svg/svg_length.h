@@ -1,6 +1,7 @@
 // Lengths of SVG.
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 
 #include <optional>
@@ -16,6 +17,11 @@ struct SvgUnits {
 
 /// Along which side of the viewport per cents count; Any: by its diagonal, as those of radii and widths of strokes do.
 enum class SvgAxis { Across, Down, Any };
+
+/// User units an inch, as CSS counts.
+inline constexpr double svgUnitsOfInch = 96;
+/// Whether the document says its width or its height in a unit of paper: mm, cm, in, pt or pc.
+bool saysSizeOnPaper(const QByteArray &svg);
 
 /// A length in user units: "12", "12px", "3mm". No value for relative ones and what is no length.
 std::optional<double> svgLength(const QString &text);

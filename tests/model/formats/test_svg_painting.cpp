@@ -40,6 +40,21 @@ class TestSvgPainting : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A drawing that is 210 mm wide is so large on paper, where 96 units are an inch. Of one in pixels nobody knows.
+    void theSizeOnPaperIsKept()
+    {
+        const auto unitsOfInch = [](const QByteArray &size) {
+            const QByteArray bytes = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">" + line + "</svg>";
+            const Result<LoadedDocument> read = readDocument(bytes, QStringLiteral("a.svg"));
+            return read ? read->extras.resolution : -1;
+        };
+        QCOMPARE(unitsOfInch("width=\"210mm\" height=\"148mm\" viewBox=\"0 0 210 148\""), 96.0);
+        QCOMPARE(unitsOfInch("height=\"5in\" viewBox=\"0 0 10 10\""), 96.0);
+        QCOMPARE(unitsOfInch("width=\"210\" height=\"148\""), 0.0);
+        QCOMPARE(unitsOfInch("width=\"210px\" height=\"100%\" viewBox=\"0 0 210 148\""), 0.0);
+        QCOMPARE(unitsOfInch("viewBox=\"0 0 210 148\""), 0.0);
+    }
+
     void isFoundFromItsContent()
     {
         QCOMPARE(detectFormat(svg("", line)), FileFormat::Svg);
